@@ -1,0 +1,34 @@
+# What the examples, benchmarks and tests have in common.
+
+# Links `target` to the package, and to the TetGen adapter where it is built.
+function(dsc_link_package target)
+  target_link_libraries(${target} PRIVATE deformable_simplicial_complex)
+  if(TARGET deformable_simplicial_complex_tetgen)
+    target_link_libraries(${target} PRIVATE deformable_simplicial_complex_tetgen)
+  endif()
+endfunction()
+
+# Sets `result` to the .cpp files of the current folder and the folders below it, except
+# `installed_package`; without the TetGen adapter, less those that name it.
+function(dsc_glob_sources result)
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" *.cpp)
+  list(FILTER files EXCLUDE REGEX "^installed_package/")
+  set(sources)
+  foreach(file IN LISTS files)
+    file(STRINGS "${file}" uses_tetgen REGEX "Tetgen_tetrahedralizer_3" LIMIT_COUNT 1)
+    if(TARGET deformable_simplicial_complex_tetgen OR NOT uses_tetgen)
+      list(APPEND sources "${file}")
+    endif()
+  endforeach()
+  set(${result} "${sources}" PARENT_SCOPE)
+endfunction()
+
+# Adds the program `prefix`_`name of the file`, called by the name of the file in the build folder,
+# and sets `result` to the name of its target.
+function(dsc_add_single_source_program result prefix file)
+  get_filename_component(name "${file}" NAME_WE)
+  add_executable(${prefix}_${name} "${file}")
+  set_target_properties(${prefix}_${name} PROPERTIES OUTPUT_NAME "${name}")
+  dsc_link_package(${prefix}_${name})
+  set(${result} ${prefix}_${name} PARENT_SCOPE)
+endfunction()

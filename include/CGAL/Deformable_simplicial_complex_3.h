@@ -1,0 +1,335 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/Component_change.h>
+#include <CGAL/Deformable_simplicial_complex_3/State_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Component_tracker.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Label_totals.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/assemble_triangulation.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/hilbert_order.h>
+#include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
+#include <CGAL/Deformable_simplicial_complex_cell_base_3.h>
+#include <CGAL/Deformable_simplicial_complex_traits_3.h>
+#include <CGAL/Deformable_simplicial_complex_vertex_base_3.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Default.h>
+#include <CGAL/Triangulation_3.h>
+#include <CGAL/Triangulation_data_structure_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iostream>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+A tetrahedralized domain each cell of which carries a label. The *interface* is the set of facets
+between cells of different labels; it may be non-manifold, and any number of labels may meet. The
+domain is a ball, in most cases a box whose sides are known to the complex.
+
+Invariant: every finite cell is positively oriented, decided by exact predicates. Each member function
+either keeps that and does what it says, or leaves the complex as it was.
+
+Orders never depend on addresses: lists of simplices are ordered by time stamps, that is by creation.
+Handles stay valid until their simplex is removed. Queries about stars, facets of the interface and
+components write marks into the cells: one thread at a time may use a complex.
+
+\tparam Traits_ model of `DeformableSimplicialComplexTraits_3`
+\tparam Tds_ a `Triangulation_data_structure_3` whose items are models of
+        `DeformableSimplicialComplexVertexBase_3` and `DeformableSimplicialComplexCellBase_3`
+\tparam QualityMeasure_ model of `TetrahedronQualityMeasure_3`: the quality that cells cache
+*/
+template <class Traits_ = Deformable_simplicial_complex_traits_3<>, class Tds_ = Default,
+          class QualityMeasure_ = Volume_length_ratio_3>
+class Deformable_simplicial_complex_3
+{
+public:
+  using Geom_traits = Traits_;
+  using Quality_measure = QualityMeasure_;
+  using Triangulation_data_structure = typename Default::Get<
+      Tds_, Triangulation_data_structure_3<Deformable_simplicial_complex_vertex_base_3<Traits_>,
+                                           Deformable_simplicial_complex_cell_base_3<Traits_>>>::type;
+  using Triangulation = Triangulation_3<Geom_traits, Triangulation_data_structure>;
+  using Point_3 = typename Geom_traits::Point_3;
+  using Approximate_point_3 = typename Geom_traits::Approximate_point_3;
+  using Approximate_vector_3 = typename Geom_traits::Approximate_vector_3;
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  using Cell_handle = typename Triangulation::Cell_handle;
+  using Facet = typename Triangulation::Facet;
+  using Edge = typename Triangulation::Edge;
+  using Cavity = Cavity_3<Deformable_simplicial_complex_3>;
+  using State = Deformable_simplicial_complex_state_3;
+  using Label = int;
+  using size_type = std::size_t;
+
+  /// user coordinates = translation + scale * coordinates of the complex
+  struct Normalization
+  {
+    Approximate_vector_3 translation = Approximate_vector_3(0, 0, 0);
+    double scale = 1;
+  };
+
+  /// \name Creation
+  /// @{
+
+  explicit Deformable_simplicial_complex_3(const Geom_traits& traits = Geom_traits(),
+                                           const Quality_measure& quality = Quality_measure());
+  Deformable_simplicial_complex_3(const Deformable_simplicial_complex_3&) = default;
+  Deformable_simplicial_complex_3(Deformable_simplicial_complex_3&& other)
+      : Deformable_simplicial_complex_3()
+  {
+    swap(other);
+  }
+  /// Copy and move; the time stamps are copied, so that a copy behaves like the original.
+  Deformable_simplicial_complex_3& operator=(Deformable_simplicial_complex_3 other)
+  {
+    swap(other);
+    return *this;
+  }
+
+  void swap(Deformable_simplicial_complex_3& other);
+  void clear() { *this = Deformable_simplicial_complex_3(geom_traits(), m_quality_measure); }
+
+  /*!
+  Replaces the complex by labelled tetrahedra. Vertices and cells are stored along a Hilbert curve.
+
+  \param points vertices; each must be used. \param tetrahedra index quadruples, positively oriented.
+  \param labels one label for each tetrahedron.
+  \return the vertices in the order of `points`
+  \throws Invalid_tetrahedra_error if sizes or indices do not fit, a vertex is unused, a tetrahedron is
+          not positive, or the tetrahedra do not form a ball. The complex is then unchanged.
+  \pre coordinates are finite
+
+  n log n in the number of tetrahedra.
+  */
+  std::vector<Vertex_handle> assign(const std::vector<Point_3>& points,
+                                    const std::vector<std::array<size_type, 4>>& tetrahedra,
+                                    const std::vector<Label>& labels);
+
+  /// Stores vertices and cells along a Hilbert curve again, as `assign()` did. Handles are invalidated.
+  void sort_storage();
+
+  /// Everything needed to continue a computation to the same bits.
+  State state() const;
+
+  /// The complex that `state()` described. \throws Invalid_tetrahedra_error if the state is none of a
+  /// valid complex; this one is then unchanged.
+  void restore(const State& state);
+
+  /// @}
+  /// \name Access
+  /// @{
+
+  const Triangulation& triangulation() const { return m_triangulation; }
+  const Geom_traits& geom_traits() const { return m_triangulation.geom_traits(); }
+  const Quality_measure& quality_measure() const { return m_quality_measure; }
+  size_type number_of_vertices() const { return m_triangulation.number_of_vertices(); }
+  /// Number of finite cells. Constant time in the number of cells.
+  size_type number_of_cells() const;
+  std::vector<Vertex_handle> vertices() const; ///< finite vertices by increasing time stamp
+  std::vector<Cell_handle> cells() const;      ///< finite cells by increasing time stamp
+
+  /// Whether the cell that c pointed to when it had this time stamp still exists.
+  bool is_alive(Cell_handle c, size_type time_stamp) const
+  {
+    return m_triangulation.tds().cells().is_used(c) && c->time_stamp() == time_stamp;
+  }
+
+  bool is_infinite(Vertex_handle v) const { return v == m_triangulation.infinite_vertex(); }
+  bool is_infinite(Cell_handle c) const { return m_triangulation.is_infinite(c); }
+  Approximate_point_3 position(Vertex_handle v) const
+  {
+    return geom_traits().construct_approximate_point_3_object()(v->point());
+  }
+  /// The cells around v, infinite ones included, in `star` (cleared first), v->cell() first.
+  void star(Vertex_handle v, std::vector<Cell_handle>& star) const;
+
+  /// The coordinates the user sees: input and output files, volumes and areas in reports.
+  const Normalization& normalization() const { return m_normalization; }
+  void set_normalization(const Normalization& n) { m_normalization = n; }
+  Approximate_point_3 user_position(Vertex_handle v) const
+  {
+    return CGAL::ORIGIN + (m_normalization.translation +
+                           m_normalization.scale * (position(v) - CGAL::ORIGIN));
+  }
+
+  /// @}
+  /// \name Labels, interface and boundary
+  /// @{
+
+  Label label(Cell_handle c) const { return c->label(); }
+  double quality(Cell_handle c) const { return c->quality(); }
+  std::vector<Label> labels() const; ///< the labels of cells, increasing
+
+  /// Whether two finite cells of different labels share the facet.
+  bool is_interface(const Facet& f) const
+  {
+    const Cell_handle a = f.first, b = a->neighbor(f.second);
+    return a->label() != b->label() && !is_infinite(a) && !is_infinite(b);
+  }
+  bool is_interface(const Edge& e) const;
+  bool is_interface(Vertex_handle v) const { return v->is_interface(); }
+
+  /// Whether a facet of the boundary of the domain is incident.
+  bool is_boundary(Vertex_handle v) const { return v->boundary_class() != 0; }
+
+  std::vector<Vertex_handle> interface_vertices() const; ///< by increasing time stamp
+  /// The interface, each facet once, from the cell of the larger label; by the time stamp of that cell.
+  std::vector<Facet> interface_facets() const;
+  /// The facets between labels a and b, from the cell of the larger one.
+  std::vector<Facet> interface_facets(Label a, Label b) const;
+  /// The vertices of a facet, counterclockwise seen from outside the cell `f.first`.
+  std::array<Vertex_handle, 3> facet_vertices(const Facet& f) const
+  {
+    static constexpr int opposite[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+    const int* i = opposite[f.second];
+    return {f.first->vertex(i[0]), f.first->vertex(i[1]), f.first->vertex(i[2])};
+  }
+
+  /// Lengths of the edges of the interface when the complex was built.
+  double mean_interface_edge() const { return m_mean_interface_edge; }
+  double minimum_interface_edge() const { return m_minimum_interface_edge; }
+
+  /// @}
+  /// \name Measures
+  /// @{
+
+  double volume(Label label) const { return m_totals.volume(label); } ///< constant time
+  size_type number_of_cells(Label label) const { return m_totals.cells(label); } ///< constant time
+  double area(Label label) const; ///< of the label's interface, without the boundary of the domain
+  double area(Label a, Label b) const;
+  /// V - E + F of the label's interface: 2 for a ball.
+  int euler_characteristic(Label label) const;
+  /// Connected components through facets. Linear if the topology may have changed, else constant.
+  size_type number_of_components(Label label) const
+  {
+    return m_components.number_of_components(m_triangulation, label);
+  }
+
+  /// What became of the components of each label since the last call, by increasing label.
+  /// Linear if the topology may have changed, else in the number of components.
+  std::vector<Component_change> take_component_changes()
+  {
+    return m_components.take_changes(m_triangulation);
+  }
+
+  /// @}
+  /// \name Motion
+  /// @{
+
+  /// The point nearest to q that v may go to within the sides of the domain it lies on.
+  Point_3 admissible_destination(Vertex_handle v, const Point_3& q) const;
+
+  /// Whether all cells of a star, the star of v, would be positively oriented with v at q; exact.
+  bool is_positive_star(Vertex_handle v, const std::vector<Cell_handle>& star,
+                        const Point_3& q) const;
+
+  /*!
+  Moves v towards q in a straight line: to q if every incident cell is positively oriented there, else
+  almost to the first point where one would be flat (Algorithm 2 of the paper). Positive at both ends
+  of a segment means positive between, as volumes are linear in one vertex.
+
+  \param q finite coordinates; a vertex on a side of the domain goes to `admissible_destination()`.
+  \return the part of the way that v went, in [0, 1]; 1 means it is at q, exactly. At 0 its coordinates
+          are what they were, bit for bit.
+
+  Linear in the star of v.
+  */
+  double move_vertex(Vertex_handle v, const Point_3& q);
+
+  /// Puts v at p. \pre `star` is the star of v and `is_positive_star(v, star, p)`
+  void set_point(Vertex_handle v, const std::vector<Cell_handle>& star, const Point_3& p);
+
+  /// Puts vertices at points, all at once. \pre `cells` are all cells of the vertices' stars, each
+  /// once, and the finite ones are positively oriented afterwards.
+  void set_points(const std::vector<Vertex_handle>& vertices, const std::vector<Point_3>& points,
+                  const std::vector<Cell_handle>& cells);
+
+  /// @}
+  /// \name Change of the mesh
+  /// @{
+
+  /*!
+  Commits a cavity: removes its cells, creates its tetrahedra and fills in `cavity.created()` and the
+  handles of new vertices. A new vertex without destination has none.
+  \pre the cavity was filled since the last change of the complex, `cavity.is_positive()`, and its
+       tetrahedra have the boundary of its removed cells.
+
+  n log n in the size of the cavity, plus the stars of its vertices if several labels take part.
+  */
+  void replace(Cavity& cavity);
+
+  /// Gives a finite cell another label. Linear in the stars of its vertices.
+  void relabel(Cell_handle c, Label label);
+
+  /// Remembers that improving c was tried in vain.
+  void set_exhausted(Cell_handle c) { c->set_exhausted_quality(float(c->quality())); }
+
+  /// Sets or forgets where an interface vertex is to go.
+  void set_destination(Vertex_handle v, const Point_3& q) { v->set_destination(q); }
+  void clear_destination(Vertex_handle v) { v->clear_destination(); }
+
+  /// @}
+
+  /*!
+  Checks the data structure, every orientation exactly, boundary classes and all that is cached.
+  \param verbose tells on `std::cerr` what is wrong, as CGAL's triangulations do
+  */
+  bool is_valid(bool verbose = false) const;
+
+private:
+  using Vertex_indices = Deformable_simplicial_complexes::internal::Cell_vertices;
+
+  double cell_volume(Cell_handle c) const;
+  double cell_quality(Cell_handle c) const;
+  void refresh(Cell_handle c) { c->set_quality(cell_quality(c)); }
+  bool is_positive(Cell_handle c) const;
+  bool has_interface_facet(Vertex_handle v) const;
+  void sew(Cavity& cavity);
+  void initialize_caches();
+  void initialize_boundary_classes();
+  void initialize_edge_lengths();
+  void check_stars(const std::vector<Vertex_handle>& vertices) const;
+  bool report(bool ok, const char* what, bool verbose) const;
+
+  struct Half_facet
+  {
+    std::array<std::uint32_t, 3> vertices;
+    Cell_handle cell;
+    int index;
+  };
+
+  Triangulation m_triangulation;
+  Quality_measure m_quality_measure;
+  Deformable_simplicial_complexes::internal::Label_totals m_totals;
+  Normalization m_normalization;
+  double m_mean_interface_edge = 0, m_minimum_interface_edge = 0;
+
+  mutable Deformable_simplicial_complexes::internal::Component_tracker m_components;
+
+  // Buffers whose memory is reused.
+  mutable std::vector<Cell_handle> m_star;
+  std::vector<Half_facet> m_half_facets;
+};
+
+} // namespace CGAL
+
+#include <CGAL/Deformable_simplicial_complex_3/internal/complex_impl.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/complex_motion_impl.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/complex_storage_impl.h>
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H

@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_DEFORMATION_REPORT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_DEFORMATION_REPORT_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Component_change.h>
+#include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+What a deformation did: nothing is silently lost.
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+*/
+template <class Complex> struct Deformation_report
+{
+  struct Unfinished_vertex
+  {
+    typename Complex::Vertex_handle vertex;
+    double distance; ///< from where it is to its destination
+  };
+
+  struct Label_change : public Component_change
+  {
+    double volume_before = 0;
+    double volume_after = 0;
+  };
+
+  bool complete = true;                      ///< whether `unfinished` is empty
+  std::vector<Unfinished_vertex> unfinished; ///< by time stamp
+  unsigned passes = 0;                       ///< executions of the main loop of Algorithm 1
+  std::size_t split = 0, collapsed = 0, flipped = 0, smoothed = 0; ///< see `Improvement_report`
+  std::size_t relabeled = 0;                                       ///< cells that changed their label
+  std::vector<Label_change> labels; ///< one for each label of before or after, increasing
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_DEFORMATION_REPORT_H

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_DEFORMATION_VISITOR_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_DEFORMATION_VISITOR_3_H
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Does nothing when the mesh changes: the default visitor and a base for others, which hide the functions
+they are interested in. Pass a visitor by `std::ref` to see its state afterwards. No function may change
+the complex.
+
+\cgalModels `DeformationVisitor_3`
+*/
+struct Deformation_visitor_3
+{
+  /// `v` was created on the edge between `a` and `b`.
+  template <class Vertex_handle> void after_split(Vertex_handle /*v*/, Vertex_handle /*a*/, Vertex_handle /*b*/) {}
+
+  /// `removed` is about to disappear into `kept`; both are still there.
+  template <class Vertex_handle> void before_collapse(Vertex_handle /*removed*/, Vertex_handle /*kept*/) {}
+
+  /// `cells` have replaced others of the same label by an edge or multi-face removal.
+  template <class Cells> void after_flip(const Cells& /*cells*/) {}
+
+  /// `cell` had the label `before`.
+  template <class Cell_handle> void after_relabel(Cell_handle /*cell*/, int /*before*/) {}
+
+  /// Asked before each pass of a deformation, the first one being 1; false ends it as incomplete.
+  bool go_further(unsigned /*pass*/) { return true; }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_DEFORMATION_VISITOR_3_H

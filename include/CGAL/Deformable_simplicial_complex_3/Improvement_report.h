@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_IMPROVEMENT_REPORT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_IMPROVEMENT_REPORT_H
+
+#include <cstddef>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+What was done to the mesh.
+*/
+struct Improvement_report
+{
+  std::size_t split = 0;     ///< edges split
+  std::size_t collapsed = 0; ///< edges collapsed
+  std::size_t flipped = 0;   ///< edges and sets of facets removed
+  std::size_t smoothed = 0;  ///< vertices smoothed
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_IMPROVEMENT_REPORT_H

@@ -1,0 +1,207 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_EDGE_COLLAPSE_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_EDGE_COLLAPSE_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The links of the two ends of an edge, in the tetrahedra and in the interface, compared.
+template <class Complex> class Collapse_test_3
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Star = std::vector<Cell_handle>;
+
+  Collapse_test_3(const Complex& complex, Vertex_handle a, Vertex_handle b)
+      : m_complex(complex), m_a(a), m_b(b)
+  {
+  }
+
+  // Whether the removed vertex is no more singular than the edge: as many sectors of one label (the
+  // outside of the domain being one) meet in its star as around the edge. A vertex in a sheet may thus
+  // go along the sheet, one on a triple line along the line, and a point where more meet stays.
+  bool has_same_stratum(const Star& star_a) const
+  {
+    Star around_edge;
+    for (Cell_handle c : star_a)
+      if (c->has_vertex(m_b))
+        around_edge.push_back(c);
+    return sectors(star_a) == sectors(around_edge);
+  }
+
+  // Lk(a) and Lk(b) meet in Lk(ab), exactly: then the collapse keeps the topology of space, and if the
+  // same holds in the interface, that of the interface. The infinite vertex counts like any other.
+  bool fulfills_link_condition(const Star& star_a, const Star& star_b) const
+  {
+    Links volume, interface_;
+    collect(star_a, m_a, m_b, volume.a, interface_.a);
+    collect(star_b, m_b, m_a, volume.b, interface_.b);
+    for (Cell_handle c : star_a) {
+      if (!c->has_vertex(m_b)) {
+        if (c->neighbor(c->index(m_a))->has_vertex(m_b))
+          return false; // a triangle in both links
+        continue;
+      }
+      const int ia = c->index(m_a), ib = c->index(m_b);
+      std::size_t ring[2], *out = ring;
+      for (int i = 0; i < 4; ++i)
+        if (i != ia && i != ib) {
+          *out++ = c->vertex(i)->time_stamp();
+          volume.ab.push_back({out[-1], out[-1]});
+          if (m_complex.is_interface(std::make_pair(c, 6 - ia - ib - i)))
+            interface_.ab.push_back({out[-1], out[-1]});
+        }
+      volume.ab.push_back(std::minmax(ring[0], ring[1]));
+    }
+    return volume.agree() && interface_.agree();
+  }
+
+private:
+  // A vertex (v, v) or an edge (v, w) of a link, by time stamps.
+  using Simplex = std::pair<std::size_t, std::size_t>;
+
+  struct Links
+  {
+    std::vector<Simplex> a, b, ab;
+
+    bool agree()
+    {
+      for (std::vector<Simplex>* link : {&a, &b, &ab}) {
+        std::sort(link->begin(), link->end());
+        link->erase(std::unique(link->begin(), link->end()), link->end());
+      }
+      std::vector<Simplex> common;
+      std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
+      return common == ab;
+    }
+  };
+
+  // Vertices and edges of the link of `center`, without `other`.
+  void collect(const Star& star, Vertex_handle center, Vertex_handle other,
+               std::vector<Simplex>& volume, std::vector<Simplex>& interface_) const
+  {
+    for (Cell_handle c : star)
+      for (int i = 0; i < 4; ++i) {
+        if (c->vertex(i) == center)
+          continue;
+        Vertex_handle ends[2], *out = ends; // the facet opposite to i, without the center
+        for (int j = 0; j < 4; ++j)
+          if (j != i && c->vertex(j) != center)
+            *out++ = c->vertex(j);
+        const bool is_interface = m_complex.is_interface(std::make_pair(c, i));
+        const auto add = [&](Simplex s) {
+          volume.push_back(s);
+          if (is_interface)
+            interface_.push_back(s);
+        };
+        for (Vertex_handle v : ends)
+          if (v != other)
+            add({v->time_stamp(), v->time_stamp()});
+        if (ends[0] != other && ends[1] != other)
+          add(std::minmax(ends[0]->time_stamp(), ends[1]->time_stamp()));
+      }
+  }
+
+  // Connected sets of cells of one label, infinite cells having a label of their own.
+  std::size_t sectors(const Star& cells) const
+  {
+    const auto same = [&](Cell_handle c, Cell_handle d) {
+      return m_complex.is_infinite(c) == m_complex.is_infinite(d) && c->label() == d->label();
+    };
+    std::size_t count = 0;
+    Star front;
+    for (Cell_handle c : cells)
+      c->tds_data().mark_in_conflict();
+    for (Cell_handle seed : cells) {
+      if (!seed->tds_data().is_in_conflict())
+        continue;
+      ++count;
+      seed->tds_data().clear();
+      front.push_back(seed);
+      while (!front.empty()) {
+        const Cell_handle c = front.back();
+        front.pop_back();
+        for (int i = 0; i < 4; ++i)
+          if (c->neighbor(i)->tds_data().is_in_conflict() && same(c, c->neighbor(i))) {
+            c->neighbor(i)->tds_data().clear();
+            front.push_back(c->neighbor(i));
+          }
+      }
+    }
+    return count;
+  }
+
+  const Complex& m_complex;
+  Vertex_handle m_a, m_b;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Proposes to collapse an edge: its first vertex is removed, its second one stays where it is.
+
+\param complex is not changed. \param cell, i, j the vertex i of the cell goes, the vertex j stays.
+\param minimum_quality no new tetrahedron may be worse. \param cavity filled with the proposal if there
+       is one.
+\return whether the collapse keeps every topology (exact link conditions, in the tetrahedra and in the
+        interface), leaves sides of the domain, sheets, lines and points where labels meet in place or
+        moves them only along themselves, and makes only positive tetrahedra of sufficient quality.
+
+n log n in the size of the two stars.
+*/
+template <class Complex>
+bool propose_edge_collapse(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,
+                           double minimum_quality, Cavity_3<Complex>& cavity)
+{
+  const auto a = cell->vertex(i), b = cell->vertex(j);
+  if (complex.is_infinite(a) || complex.is_infinite(b) ||
+      !Boundary_class::contains(b->boundary_class(), a->boundary_class()) ||
+      (a->boundary_class() & Boundary_class::fixed) != 0 || (a->is_interface() && !b->is_interface()))
+    return false;
+
+  std::vector<typename Complex::Cell_handle> star_a, star_b;
+  complex.star(a, star_a);
+  cavity.clear();
+  for (auto c : star_a)
+    cavity.remove(c);
+  cavity.remove(a);
+  const auto b_index = cavity.add(b);
+  for (auto c : star_a) {
+    if (c->has_vertex(b))
+      continue;
+    typename std::array<typename Cavity_3<Complex>::Index, 4> t;
+    for (int k = 0; k < 4; ++k)
+      t[k] = c->vertex(k) == a ? b_index : cavity.add(c->vertex(k));
+    if (!(cavity.create(t, c) >= minimum_quality))
+      return false;
+  }
+  if (!cavity.is_positive())
+    return false;
+
+  const Deformable_simplicial_complexes::internal::Collapse_test_3<Complex> test(complex, a, b);
+  if (!test.has_same_stratum(star_a))
+    return false;
+  complex.star(b, star_b);
+  return test.fulfills_link_condition(star_a, star_b);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_EDGE_COLLAPSE_3_H

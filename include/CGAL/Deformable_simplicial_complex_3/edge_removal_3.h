@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_EDGE_REMOVAL_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_EDGE_REMOVAL_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// An index of a cell besides two others.
+inline int other_index(int i, int j) { return i != 0 && j != 0 ? 0 : i != 1 && j != 1 ? 1 : 2; }
+
+// The ring of cells around an edge a -> b: ring vertex k and k + 1 belong to cell k.
+template <class Complex> class Edge_ring_3
+{
+public:
+  using Cell_handle = typename Complex::Cell_handle;
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cavity = Cavity_3<Complex>;
+  using Index = typename Cavity::Index;
+
+  // Counterclockwise around a -> b, starting in a cell. Makes all vertices ones of the cavity.
+  Edge_ring_3(Cell_handle cell, int i, int j, Cavity& cavity)
+      : m_cavity(cavity), m_a(cavity.add(cell->vertex(i))), m_b(cavity.add(cell->vertex(j)))
+  {
+    // (a, b, s, t) is positive, the next cell lies opposite to s.
+    static constexpr int next[4][4] = {{-1, 2, 3, 1}, {3, -1, 0, 2}, {1, 3, -1, 0}, {2, 0, 1, -1}};
+    const Vertex_handle a = cell->vertex(i), b = cell->vertex(j);
+    Vertex_handle s = cell->vertex(next[i][j]);
+    Cell_handle c = cell;
+    do {
+      const int s_index = c->index(s);
+      m_cells.push_back(c);
+      m_vertices.push_back(cavity.add(s));
+      s = c->vertex(6 - s_index - c->index(a) - c->index(b));
+      c = c->neighbor(s_index);
+    } while (c != cell);
+  }
+
+  std::size_t size() const { return m_cells.size(); }
+  const std::vector<Cell_handle>& cells() const { return m_cells; }
+
+  // Triangulates the polygon of ring vertices first, ..., last (modulo the size) so that the worst
+  // quality of the tetrahedra over and under it is best, and plans them in the cavity. Returns false if
+  // that quality is not above `bound`.
+  bool triangulate(std::size_t first, std::size_t last, double bound)
+  {
+    // best[p * n + q]: quality of the best triangulation of the polygon from p to q > p, in which the
+    // triangle (p, apex, q) lies on the edge (p, q).
+    const std::size_t n = last - first + 1;
+    m_best.assign(n * n, std::numeric_limits<double>::infinity());
+    m_apex.assign(n * n, 0);
+    const auto vertex = [&](std::size_t p) { return m_vertices[(first + p) % size()]; };
+    for (std::size_t length = 2; length < n; ++length)
+      for (std::size_t p = 0; p + length < n; ++p) {
+        const std::size_t q = p + length;
+        double& value = m_best[p * n + q];
+        value = -std::numeric_limits<double>::infinity();
+        for (std::size_t k = p + 1; k < q; ++k) {
+          double worst = (std::min)(m_best[p * n + k], m_best[k * n + q]);
+          if (worst > bound)
+            worst = (std::min)(worst, m_cavity.quality({vertex(p), vertex(k), vertex(q), m_b}));
+          if (worst > bound)
+            worst = (std::min)(worst, m_cavity.quality({vertex(k), vertex(p), vertex(q), m_a}));
+          if (worst > value) {
+            value = worst;
+            m_apex[p * n + q] = k;
+          }
+        }
+      }
+    if (!(m_best[n - 1] > bound))
+      return false;
+
+    const Cell_handle parent = m_cells[first % size()];
+    m_open.assign(1, {0, n - 1});
+    while (!m_open.empty()) {
+      const auto [p, q] = m_open.back();
+      m_open.pop_back();
+      if (q - p < 2)
+        continue;
+      const std::size_t k = m_apex[p * n + q];
+      m_cavity.create({vertex(p), vertex(k), vertex(q), m_b}, parent);
+      m_cavity.create({vertex(k), vertex(p), vertex(q), m_a}, parent);
+      m_open.emplace_back(p, k);
+      m_open.emplace_back(k, q);
+    }
+    return true;
+  }
+
+private:
+  Cavity& m_cavity;
+  Index m_a, m_b;
+  std::vector<Cell_handle> m_cells;
+  std::vector<Index> m_vertices;
+  std::vector<double> m_best;
+  std::vector<std::size_t> m_apex;
+  std::vector<std::pair<std::size_t, std::size_t>> m_open;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Proposes to remove an edge: the ring of n cells around it becomes 2 (n - 2) tetrahedra, over and under a
+triangulation of the ring polygon that maximises the worst quality (Klincsek's dynamic programme; section
+3.2.1 of the paper). The 3-2 and the 4-4 flip are the cases n = 3 and n = 4.
+
+\param complex is not changed. \param cell, i, j the edge between the vertices i and j of the cell.
+\param cavity filled with the proposal if there is one.
+\return whether the ring is finite and of one label and the worst quality rises, all new tetrahedra being
+        positive. The interface and the boundary of the domain stay as they are.
+
+Cubic in n.
+*/
+template <class Complex>
+bool propose_edge_removal(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,
+                          Cavity_3<Complex>& cavity)
+{
+  cavity.clear();
+  Deformable_simplicial_complexes::internal::Edge_ring_3<Complex> ring(cell, i, j, cavity);
+  for (auto c : ring.cells()) {
+    if (complex.is_infinite(c) || c->label() != cell->label())
+      return false;
+    cavity.remove(c);
+  }
+  return ring.triangulate(0, ring.size() - 1, cavity.quality_before()) && cavity.is_positive();
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Proposes to flip an edge of the interface: the two facets that share it are replaced by the two on the
+other diagonal, which is edge removal constrained to that diagonal (section 3.2.2 of the paper). The
+surface moves by the tetrahedron of the four vertices; whether that is small enough is the caller's to
+judge.
+
+\param complex is not changed. \param cell, i, j the edge between the vertices i and j of the cell.
+\param cavity filled with the proposal if there is one.
+\return whether the ring is finite, exactly two facets of the interface meet in the edge, and the
+        worst quality rises, all new tetrahedra being positive.
+
+Cubic in the number of cells around the edge.
+*/
+template <class Complex>
+bool propose_interface_edge_flip(const Complex& complex, typename Complex::Cell_handle cell, int i,
+                                 int j, Cavity_3<Complex>& cavity)
+{
+  cavity.clear();
+  Deformable_simplicial_complexes::internal::Edge_ring_3<Complex> ring(cell, i, j, cavity);
+  const std::size_t n = ring.size();
+  std::vector<std::size_t> sheets; // ring vertices at which the label changes
+  for (std::size_t k = 0; k < n; ++k) {
+    if (complex.is_infinite(ring.cells()[k]))
+      return false;
+    cavity.remove(ring.cells()[k]);
+    if (ring.cells()[k]->label() != ring.cells()[(k + n - 1) % n]->label())
+      sheets.push_back(k);
+  }
+  if (sheets.size() != 2)
+    return false;
+  // A side of one cell has the other diagonal already; in the interface it would become singular.
+  for (std::size_t k : sheets)
+    if (ring.cells()[k]->label() != ring.cells()[(k + 1) % n]->label()) {
+      const auto c = ring.cells()[k];
+      const int u = Deformable_simplicial_complexes::internal::other_index(c->index(cell->vertex(i)), c->index(cell->vertex(j)));
+      if (complex.is_interface(typename Complex::Edge(c, u, 6 - u - c->index(cell->vertex(i)) -
+                                                                c->index(cell->vertex(j)))))
+        return false;
+    }
+  return ring.triangulate(sheets[0], sheets[1], cavity.quality_before()) &&
+         ring.triangulate(sheets[1], sheets[0] + n, cavity.quality_before()) && cavity.is_positive();
+}
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_EDGE_REMOVAL_3_H

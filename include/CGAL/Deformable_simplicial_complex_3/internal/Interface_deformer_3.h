@@ -1,0 +1,239 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_DEFORMER_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_DEFORMER_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/harmonic_extension_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/simultaneous_motion_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The steps of Algorithm 1, in the order in which deform_interface() takes them.
+template <class Complex, class Visitor> class Interface_deformer_3
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Point_3 = typename Complex::Point_3;
+  using Vector = typename Complex::Approximate_vector_3;
+  using Report = Deformation_report<Complex>;
+
+  Interface_deformer_3(Complex& complex, Visitor& visitor, double quality_threshold,
+                       double relabeling_threshold)
+      : m_complex(complex), m_visitor(visitor), m_improver(complex, visitor, quality_threshold),
+        m_relabeling_threshold(relabeling_threshold)
+  {
+    for (auto label : complex.labels())
+      label_change(label).volume_before = complex.volume(label);
+    complex.take_component_changes();
+  }
+
+  // Nothing is changed if a destination is refused.
+  template <class Destination> void set_destinations(const Destination& destination)
+  {
+    const auto vertices = m_complex.interface_vertices();
+    const auto approximate = m_complex.geom_traits().construct_approximate_point_3_object();
+    std::vector<Point_3> destinations;
+    std::vector<std::size_t> refused;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      destinations.push_back(destination(vertices[i]));
+      const auto q = approximate(destinations.back());
+      if (!std::isfinite(q.x()) || !std::isfinite(q.y()) || !std::isfinite(q.z()))
+        refused.push_back(i);
+    }
+    if (!refused.empty())
+      throw Invalid_destination_error(
+          "a destination is not a finite point; check the velocities and the time step", refused);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      m_complex.set_destination(vertices[i],
+                                m_complex.admissible_destination(vertices[i], destinations[i]));
+    update_unfinished();
+  }
+
+  bool is_complete() const { return m_unfinished.empty(); }
+
+  // Whether the last two passes brought vertices nearer to their destinations.
+  bool is_progressing() const { return m_idle_passes < 2; }
+
+  // Interface and free vertices at once: most of most motions.
+  void move_together()
+  {
+    const std::vector<Vertex_handle> free = free_vertices_near(m_complex, m_unfinished);
+    const auto exact = m_complex.geom_traits().construct_exact_point_3_object();
+    const auto solution = harmonic_extension(m_complex, free, [&](Vertex_handle v) {
+      return v->has_destination() ? remaining(v) : Vector(0, 0, 0);
+    });
+    std::vector<Vertex_handle> vertices = m_unfinished;
+    std::vector<Point_3> targets;
+    for (Vertex_handle v : m_unfinished)
+      targets.push_back(v->destination());
+    for (std::size_t i = 0; i < free.size(); ++i)
+      if (solution[i] != Vector(0, 0, 0)) {
+        vertices.push_back(free[i]);
+        targets.push_back(exact(m_complex.position(free[i]) + solution[i]));
+      }
+    Simultaneous_motion_3<Complex> motion(m_complex, vertices, targets);
+    for (Cell_handle c : motion.run())
+      touch(c);
+    update_unfinished();
+  }
+
+  // Algorithm 2 for those that could not go all the way together.
+  void move_one_by_one()
+  {
+    for (Vertex_handle v : m_unfinished)
+      if (m_complex.move_vertex(v, v->destination()) > 0) {
+        m_complex.star(v, m_star);
+        for (Cell_handle c : m_star)
+          if (!m_complex.is_infinite(c))
+            touch(c);
+      }
+    update_unfinished();
+  }
+
+  // Cells flattened between two parts of the interface: where its topology changes.
+  void relabel_degenerate_cells()
+  {
+    m_touched.sort();
+    Work_list<Cell_handle> cells = m_touched;
+    for (const auto& item : cells) {
+      const Cell_handle c = item.cell;
+      const auto before = c->label();
+      auto label = before;
+      if (!propose_relabeling(m_complex, c, m_relabeling_threshold, label))
+        continue;
+      m_complex.relabel(c, label);
+      m_visitor.after_relabel(c, before);
+      ++m_relabeled;
+    }
+  }
+
+  // Small angles of the interface where it could not move: it folds there.
+  void remove_obstacles()
+  {
+    static constexpr double cosine = .94; // 20 degrees
+    Work_list<Cell_handle> cells;
+    for (Vertex_handle v : m_unfinished) {
+      m_complex.star(v, m_star);
+      for (Cell_handle c : m_star)
+        if (!m_complex.is_infinite(c))
+          cells.push(c);
+    }
+    cells.sort();
+    for (const auto& item : cells)
+      if (m_complex.is_alive(item.cell, item.time_stamp))
+        m_improver.remove_degenerate_facet(item.cell, cosine, m_touched);
+  }
+
+  // Reconnection, smoothing, collapses and splits around what moved.
+  void improve()
+  {
+    m_improver.improve(std::move(m_touched), 3);
+    m_touched.clear();
+    update_unfinished();
+    const double distance = remaining_distance();
+    m_idle_passes = distance > .99 * m_last_distance ? m_idle_passes + 1 : 0;
+    m_last_distance = distance;
+  }
+
+  Report report(unsigned passes)
+  {
+    Report report;
+    report.passes = passes;
+    for (Vertex_handle v : m_unfinished) {
+      report.unfinished.push_back({v, std::sqrt(remaining(v).squared_length())});
+      m_complex.clear_destination(v);
+    }
+    report.complete = report.unfinished.empty();
+    report.split = m_improver.report().split;
+    report.collapsed = m_improver.report().collapsed;
+    report.flipped = m_improver.report().flipped;
+    report.smoothed = m_improver.report().smoothed;
+    report.relabeled = m_relabeled;
+    for (const Component_change& change : m_complex.take_component_changes())
+      static_cast<Component_change&>(label_change(change.label)) = change;
+    for (auto& change : m_labels)
+      change.volume_after = m_complex.volume(change.label);
+    report.labels = m_labels;
+    return report;
+  }
+
+private:
+  Vector remaining(Vertex_handle v) const
+  {
+    return m_complex.geom_traits().construct_approximate_point_3_object()(v->destination()) -
+           m_complex.position(v);
+  }
+
+  double remaining_distance() const
+  {
+    double sum = 0;
+    for (Vertex_handle v : m_unfinished)
+      sum += std::sqrt(remaining(v).squared_length());
+    return sum;
+  }
+
+  void touch(Cell_handle c)
+  {
+    if (m_improver.is_bad(c) || c->quality() < m_relabeling_threshold)
+      m_touched.push(c);
+  }
+
+  // Vertices may have been created and removed: look for those that still have a way to go.
+  void update_unfinished()
+  {
+    m_unfinished.clear();
+    for (Vertex_handle v : m_complex.triangulation().finite_vertex_handles()) {
+      if (!v->has_destination())
+        continue;
+      if (!v->is_interface() || v->point() == v->destination())
+        m_complex.clear_destination(v);
+      else
+        m_unfinished.push_back(v);
+    }
+    std::sort(m_unfinished.begin(), m_unfinished.end(),
+              [](Vertex_handle a, Vertex_handle b) { return a->time_stamp() < b->time_stamp(); });
+  }
+
+  typename Report::Label_change& label_change(typename Complex::Label label)
+  {
+    auto it = m_labels.begin();
+    while (it != m_labels.end() && it->label < label)
+      ++it;
+    if (it == m_labels.end() || it->label != label) {
+      it = m_labels.insert(it, typename Report::Label_change());
+      it->label = label;
+    }
+    return *it;
+  }
+
+  Complex& m_complex;
+  Visitor& m_visitor;
+  Mesh_improver_3<Complex, Visitor> m_improver;
+  double m_relabeling_threshold;
+  std::vector<Vertex_handle> m_unfinished;
+  Work_list<Cell_handle> m_touched;
+  std::vector<Cell_handle> m_star;
+  double m_last_distance = std::numeric_limits<double>::infinity();
+  unsigned m_idle_passes = 0;
+  std::size_t m_relabeled = 0;
+  std::vector<typename Report::Label_change> m_labels;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_DEFORMER_3_H

@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABEL_TOTALS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABEL_TOTALS_H
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Number of cells and volume of every label, kept up to date cell by cell. Volumes are added in
+// fixed point, so that the totals do not depend on the order of the changes and never drift: they
+// are at any time the sum over the cells that exist.
+class Label_totals
+{
+public:
+  struct Total
+  {
+    int label;
+    std::size_t cells;
+    std::int64_t volume;
+  };
+
+  // The unit is 2^-62 of a power of two above the volume of the domain.
+  explicit Label_totals(double domain_volume = 1) {
+    int exponent;
+    std::frexp(domain_volume, &exponent);
+    m_to_units = std::ldexp(1., 61 - exponent);
+  }
+
+  std::int64_t units(double volume) const { return std::llrint(volume * m_to_units); }
+
+  void add_cell(int label, double volume) {
+    Total& t = total(label);
+    ++t.cells;
+    t.volume += units(volume);
+  }
+
+  void remove_cell(int label, double volume) {
+    Total& t = total(label);
+    --t.cells;
+    t.volume -= units(volume);
+  }
+
+  void add_volume(int label, std::int64_t units) { total(label).volume += units; }
+
+  double volume(int label) const {
+    const Total* t = find(label);
+    return t ? double(t->volume) / m_to_units : 0.;
+  }
+
+  std::size_t cells(int label) const {
+    const Total* t = find(label);
+    return t ? t->cells : 0;
+  }
+
+  // Sorted by label; labels that once had cells stay.
+  const std::vector<Total>& totals() const { return m_totals; }
+
+private:
+  const Total* find(int label) const {
+    for(const Total& t : m_totals)
+      if(t.label == label)
+        return &t;
+    return nullptr;
+  }
+
+  Total& total(int label) {
+    auto it = m_totals.begin();
+    while(it != m_totals.end() && it->label < label)
+      ++it;
+    if(it == m_totals.end() || it->label != label)
+      it = m_totals.insert(it, {label, 0, 0});
+    return *it;
+  }
+
+  double m_to_units;
+  std::vector<Total> m_totals;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABEL_TOTALS_H

@@ -1,0 +1,227 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_MESH_IMPROVER_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_MESH_IMPROVER_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/relabeling_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/vertex_optimization_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/vertex_smoothing_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The operations of Algorithm 3, each applied to one bad cell: every function tries to improve the cell
+// and says whether it did; cells that an operation made or touched go into `touched`.
+template <class Complex, class Visitor> class Mesh_improver_3
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Cells = Work_list<Cell_handle>;
+
+  Mesh_improver_3(Complex& complex, Visitor& visitor, double threshold)
+      : m_complex(complex), m_visitor(visitor), m_threshold(threshold), m_cavity(complex)
+  {
+  }
+
+  const Improvement_report& report() const { return m_report; }
+
+  static constexpr double degenerate_cosine = .999; // of the angle that makes a facet degenerate
+
+  // Improves the cells below the threshold, then those that arose from them, and so on.
+  void improve(Cells cells, unsigned rounds)
+  {
+    Cells touched;
+    for (unsigned round = 0; round < rounds && !cells.empty(); ++round) {
+      cells.sort();
+      touched.clear();
+      for (const auto& item : cells) {
+        const Cell_handle c = item.cell;
+        if (!m_complex.is_alive(c, item.time_stamp) || !is_bad(c))
+          continue;
+        if (!(reconnect(c, touched) || smooth(c, touched) || collapse(c, touched) ||
+              split(c, touched) ||
+              remove_degenerate_facet(c, degenerate_cosine, touched)))
+          m_complex.set_exhausted(c);
+      }
+      std::swap(cells, touched);
+    }
+  }
+
+  // Whether the cell is below the threshold and has changed since it was last tried in vain.
+  bool is_bad(Cell_handle c) const
+  {
+    static constexpr double same = .1;
+    return c->quality() < m_threshold &&
+           std::abs(c->quality() - c->exhausted_quality()) > same * c->quality();
+  }
+
+  bool reconnect(Cell_handle c, Cells& touched)
+  {
+    for (int i = 0; i < 4; ++i)
+      if (propose_multi_face_removal(m_complex, c, i, m_cavity))
+        return flip(touched);
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j)
+        if (propose_edge_removal(m_complex, c, i, j, m_cavity))
+          return flip(touched);
+    return false;
+  }
+
+  bool smooth(Cell_handle c, Cells& touched)
+  {
+    const double before = c->quality();
+    typename Complex::Point_3 target;
+    for (int i = 0; i < 4; ++i) {
+      const Vertex_handle v = c->vertex(i);
+      if (v->is_interface())
+        continue;
+      m_complex.star(v, m_star);
+      if (!propose_smart_laplacian(m_complex, v, m_star, target) &&
+          !propose_optimal_position(m_complex, v, m_star, target))
+        continue;
+      m_complex.set_point(v, m_star, target);
+      ++m_report.smoothed;
+      for (Cell_handle d : m_star)
+        touch(d, touched);
+    }
+    return c->quality() > before;
+  }
+
+  bool collapse(Cell_handle c, Cells& touched)
+  {
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j)
+        if (i != j && !c->vertex(i)->is_interface() && collapse_edge(c, i, j, touched))
+          return true;
+    return false;
+  }
+
+  // Splits the longest edge if it is long and its ends cannot move freely (Algorithm 3, line 1).
+  bool split(Cell_handle c, Cells& touched)
+  {
+    int a = 0, b = 1;
+    double longest = 0;
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j) {
+        const double length =
+            (m_complex.position(c->vertex(i)) - m_complex.position(c->vertex(j))).squared_length();
+        if (length > longest) {
+          longest = length;
+          a = i;
+          b = j;
+        }
+      }
+    const Vertex_handle v = c->vertex(a), w = c->vertex(b);
+    const double split_length = 4 * m_complex.mean_interface_edge();
+    const auto is_tied = [&](Vertex_handle u) { return u->is_interface() || m_complex.is_boundary(u); };
+    if (longest < split_length * split_length || !is_tied(v) || !is_tied(w) ||
+        m_complex.is_interface(typename Complex::Edge(c, a, b)) ||
+        !propose_edge_split(m_complex, c, a, b, .5, m_cavity))
+      return false;
+    m_complex.replace(m_cavity);
+    ++m_report.split;
+    m_visitor.after_split(m_cavity.vertices().back().handle, v, w);
+    touch_created(touched);
+    return true;
+  }
+
+  // Removes a facet of the interface with an angle below a bound, given by its cosine: the longest edge
+  // of a cap is flipped, the shortest one of a needle collapsed ("degeneracy removal" of section 3.2.1).
+  bool remove_degenerate_facet(Cell_handle c, double cosine, Cells& touched)
+  {
+    for (int f = 0; f < 4; ++f) {
+      if (!m_complex.is_interface(std::make_pair(c, f)))
+        continue;
+      const int v[3] = {(f + 1) % 4, (f + 2) % 4, (f + 3) % 4};
+      double squared[3]; // of the edges opposite to the three vertices
+      for (int k = 0; k < 3; ++k)
+        squared[k] = (m_complex.position(c->vertex(v[(k + 1) % 3])) -
+                      m_complex.position(c->vertex(v[(k + 2) % 3])))
+                         .squared_length();
+      const int shortest = int(std::min_element(squared, squared + 3) - squared);
+      const int longest = int(std::max_element(squared, squared + 3) - squared);
+      const auto cosine_at = [&](int k) {
+        const double p = squared[(k + 1) % 3], q = squared[(k + 2) % 3];
+        return (p + q - squared[k]) / (2 * std::sqrt(p * q));
+      };
+      if (!(cosine_at(shortest) > cosine))
+        continue;
+      const auto ends = [&](int k) { return std::make_pair(v[(k + 1) % 3], v[(k + 2) % 3]); };
+      static constexpr double cap = -.5; // an angle above 120 degrees
+      if (cosine_at(longest) < cap) {
+        const auto e = ends(longest);
+        if (propose_interface_edge_flip(m_complex, c, e.first, e.second, m_cavity))
+          return flip(touched);
+      } else {
+        const auto e = ends(shortest);
+        if (collapse_edge(c, e.first, e.second, touched) ||
+            collapse_edge(c, e.second, e.first, touched))
+          return true;
+      }
+    }
+    return false;
+  }
+
+private:
+  // Collapses vertex i of a cell into vertex j if that makes the cell's surroundings better.
+  bool collapse_edge(Cell_handle c, int i, int j, Cells& touched)
+  {
+    const double better = 1.1 * c->quality();
+    if (!propose_edge_collapse(m_complex, c, i, j, better, m_cavity))
+      return false;
+    m_visitor.before_collapse(c->vertex(i), c->vertex(j));
+    m_complex.replace(m_cavity);
+    ++m_report.collapsed;
+    touch_created(touched);
+    return true;
+  }
+
+  bool flip(Cells& touched)
+  {
+    m_complex.replace(m_cavity);
+    ++m_report.flipped;
+    m_visitor.after_flip(m_cavity.created());
+    touch_created(touched);
+    return true;
+  }
+
+  void touch_created(Cells& touched)
+  {
+    for (Cell_handle c : m_cavity.created())
+      touch(c, touched);
+  }
+
+  void touch(Cell_handle c, Cells& touched)
+  {
+    if (!m_complex.is_infinite(c) && is_bad(c))
+      touched.push(c);
+  }
+
+  Complex& m_complex;
+  Visitor& m_visitor;
+  double m_threshold;
+  Cavity_3<Complex> m_cavity;
+  std::vector<Cell_handle> m_star;
+  Improvement_report m_report;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_MESH_IMPROVER_3_H

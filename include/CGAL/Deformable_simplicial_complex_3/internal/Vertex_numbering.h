@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_VERTEX_NUMBERING_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_VERTEX_NUMBERING_H
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Numbers vertices from zero by increasing time stamp.
+template <class Vertex_handle> class Vertex_numbering
+{
+public:
+  // Vertices may come in any order and several times.
+  explicit Vertex_numbering(std::vector<Vertex_handle> vertices) : m_vertices(std::move(vertices)) {
+    std::sort(m_vertices.begin(), m_vertices.end(),
+              [](Vertex_handle v, Vertex_handle w) { return v->time_stamp() < w->time_stamp(); });
+    m_vertices.erase(std::unique(m_vertices.begin(), m_vertices.end()), m_vertices.end());
+    m_time_stamps.reserve(m_vertices.size());
+    for (Vertex_handle v : m_vertices)
+      m_time_stamps.push_back(v->time_stamp());
+  }
+
+  const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
+
+  // pre: v is one of the vertices
+  std::size_t operator()(Vertex_handle v) const {
+    const auto i = std::lower_bound(m_time_stamps.begin(), m_time_stamps.end(), v->time_stamp());
+    return static_cast<std::size_t>(i - m_time_stamps.begin());
+  }
+
+private:
+  std::vector<Vertex_handle> m_vertices;
+  std::vector<std::size_t>
+      m_time_stamps; // beside the vertices, as searching them is what takes time
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_VERTEX_NUMBERING_H

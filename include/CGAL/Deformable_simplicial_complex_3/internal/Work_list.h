@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_WORK_LIST_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_WORK_LIST_H
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Cells to visit while the mesh changes; see Deformable_simplicial_complex_3::is_alive().
+template <class Cell_handle> class Work_list
+{
+public:
+  struct Item
+  {
+    Cell_handle cell;
+    std::size_t time_stamp;
+  };
+
+  void push(Cell_handle c) { m_items.push_back({c, c->time_stamp()}); }
+  void clear() { m_items.clear(); }
+  bool empty() const { return m_items.empty(); }
+
+  // By creation, each cell once.
+  void sort()
+  {
+    std::sort(m_items.begin(), m_items.end(),
+              [](const Item& a, const Item& b) { return a.time_stamp < b.time_stamp; });
+    const auto same = [](const Item& a, const Item& b) { return a.time_stamp == b.time_stamp; };
+    m_items.erase(std::unique(m_items.begin(), m_items.end(), same), m_items.end());
+  }
+
+  typename std::vector<Item>::const_iterator begin() const { return m_items.begin(); }
+  typename std::vector<Item>::const_iterator end() const { return m_items.end(); }
+
+private:
+  std::vector<Item> m_items;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_WORK_LIST_H

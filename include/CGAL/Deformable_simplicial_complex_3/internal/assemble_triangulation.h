@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_ASSEMBLE_TRIANGULATION_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_ASSEMBLE_TRIANGULATION_H
+
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Vertex indices of a cell. In the arrays below, vertex 0 is infinite.
+using Cell_vertices = std::array<std::size_t, 4>;
+
+struct Cell_facet
+{
+  std::array<std::size_t, 3> vertices; // sorted
+  std::size_t cell;
+  int index;
+};
+
+// All facets of the cells, equal ones next to each other.
+inline std::vector<Cell_facet> sorted_facets(const std::vector<Cell_vertices>& cells) {
+  std::vector<Cell_facet> facets;
+  facets.reserve(4 * cells.size());
+  for(std::size_t c = 0; c < cells.size(); ++c)
+    for(int i = 0; i < 4; ++i) {
+      std::array<std::size_t, 3> f;
+      std::size_t* out = f.data();
+      for(int j = 0; j < 4; ++j)
+        if(j != i)
+          *out++ = cells[c][j];
+      std::sort(f.begin(), f.end());
+      facets.push_back({f, c, i});
+    }
+  std::sort(facets.begin(), facets.end(), [](const Cell_facet& a, const Cell_facet& b) {
+    return a.vertices != b.vertices ? a.vertices < b.vertices : a.cell < b.cell;
+  });
+  return facets;
+}
+
+// Adds the infinite cells that close the boundary of finite, positively oriented ones.
+inline void append_infinite_cells(std::vector<Cell_vertices>& cells) {
+  const std::vector<Cell_facet> facets = sorted_facets(cells);
+  for(std::size_t i = 0; i < facets.size();) {
+    std::size_t j = i + 1;
+    while(j < facets.size() && facets[j].vertices == facets[i].vertices)
+      ++j;
+    if(j - i > 2)
+      throw Invalid_tetrahedra_error("more than two tetrahedra share a facet; give a mesh in which "
+                                     "each facet has one or two",
+                                     {facets[i].cell, facets[i + 1].cell, facets[i + 2].cell}, {});
+    if(j - i == 1) {
+      // Replacing the opposite vertex mirrors the cell: swapping two vertices turns it back.
+      Cell_vertices infinite = cells[facets[i].cell];
+      infinite[facets[i].index] = 0;
+      std::swap(infinite[(facets[i].index + 1) % 4], infinite[(facets[i].index + 2) % 4]);
+      cells.push_back(infinite);
+    }
+    i = j;
+  }
+}
+
+// Makes an empty triangulation three-dimensional, without cells.
+template <class Triangulation> void prepare_for_cells(Triangulation& triangulation)
+{
+  triangulation.tds().delete_cell(triangulation.infinite_vertex()->cell());
+  triangulation.tds().set_dimension(3);
+}
+
+// Fills an empty data structure with vertices and cells and makes the cells neighbors.
+// `vertices[0]` exists already. Throws if a facet does not have exactly two cells.
+template <class Tds>
+std::vector<typename Tds::Cell_handle>
+create_cells(Tds& tds, const std::vector<typename Tds::Vertex_handle>& vertices,
+             const std::vector<Cell_vertices>& cells) {
+  std::vector<typename Tds::Cell_handle> handles;
+  handles.reserve(cells.size());
+  for(const Cell_vertices& c : cells) {
+    handles.push_back(
+        tds.create_cell(vertices[c[0]], vertices[c[1]], vertices[c[2]], vertices[c[3]]));
+    for(std::size_t v : c)
+      vertices[v]->set_cell(handles.back());
+  }
+  const std::vector<Cell_facet> facets = sorted_facets(cells);
+  for(std::size_t i = 0; i < facets.size(); i += 2) {
+    if(i + 1 == facets.size() || facets[i].vertices != facets[i + 1].vertices ||
+       (i + 2 < facets.size() && facets[i].vertices == facets[i + 2].vertices))
+      throw Invalid_tetrahedra_error(
+          "the boundary of the tetrahedra is no closed 2-manifold; give a "
+          "mesh whose domain is a ball",
+          {facets[i].cell}, {facets[i].vertices.begin(), facets[i].vertices.end()});
+    tds.set_adjacency(handles[facets[i].cell], facets[i].index, handles[facets[i + 1].cell],
+                      facets[i + 1].index);
+  }
+  return handles;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_ASSEMBLE_TRIANGULATION_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_HARMONIC_EXTENSION_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_HARMONIC_EXTENSION_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
+#include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
+
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Free vertices, neither on the interface nor on the boundary of the domain, near moving ones: those
+// within a number of layers of edges, or all of them if much of the interface moves.
+template <class Complex>
+std::vector<typename Complex::Vertex_handle>
+free_vertices_near(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& moving)
+{
+  using Vertex_handle = typename Complex::Vertex_handle;
+  static constexpr std::size_t much = 16;
+  static constexpr unsigned layers = 6;
+  std::vector<Vertex_handle> found;
+  const auto is_free = [&](Vertex_handle v) {
+    return !v->is_interface() && !complex.is_boundary(v) && !complex.is_infinite(v);
+  };
+  if (moving.size() * much > complex.number_of_vertices()) {
+    for (Vertex_handle v : complex.triangulation().finite_vertex_handles())
+      if (is_free(v))
+        found.push_back(v);
+  } else {
+    std::vector<Vertex_handle> front = moving, next;
+    std::vector<typename Complex::Cell_handle> star;
+    for (unsigned layer = 0; layer < layers; ++layer) {
+      next.clear();
+      for (Vertex_handle v : front) {
+        complex.star(v, star);
+        for (auto c : star)
+          for (int i = 0; i < 4; ++i)
+            if (is_free(c->vertex(i)) && !is_numbered(c->vertex(i), found)) {
+              c->vertex(i)->set_scratch_index(std::uint32_t(found.size()));
+              found.push_back(c->vertex(i));
+              next.push_back(c->vertex(i));
+            }
+      }
+      front.swap(next);
+    }
+  }
+  std::sort(found.begin(), found.end(),
+            [](Vertex_handle a, Vertex_handle b) { return a->time_stamp() < b->time_stamp(); });
+  return found;
+}
+
+/*
+Extends displacements from the interface into the space around: each component solves the Laplace
+equation by linear finite elements, with the value zero at vertices that are neither moving nor free. A
+rigid or affine motion of a closed interface is reproduced inside, so that cells there keep their shape.
+
+`displacement(v)` tells the displacement of any vertex that is not in `free`.
+*/
+template <class Complex, class Displacement>
+std::vector<typename Complex::Approximate_vector_3>
+harmonic_extension(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& free,
+                   const Displacement& displacement)
+{
+  using Vector = typename Complex::Approximate_vector_3;
+  using Point = typename Complex::Approximate_point_3;
+  if (free.empty())
+    return {};
+  number_vertices(free);
+  const int n = int(free.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(n);
+  Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(n, 3);
+  for (auto c : star_union(complex, free)) {
+    const Tetrahedron_frame<Point> t(complex.position(c->vertex(0)), complex.position(c->vertex(1)),
+                                     complex.position(c->vertex(2)), complex.position(c->vertex(3)));
+    const auto normals = t.area_vectors();
+    int row[4];
+    for (int i = 0; i < 4; ++i)
+      row[i] = is_numbered(c->vertex(i), free) ? int(c->vertex(i)->scratch_index()) : -1;
+    for (int i = 0; i < 4; ++i) {
+      if (row[i] < 0)
+        continue;
+      for (int j = 0; j < 4; ++j) {
+        const double stiffness = normals[i] * normals[j] / (6 * t.six_volumes);
+        if (i == j) {
+          diagonal[row[i]] += stiffness;
+        } else if (row[j] >= 0) {
+          entries.emplace_back(row[i], row[j], stiffness);
+        } else {
+          const Vector d = displacement(c->vertex(j));
+          right.row(row[i]) -= stiffness * Eigen::RowVector3d(d.x(), d.y(), d.z());
+        }
+      }
+    }
+  }
+  for (int i = 0; i < n; ++i)
+    entries.emplace_back(i, i, diagonal[i]);
+  using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  Matrix matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+
+  // The extension only guides: what it proposes is checked, so that a rough solution will do.
+  Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver(matrix);
+  solver.setTolerance(1e-4);
+  solver.setMaxIterations(200);
+  const Eigen::MatrixX3d solution = solver.solve(right);
+  std::vector<Vector> result;
+  for (int i = 0; i < n; ++i)
+    result.emplace_back(solution(i, 0), solution(i, 1), solution(i, 2));
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_HARMONIC_EXTENSION_3_H

@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_MULTI_FACE_REMOVAL_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_MULTI_FACE_REMOVAL_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Grows the set of facets that are sandwiched between the apices a and b of a first one, by recursion
+// over the edges of the set: across an edge either the next facet joins the set, or the edge becomes
+// part of its boundary and the new edge ab is joined to it (Shewchuk).
+template <class Complex> class Sandwich_3
+{
+public:
+  using Cell_handle = typename Complex::Cell_handle;
+  using Vertex_handle = typename Complex::Vertex_handle;
+
+  // A facet of the set: its cells below (apex a) and above (apex b).
+  struct Sheet
+  {
+    Cell_handle below, above;
+  };
+  struct Directed_edge
+  {
+    Vertex_handle source, target; // (a, b, source, target) is to become a cell
+  };
+
+  Sandwich_3(const Complex& complex, Cell_handle below, int i)
+      : m_complex(complex), m_a(below->vertex(i)), m_above(below->neighbor(i)),
+        m_b(m_above->vertex(m_above->index(below))), m_first{below, m_above}
+  {
+  }
+
+  // Finds the best set. Returns whether the worst quality rises.
+  bool grow(const std::array<Vertex_handle, 3>& first)
+  {
+    m_sheets.push_back(m_first);
+    double after = infinity, before = worst(m_first);
+    for (int k = 0; k < 3; ++k) {
+      const Outcome outcome = across(m_first, {first[k], first[(k + 1) % 3]});
+      after = (std::min)(after, outcome.after);
+      before = (std::min)(before, outcome.before);
+      if (!(after > 0))
+        return false;
+    }
+    return after > before;
+  }
+
+  Vertex_handle a() const { return m_a; }
+  Vertex_handle b() const { return m_b; }
+  const std::vector<Sheet>& sheets() const { return m_sheets; }
+  const std::vector<Directed_edge>& boundary() const { return m_boundary; }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr std::size_t maximum_number_of_sheets = 50; // as in Stellar; few need more than 5
+
+  // Worst quality of the new cells behind an edge, and of the cells that joined.
+  struct Outcome
+  {
+    double after, before;
+  };
+
+  double worst(const Sheet& f) const { return (std::min)(f.below->quality(), f.above->quality()); }
+
+  double new_quality(const Directed_edge& e) const
+  {
+    return m_complex.quality_measure()(m_complex.position(m_a), m_complex.position(m_b),
+                                       m_complex.position(e.source), m_complex.position(e.target));
+  }
+
+  Outcome across(const Sheet& f, const Directed_edge& e)
+  {
+    const double quality = new_quality(e);
+    Sheet g;
+    Vertex_handle apex;
+    if (m_sheets.size() < maximum_number_of_sheets && find_neighbor(f, e, g, apex)) {
+      const std::size_t sheets = m_sheets.size(), edges = m_boundary.size();
+      m_sheets.push_back(g);
+      const Outcome left = across(g, {e.source, apex});
+      const Outcome right = across(g, {apex, e.target});
+      const Outcome both = {(std::min)(left.after, right.after),
+                            (std::min)({left.before, right.before, worst(g)})};
+      if (both.after > (std::min)(both.before, quality))
+        return both;
+      m_sheets.resize(sheets);
+      m_boundary.resize(edges);
+    }
+    m_boundary.push_back(e);
+    return {quality, infinity};
+  }
+
+  // The sandwiched facet behind e, if the four cells around e are f's two and its own two.
+  bool find_neighbor(const Sheet& f, const Directed_edge& e, Sheet& g, Vertex_handle& apex) const
+  {
+    const auto opposite = [&](Cell_handle c, Vertex_handle tip) {
+      return 6 - c->index(e.source) - c->index(e.target) - c->index(tip);
+    };
+    const int below = opposite(f.below, m_a), above = opposite(f.above, m_b);
+    g = {f.below->neighbor(below), f.above->neighbor(above)};
+    if (m_complex.is_infinite(g.below) || m_complex.is_infinite(g.above) ||
+        g.below->label() != f.below->label() || g.above->label() != f.below->label())
+      return false;
+    const int below_tip = opposite(g.below, m_a);
+    apex = g.below->vertex(below_tip);
+    if (apex == m_b || g.below->neighbor(g.below->index(m_a)) != g.above)
+      return false;
+    const auto is_used = [&](const Sheet& s) {
+      return s.below == g.below || s.above == g.above || s.below == g.above || s.above == g.below;
+    };
+    return std::none_of(m_sheets.begin(), m_sheets.end(), is_used);
+  }
+
+  const Complex& m_complex;
+  Vertex_handle m_a;
+  Cell_handle m_above;
+  Vertex_handle m_b;
+  Sheet m_first;
+  std::vector<Sheet> m_sheets;
+  std::vector<Directed_edge> m_boundary;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Proposes to remove a facet, and with it the facets around that are sandwiched between the same two
+vertices a and b: 2m cells become the m + 2 that share the new edge ab. The 2-3 flip is the case m = 1.
+The set is grown by Shewchuk's recursion, so that the worst quality rises most. Section 3.2.1 of the
+paper.
+
+\param complex is not changed. \param cell, i the facet. \param cavity filled with the proposal if there
+       is one.
+\return whether the two cells of the facet are finite and of one label and the worst quality rises, all
+        new tetrahedra being positive. The interface and the boundary of the domain stay as they are.
+
+Linear in m.
+*/
+template <class Complex>
+bool propose_multi_face_removal(const Complex& complex, typename Complex::Cell_handle cell, int i,
+                                Cavity_3<Complex>& cavity)
+{
+  const typename Complex::Cell_handle mirror = cell->neighbor(i);
+  if (complex.is_infinite(cell) || complex.is_infinite(mirror) || cell->label() != mirror->label())
+    return false;
+  Deformable_simplicial_complexes::internal::Sandwich_3<Complex> sandwich(complex, cell, i);
+  if (!sandwich.grow(complex.facet_vertices({cell, i})))
+    return false;
+  cavity.clear();
+  for (const auto& sheet : sandwich.sheets()) {
+    cavity.remove(sheet.below);
+    cavity.remove(sheet.above);
+  }
+  const auto a = cavity.add(sandwich.a()), b = cavity.add(sandwich.b());
+  for (const auto& e : sandwich.boundary())
+    cavity.create({a, b, cavity.add(e.source), cavity.add(e.target)}, cell);
+  return cavity.quality_after() > cavity.quality_before() && cavity.is_positive();
+}
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_MULTI_FACE_REMOVAL_3_H

@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_QUALITY_MEASURES_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_QUALITY_MEASURES_3_H
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+/// \file
+/// Models of `TetrahedronQualityMeasure_3`: 1 for the regular tetrahedron, 0 for a flat one, negative
+/// for an inverted one, invariant under similarities.
+
+namespace CGAL {
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// A tetrahedron as the vectors from its first vertex, shared by the measures.
+template <class Point> struct Tetrahedron_frame
+{
+  using Vector = decltype(Point() - Point());
+
+  Tetrahedron_frame(const Point& p, const Point& q, const Point& r, const Point& s)
+      : a(q - p), b(r - p), c(s - p), six_volumes(cross_product(a, b) * c)
+  {
+  }
+
+  // Area vectors of the facets opposite to p, q, r, s: outward normals, twice the area long.
+  std::array<Vector, 4> area_vectors() const
+  {
+    return {cross_product(b - a, c - a), cross_product(c, b), cross_product(a, c),
+            cross_product(b, a)};
+  }
+
+  // Edges in pairs of opposite ones: pq rs, pr qs, ps qr.
+  std::array<Vector, 6> edges() const { return {a, c - b, b, c - a, c, b - a}; }
+
+  Vector a, b, c;
+  double six_volumes;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+Volume over the cube of the root mean square edge length, times 6 sqrt(2): section 3.2 of the paper,
+after Parthasarathy et al. Penalises slivers and needles alike and is smooth.
+*/
+struct Volume_length_ratio_3
+{
+  template <class Point>
+  double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const
+  {
+    const Deformable_simplicial_complexes::internal::Tetrahedron_frame<Point> t(p, q, r, s);
+    double squared = 0;
+    for (const auto& e : t.edges())
+      squared += e.squared_length();
+    squared /= 6;
+    return std::sqrt(2.) * t.six_volumes / (squared * std::sqrt(squared));
+  }
+};
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+Smallest sine of the six dihedral angles, over that of the regular tetrahedron. Bad at both small and
+large angles, blind to the lengths of edges.
+*/
+struct Minimum_sine_3
+{
+  template <class Point>
+  double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const
+  {
+    const Deformable_simplicial_complexes::internal::Tetrahedron_frame<Point> t(p, q, r, s);
+    const auto n = t.area_vectors();
+    const auto e = t.edges();
+    // Facets opposite to two vertices meet in the edge of the two others.
+    static constexpr int facets[6][2] = {{2, 3}, {0, 1}, {1, 3}, {0, 2}, {1, 2}, {0, 3}};
+    double minimum = 1;
+    for (int i = 0; i < 6; ++i) {
+      const double areas = std::sqrt(n[facets[i][0]].squared_length() *
+                                     n[facets[i][1]].squared_length());
+      minimum = (std::min)(minimum, t.six_volumes * std::sqrt(e[i].squared_length()) / areas);
+    }
+    return minimum * 3 / std::sqrt(8.);
+  }
+};
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+Three times the radius of the inscribed over that of the circumscribed sphere.
+*/
+struct Radius_ratio_3
+{
+  template <class Point>
+  double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const
+  {
+    const Deformable_simplicial_complexes::internal::Tetrahedron_frame<Point> t(p, q, r, s);
+    double area = 0;
+    for (const auto& n : t.area_vectors())
+      area += std::sqrt(n.squared_length()) / 2;
+    const double inscribed = t.six_volumes / (2 * area);
+    // The circumcenter is this vector over twice the six volumes away from p.
+    const auto center = t.a.squared_length() * cross_product(t.b, t.c) +
+                        t.b.squared_length() * cross_product(t.c, t.a) +
+                        t.c.squared_length() * cross_product(t.a, t.b);
+    const double circumscribed = std::sqrt(center.squared_length()) / (2 * std::abs(t.six_volumes));
+    return 3 * inscribed / circumscribed;
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_QUALITY_MEASURES_3_H

@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_IO_LABELLED_SURFACE_3_H
+#define CGAL_IO_LABELLED_SURFACE_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/Labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/files.h>
+#include <CGAL/extract_interface_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The triangles of a polygon as places in it; empty if it cannot be triangulated.
+template <class Point>
+std::vector<std::array<std::size_t, 3>> triangulated_polygon(const std::vector<Point>& corners) {
+  using Kernel = Exact_predicates_inexact_constructions_kernel;
+  using Mesh = Surface_mesh<Kernel::Point_3>;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  if (corners.size() == 3)
+    triangles.push_back({0, 1, 2});
+  if (corners.size() <= 3)
+    return triangles;
+
+  // Of unit size, so that products neither overflow nor vanish.
+  const auto from_first_corner = [&](const Point& p) {
+    return Kernel::Vector_3(to_double(p.x()) - to_double(corners[0].x()),
+                            to_double(p.y()) - to_double(corners[0].y()),
+                            to_double(p.z()) - to_double(corners[0].z()));
+  };
+  double size = 0;
+  for (const Point& p : corners)
+    for (int i = 0; i < 3; ++i)
+      size += std::abs(from_first_corner(p)[i]);
+  if (!std::isfinite(size) || size == 0)
+    return triangles;
+
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> vertices;
+  for (const Point& p : corners)
+    vertices.push_back(mesh.add_vertex(ORIGIN + from_first_corner(p) / size));
+  const auto polygon = mesh.add_face(vertices);
+  if (!Polygon_mesh_processing::triangulate_face(polygon, mesh))
+    return triangles;
+  for (const auto face : mesh.faces()) {
+    std::array<std::size_t, 3> triangle;
+    auto corner = triangle.begin();
+    for (const auto v : mesh.vertices_around_face(mesh.halfedge(face)))
+      *corner++ = v.idx();
+    triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
+inline bool is_surface_extension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension)
+    c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl";
+}
+
+template <class Complex>
+void write_surface(const std::string& path, const Interface_surface_3<Complex>& surface) {
+  if (!is_surface_extension(path))
+    throw File_error(path + " has no format for surfaces: choose .off, .obj, .ply or .stl", path);
+  replace_file(path, [&](const std::string& temporary) {
+    return IO::write_polygon_soup(temporary, surface.points, surface.triangles,
+                                  CGAL::parameters::use_binary_mode(false).stream_precision(
+                                      std::numeric_limits<double>::max_digits10));
+  });
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
+namespace IO {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+reads a surface from a file in one of the formats OFF, OBJ, PLY and STL, chosen by the extension.
+
+Polygons with more than three vertices are triangulated one by one, with
+`Polygon_mesh_processing::triangulate_face()`. In STL files, where triangles share no points,
+points with the same coordinates become one. What the surface looks like is not checked:
+`make_deformable_simplicial_complex_3()` does that.
+
+\tparam Point is a point type of a \cgal kernel.
+
+\param path is the name of the file.
+\param label is the label of the solid that the surface bounds.
+
+\throws Deformable_simplicial_complexes::File_error if the file cannot be opened or understood, has
+no polygons, or has a polygon that refers to a point that is not there or cannot be triangulated.
+
+Linear in the size of the file, for STL n log n.
+*/
+template <class Point = Exact_predicates_inexact_constructions_kernel::Point_3>
+Labelled_surface_3<Point> read_labelled_surface(const std::string& path, int label = 1) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  const auto require = [&](bool condition, const char* message) {
+    if (!condition)
+      throw Deformable_simplicial_complexes::File_error(path + ": " + message, path);
+  };
+  require(internal::is_surface_extension(path),
+          "this is no format for surfaces; choose a file .off, .obj, .ply or .stl");
+  require(std::ifstream(path).good(), "cannot open the file; check that it exists and may be read");
+
+  Labelled_surface_3<Point> surface;
+  surface.label = label;
+  std::vector<std::vector<std::size_t>> polygons;
+  bool is_read = false;
+  try {
+    is_read = read_polygon_soup(path, surface.points, polygons);
+  } catch (const std::exception&) { // sizes that no memory suffices for
+  }
+  require(is_read && !polygons.empty(),
+          "cannot find a surface; check that the file is whole and in the format of its extension");
+
+  std::vector<Point> corners;
+  for (const auto& polygon : polygons) {
+    corners.clear();
+    for (const std::size_t index : polygon) {
+      require(index < surface.points.size(),
+              "a polygon refers to a point that is not there; repair the file");
+      corners.push_back(surface.points[index]);
+    }
+    const auto triangles = internal::triangulated_polygon(corners);
+    if (triangles.empty())
+      throw Deformable_simplicial_complexes::File_error(
+          path + ": polygon " + std::to_string(&polygon - polygons.data()) +
+              " cannot be triangulated; replace it by triangles",
+          path);
+    for (const auto& triangle : triangles)
+      surface.triangles.push_back(
+          {polygon[triangle[0]], polygon[triangle[1]], polygon[triangle[2]]});
+  }
+  return surface;
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+writes the whole interface to a file in one of the formats OFF, OBJ, PLY and STL, chosen by the
+extension.
+
+All of them are written as text in user coordinates with 17 significant digits; normals point out of
+the larger label. The file is written beside its final place and renamed when complete.
+
+\param path is the name of the file; its folder must exist.
+\param dsc is the complex.
+
+\throws Deformable_simplicial_complexes::File_error if the extension is none of these or the file
+cannot be written; an older file of that name is unchanged then.
+
+\sa `extract_interface()`
+*/
+template <class Traits, class Tds, class QualityMeasure>
+void write_interface(const std::string& path,
+                     const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>& dsc) {
+  Deformable_simplicial_complexes::internal::write_surface(path, extract_interface(dsc));
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+writes the interface between two labels, with normals out of `a` into `b`; otherwise does as the
+function for the whole interface.
+
+\param path is the name of the file; its folder must exist.
+\param dsc is the complex.
+\param a, b are different labels.
+
+\throws Deformable_simplicial_complexes::File_error as for the whole interface.
+*/
+template <class Traits, class Tds, class QualityMeasure>
+void write_interface(
+    const std::string& path,
+    const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>& dsc,
+    typename Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>::Label a,
+    typename Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>::Label b) {
+  Deformable_simplicial_complexes::internal::write_surface(path, extract_interface(dsc, a, b));
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_IO_LABELLED_SURFACE_3_H

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORM_INTERFACE_3_H
+#define CGAL_DEFORM_INTERFACE_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Interface_deformer_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Moves the vertices of the interface to destinations, without ever inverting a cell, and keeps the mesh
+good on the way (Algorithm 1 of the paper). Parts of the interface that meet may merge or split.
+
+Each pass moves all vertices at once as far as no cell inverts, carrying the free vertices around along
+with a harmonic extension of the motion; then the vertices that were held back, one by one (Algorithm 2);
+then relabels cells flattened between two parts of the interface, and improves what became bad.
+
+\param dsc the complex
+\param destination a function object: `Point_3 destination(Vertex_handle v)`, asked once for each vertex
+       of the interface, in the coordinates of the complex. A vertex on a side of the domain goes to the
+       nearest point of that side.
+\param np named parameters:
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{maximum_number_of_passes}
+    \cgalParamDescription{bound on the passes; two passes without progress end the deformation earlier}
+    \cgalParamType{`unsigned int`} \cgalParamDefault{20}
+  \cgalParamNEnd
+  \cgalParamNBegin{quality_threshold}
+    \cgalParamDescription{cells that moved and are of lower quality are improved, in (0, 1)}
+    \cgalParamType{`double`} \cgalParamDefault{0.2}
+  \cgalParamNEnd
+  \cgalParamNBegin{relabeling_threshold}
+    \cgalParamDescription{quality below which a cell trapped by the interface may join the other phase}
+    \cgalParamType{`double`} \cgalParamDefault{0.01, the paper's}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told of each change of the mesh and may end the deformation}
+    \cgalParamType{model of `DeformationVisitor_3`, by value or `std::reference_wrapper`}
+    \cgalParamDefault{`Deformation_visitor_3`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return which vertices did not arrive and how far they stayed, what happened to labels and mesh.
+\throws Deformable_simplicial_complexes::Invalid_destination_error if a destination is not finite; the
+        complex is then unchanged. An exception of the visitor leaves a valid complex.
+*/
+template <class Complex, class Destination,
+          class NamedParameters = Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& destination,
+                                             const NamedParameters& np = NamedParameters())
+{
+  namespace tags = Deformable_simplicial_complexes::internal_np;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+
+  Deformation_visitor_3 default_visitor;
+  auto&& visitor =
+      choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
+  const unsigned maximum_number_of_passes =
+      choose_parameter(get_parameter(np, tags::maximum_number_of_passes), 20u);
+  const double quality_threshold = choose_parameter(get_parameter(np, tags::quality_threshold), .2);
+  const double relabeling_threshold =
+      choose_parameter(get_parameter(np, tags::relabeling_threshold), .01);
+
+  using Visitor = std::remove_reference_t<decltype(visitor)>;
+  Deformable_simplicial_complexes::internal::Interface_deformer_3<Complex, Visitor> deformer(
+      dsc, visitor, quality_threshold, relabeling_threshold);
+  deformer.set_destinations(destination);
+  unsigned pass = 0;
+  while (!deformer.is_complete() && deformer.is_progressing() && pass < maximum_number_of_passes &&
+         visitor.go_further(pass + 1)) {
+    ++pass;
+    deformer.move_together();
+    deformer.move_one_by_one();
+    deformer.relabel_degenerate_cells();
+    deformer.remove_obstacles();
+    deformer.improve();
+  }
+  return deformer.report(pass);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORM_INTERFACE_3_H

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_IMPROVE_MESH_3_H
+#define CGAL_IMPROVE_MESH_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Improves the tetrahedra of a complex by reconnection, smoothing, collapses and splits, each done only if
+it raises the worst quality where it acts (Algorithm 3 of the paper). The interface stays as it is, bit
+for bit.
+
+\param dsc the complex. \param np named parameters:
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{quality_threshold}
+    \cgalParamDescription{only cells of lower quality are improved, in (0, 1]}
+    \cgalParamType{`double`} \cgalParamDefault{0.3}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{how many rounds at the most: each round works on what the last one made}
+    \cgalParamType{`unsigned int`} \cgalParamDefault{10}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told of each change of the mesh}
+    \cgalParamType{model of `DeformationVisitor_3`, by value or `std::reference_wrapper`}
+    \cgalParamDefault{`Deformation_visitor_3`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return what was done.
+
+A pass over the cells, then n log n in the number of cells below the threshold.
+*/
+template <class Complex,
+          class NamedParameters = Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedParameters())
+{
+  namespace tags = Deformable_simplicial_complexes::internal_np;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+
+  Deformation_visitor_3 default_visitor;
+  auto&& visitor =
+      choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
+  const double threshold = choose_parameter(get_parameter(np, tags::quality_threshold), .3);
+  const unsigned rounds =
+      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 10u);
+
+  using Visitor = std::remove_reference_t<decltype(visitor)>;
+  using Improver = Deformable_simplicial_complexes::internal::Mesh_improver_3<Complex, Visitor>;
+  Improver improver(dsc, visitor, threshold);
+  typename Improver::Cells cells;
+  for (auto c : dsc.triangulation().finite_cell_handles())
+    if (improver.is_bad(c))
+      cells.push(c);
+  improver.improve(std::move(cells), rounds);
+  return improver.report();
+}
+
+} // namespace CGAL
+
+#endif // CGAL_IMPROVE_MESH_3_H

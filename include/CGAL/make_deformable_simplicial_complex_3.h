@@ -1,0 +1,253 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
+#define CGAL_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/Tetrahedralization_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/check_surfaces_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/check_tetrahedra_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/enclosing_box_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/label_tetrahedra_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
+#include <CGAL/improve_mesh_3.h>
+
+#include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+template <class Complex, class NP> void improve_if_asked(Complex& dsc, const NP& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  if (choose_parameter(get_parameter(np, internal_np::improve), true))
+    improve_mesh(dsc, np);
+}
+
+// check, normalize, enclose, tetrahedralize, label, assign, improve
+template <class Complex, class Tetrahedralizer, class NP>
+Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
+                        const std::vector<typename Complex::Label>& surface_labels,
+                        const Tetrahedralizer& tetrahedralizer, const NP& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const bool normalize = choose_parameter(get_parameter(np, internal_np::normalize), false);
+  const unsigned subdivision =
+      choose_parameter(get_parameter(np, internal_np::box_subdivision), 4u);
+
+  std::vector<Merged_soup_3> merged = check_surfaces(surfaces);
+  const Building_frame_3 frame(merged, normalize);
+  const Bbox_3 box = frame.box(get_parameter(np, internal_np::enclosing_box));
+
+  Triangle_soup_3 soup;
+  std::vector<Wall> walls;
+  for (std::size_t s = 0; s < merged.size(); ++s) {
+    for (Coordinates_3& p : merged[s].points)
+      p = frame(p);
+    check_enclosed(merged[s], s, box);
+    append(soup, merged[s]);
+    while (walls.size() < soup.triangles.size())
+      walls.push_back(make_wall(soup.triangles[walls.size()], s));
+  }
+  append(soup, box_surface(box, subdivision));
+
+  const auto mesh = tetrahedralizer(soup.points, soup.triangles);
+  if (mesh.points.size() < soup.points.size() ||
+      !std::equal(soup.points.begin(), soup.points.end(), mesh.points.begin()))
+    throw Tetrahedralization_error("the tetrahedralizer moved points of the surfaces: use another "
+                                   "one");
+  std::vector<typename Complex::Point_3> points;
+  const auto construct_point = typename Complex::Geom_traits().construct_exact_point_3_object();
+  for (const Coordinates_3& p : mesh.points)
+    points.push_back(construct_point({p[0], p[1], p[2]}));
+
+  Complex dsc;
+  dsc.assign(points, mesh.tetrahedra, label_tetrahedra(mesh.tetrahedra, walls, surface_labels));
+  const Coordinates_3& t = frame.translation();
+  dsc.set_normalization({{t[0], t[1], t[2]}, frame.scale()});
+  improve_if_asked(dsc, np);
+  return dsc;
+}
+
+template <class Points> std::vector<Coordinates_3> all_coordinates(const Points& points)
+{
+  std::vector<Coordinates_3> result;
+  for (const auto& p : points)
+    result.push_back(coordinates(p));
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Makes a complex of solids that are bounded by closed triangle surfaces, in a box that belongs to the
+outside (section 3.3 of the paper).
+
+A surface is a closed 2-manifold of any number of components that does not intersect itself. Its
+triangles may be oriented in any way and need not share points: equal points are merged, points
+without triangles are left out. What is inside is counted: points that can be reached from the outside
+by crossing a surface once are inside of it, crossing it twice leads into a cavity of it. Surfaces may
+be nested in any way, but not touch or cross. Space inside several surfaces gets the label of the one
+that is entered last, space outside all of them gets label 0.
+
+The triangles of the surfaces are the interface of the complex, and their points keep their
+coordinates, bit for bit unless `normalize` is set.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+\tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`, such as `Tetgen_tetrahedralizer_3`
+\tparam NP a sequence of named parameters
+
+\param surfaces the surfaces and the labels of what they enclose; coordinates are rounded to `double`
+\param tetrahedralizer fills the box with tetrahedra
+\param np named parameters: those of `improve_mesh()`, and
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{normalize}
+    \cgalParamDescription{Whether the complex uses coordinates in which the barycenter of the points
+                          of the surfaces is the origin and their largest distance from it is
+                          1/2.5. `Complex::normalization()` leads back.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{enclosing_box}
+    \cgalParamDescription{The domain, in the coordinates of the surfaces, which must be strictly
+                          inside.}
+    \cgalParamType{`Bbox_3` or a class with `bbox()`, such as `Iso_cuboid_3`}
+    \cgalParamDefault{the cube about the barycenter whose half side is 2.5 times the largest distance
+                      of a point from it: \f$[-1, 1]^3\f$ if `normalize` is set}
+  \cgalParamNEnd
+  \cgalParamNBegin{box_subdivision}
+    \cgalParamDescription{Number of parts, 1 or more, into which each edge of the box is cut.}
+    \cgalParamType{`unsigned`}
+    \cgalParamDefault{4}
+  \cgalParamNEnd
+  \cgalParamNBegin{improve}
+    \cgalParamDescription{Whether `improve_mesh()` is called at the end.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\throws Deformable_simplicial_complexes::Invalid_surface_error if a surface is not as described above,
+        or reaches the box
+\throws Deformable_simplicial_complexes::Tetrahedralization_error if the tetrahedralizer fails
+\throws Deformable_simplicial_complexes::Error if the box is not finite or not subdivided
+
+n log n in the number of triangles and tetrahedra, plus the tetrahedralization and the improvement.
+*/
+template <class Complex, class Tetrahedralizer,
+          class NP = Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Complex make_deformable_simplicial_complex_3(
+    const std::vector<Labelled_surface_3<typename Complex::Point_3>>& surfaces,
+    const Tetrahedralizer& tetrahedralizer,
+    const NP& np = Deformable_simplicial_complexes::parameters::default_values())
+{
+  namespace internal = Deformable_simplicial_complexes::internal;
+  std::vector<internal::Triangle_soup_3> soups;
+  std::vector<typename Complex::Label> labels;
+  for (const auto& surface : surfaces) {
+    soups.push_back({internal::all_coordinates(surface.points), surface.triangles});
+    labels.push_back(surface.label);
+  }
+  return internal::make_from_soups<Complex>(soups, labels, tetrahedralizer, np);
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Makes a complex of the solid, with label 1, that is bounded by a triangle mesh. The same as the
+overload above for a single surface; indices in errors count `vertices(surface)` and `faces(surface)`.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+\tparam FaceListGraph model of `FaceListGraph`
+\tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`
+\tparam NP a sequence of named parameters
+
+\param surface a closed mesh
+\param tetrahedralizer fills the box with tetrahedra
+\param np named parameters of the overload above, and CGAL's `vertex_point_map`
+
+\throws Deformable_simplicial_complexes::Error if a face is no triangle; else as above
+*/
+#ifdef DOXYGEN_RUNNING
+template <class Complex, class FaceListGraph, class Tetrahedralizer, class NP>
+#else
+template <class Complex, class FaceListGraph, class Tetrahedralizer,
+          class NP = Deformable_simplicial_complexes::parameters::Default_named_parameters,
+          class = decltype(faces(std::declval<const FaceListGraph&>()))>
+#endif
+Complex make_deformable_simplicial_complex_3(
+    const FaceListGraph& surface, const Tetrahedralizer& tetrahedralizer,
+    const NP& np = Deformable_simplicial_complexes::parameters::default_values())
+{
+  namespace internal = Deformable_simplicial_complexes::internal;
+  if (!is_triangle_mesh(surface))
+    throw Deformable_simplicial_complexes::Error(
+        "the mesh has facets that are no triangles: triangulate them, see "
+        "CGAL::Polygon_mesh_processing::triangulate_faces()");
+  using Point_map = typename GetVertexPointMap<FaceListGraph, NP>::const_type;
+  std::vector<typename boost::property_traits<Point_map>::value_type> points;
+  internal::Triangle_soup_3 soup;
+  Polygon_mesh_processing::polygon_mesh_to_polygon_soup(surface, points, soup.triangles, np);
+  soup.points = internal::all_coordinates(points);
+  return internal::make_from_soups<Complex>({soup}, {1}, tetrahedralizer, np);
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Makes a complex of given tetrahedra, the union of which is a ball. Tetrahedra may be oriented in any
+way. The interface stays what it is, bit for bit.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+\tparam NP a sequence of named parameters
+
+\param points the vertices, each in a tetrahedron
+\param tetrahedra indices into `points`
+\param labels one label for each tetrahedron
+\param np named parameters: `improve`, as above, and those of `improve_mesh()`
+
+\throws Deformable_simplicial_complexes::Invalid_tetrahedra_error if coordinates are not finite, sizes
+        or indices do not fit, a tetrahedron is flat, or the union is no ball
+
+n log n in the number of tetrahedra, plus the improvement.
+*/
+template <class Complex,
+          class NP = Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Complex make_deformable_simplicial_complex_3(
+    const std::vector<typename Complex::Point_3>& points,
+    std::vector<std::array<std::size_t, 4>> tetrahedra,
+    const std::vector<typename Complex::Label>& labels,
+    const NP& np = Deformable_simplicial_complexes::parameters::default_values())
+{
+  Complex dsc;
+  Deformable_simplicial_complexes::internal::orient_tetrahedra(points, tetrahedra,
+                                                               dsc.geom_traits());
+  dsc.assign(points, tetrahedra, labels);
+  Deformable_simplicial_complexes::internal::improve_if_asked(dsc, np);
+  return dsc;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H

@@ -1,0 +1,228 @@
+#!/usr/bin/python3
+# Copyright (c) 2026 The deformable simplicial complex authors
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Renders the first, the middle and the last step that `dsc --output DIR` wrote.
+
+For each of them: interface_NNNNNN.png, the interface, and cut_NNNNNN.png, the tetrahedra behind a
+plane through the centre, coloured by label. strip.png shows all of them in two rows. Needs VTK 9
+for Python (Debian: python3-vtk9), and without a display xvfb-run before the command.
+"""
+
+import argparse
+import math
+import os
+import sys
+import xml.etree.ElementTree as ElementTree
+
+import vtk
+
+SIZE = (1200, 900)
+TILE = (600, 450)
+# Seen from the front (-y), a little from the right and above; the half in front is cut away.
+VIEW_DIRECTION = (-0.5, 0.85, -0.45)
+# How far around its centre tetrahedra are shown, in multiples of the interface's half diagonal.
+SHOWN_RADIUS = 1.0
+# The outside is pale; labels beyond the list start it again after the first colour.
+COLOURS = ((0.90, 0.90, 0.88), (0.30, 0.52, 0.74), (0.89, 0.55, 0.24), (0.42, 0.65, 0.38),
+           (0.72, 0.36, 0.42), (0.55, 0.45, 0.68), (0.80, 0.70, 0.30))
+EDGE_COLOUR = (0.15, 0.15, 0.18)
+
+
+class Failure(Exception):
+    """What is wrong and what to do, in one line."""
+
+
+def read_collection(path):
+    """The data files of a ParaView collection by time."""
+    try:
+        entries = ElementTree.parse(path).getroot().iter("DataSet")
+        folder = os.path.dirname(path)
+        series = [(float(e.get("timestep")), os.path.join(folder, e.get("file"))) for e in entries]
+    except (OSError, ElementTree.ParseError, TypeError, ValueError) as error:
+        raise Failure(f"cannot read {path} ({error}); run dsc with --output first")
+    if not series:
+        raise Failure(f"{path} lists no step; run dsc with --output first")
+    return sorted(series)
+
+
+def read_grid(path):
+    if not os.path.isfile(path):
+        raise Failure(f"{path} is missing; write the series again")
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(path)
+    readable = reader.CanReadFile(path)
+    reader.Update()
+    if not readable or reader.GetErrorCode():
+        raise Failure(f"{path} is no VTK unstructured grid; write the series again")
+    return reader.GetOutput()
+
+
+def first_middle_last(series):
+    return [series[i] for i in sorted({0, (len(series) - 1) // 2, len(series) - 1})]
+
+
+def colour_index(label):
+    return 0 if label == 0 else 1 + (label - 1) % (len(COLOURS) - 1)
+
+
+def colour_table():
+    table = vtk.vtkLookupTable()
+    table.SetNumberOfTableValues(len(COLOURS))
+    table.SetTableRange(0, len(COLOURS) - 1)
+    for i, colour in enumerate(COLOURS):
+        table.SetTableValue(i, *colour, 1)
+    return table
+
+
+def surface_actor(grid, label_array):
+    """The outer faces of the cells, flat, with edges, in the colours of the cells' labels."""
+    labels = grid.GetCellData().GetArray(label_array)
+    colours = vtk.vtkIntArray()
+    colours.SetName("colour")
+    for cell in range(grid.GetNumberOfCells()):
+        colours.InsertNextValue(colour_index(int(labels.GetComponent(cell, 0))))
+    grid.GetCellData().SetScalars(colours)
+    surface = vtk.vtkDataSetSurfaceFilter()
+    surface.SetInputData(grid)
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputConnection(surface.GetOutputPort())
+    mapper.SetScalarModeToUseCellData()
+    mapper.SetLookupTable(colour_table())
+    mapper.UseLookupTableScalarRangeOn()
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    look = actor.GetProperty()
+    look.SetInterpolationToFlat()
+    look.SetAmbient(0.25)
+    look.SetDiffuse(0.75)
+    look.EdgeVisibilityOn()
+    look.SetEdgeColor(*EDGE_COLOUR)
+    look.SetLineWidth(1)
+    return actor
+
+
+def interface_actor(path):
+    return surface_actor(read_grid(path), "label_pair")
+
+
+def cut_actor(path, centre, radius):
+    """The tetrahedra whose barycentre is behind the plane through the centre and near it."""
+    grid = read_grid(path)
+    centres = vtk.vtkCellCenters()
+    centres.SetInputData(grid)
+    centres.Update()
+    barycentres = centres.GetOutput().GetPoints()
+    ids = vtk.vtkIdTypeArray()
+    for cell in range(grid.GetNumberOfCells()):
+        shift = [b - c for b, c in zip(barycentres.GetPoint(cell), centre)]
+        if shift[1] >= 0 and math.hypot(*shift) <= SHOWN_RADIUS * radius:
+            ids.InsertNextValue(cell)
+    node = vtk.vtkSelectionNode()
+    node.SetFieldType(vtk.vtkSelectionNode.CELL)
+    node.SetContentType(vtk.vtkSelectionNode.INDICES)
+    node.SetSelectionList(ids)
+    selection = vtk.vtkSelection()
+    selection.AddNode(node)
+    extract = vtk.vtkExtractSelection()
+    extract.SetInputData(0, grid)
+    extract.SetInputData(1, selection)
+    extract.Update()
+    return surface_actor(extract.GetOutput(), "label")
+
+
+def view_of(paths):
+    """The centre and the half diagonal of all these interfaces together."""
+    bounds = vtk.vtkBoundingBox()
+    for path in paths:
+        bounds.AddBounds(read_grid(path).GetBounds())
+    if not bounds.IsValid():
+        raise Failure("there is no interface in any of the steps; nothing can be shown")
+    centre = [0.0, 0.0, 0.0]
+    bounds.GetCenter(centre)
+    return centre, bounds.GetDiagonalLength() / 2
+
+
+def render(actor, centre, radius):
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    renderer.AddActor(actor)
+    camera = renderer.GetActiveCamera()
+    camera.SetFocalPoint(*centre)
+    camera.SetPosition(*(c - 10 * radius * d for c, d in zip(centre, VIEW_DIRECTION)))
+    camera.SetViewUp(0, 0, 1)
+    camera.ParallelProjectionOn()
+    camera.SetParallelScale(1.2 * SHOWN_RADIUS * radius)
+    renderer.ResetCameraClippingRange()
+    window = vtk.vtkRenderWindow()
+    window.OffScreenRenderingOn()
+    window.SetMultiSamples(8)
+    window.SetSize(*SIZE)
+    window.AddRenderer(renderer)
+    window.Render()
+    grab = vtk.vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.ReadFrontBufferOff()
+    grab.Update()
+    return grab.GetOutput()
+
+
+def write(image, path):
+    writer = vtk.vtkPNGWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(image)
+    writer.Write()
+    if writer.GetErrorCode():
+        raise Failure(f"cannot write {path}; check that the folder may be written to")
+
+
+def appended(images, axis):
+    append = vtk.vtkImageAppend()
+    append.SetAppendAxis(axis)
+    for image in images:
+        append.AddInputData(image)
+    append.Update()
+    return append.GetOutput()
+
+
+def tile(image):
+    resize = vtk.vtkImageResize()
+    resize.SetInputData(image)
+    resize.SetOutputDimensions(*TILE, 1)
+    resize.Update()
+    return resize.GetOutput()
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", metavar="DIR", help="what dsc --output wrote")
+    parser.add_argument("--out", metavar="DIR", help="folder for the images; default: the same")
+    arguments = parser.parse_args()
+    out = arguments.out or arguments.folder
+    vtk.vtkObject.GlobalWarningDisplayOff()  # failures are told in one line
+
+    interfaces = first_middle_last(read_collection(os.path.join(arguments.folder, "interface.pvd")))
+    volumes = dict(read_collection(os.path.join(arguments.folder, "volume.pvd")))
+    centre, radius = view_of([path for _, path in interfaces])
+    os.makedirs(out, exist_ok=True)
+
+    rows = ([], [])
+    for time, path in interfaces:
+        if time not in volumes:
+            raise Failure(f"volume.pvd lacks time {time:g} of interface.pvd; write the series again")
+        number = os.path.splitext(os.path.basename(path))[0].rpartition("_")[2]
+        actors = (interface_actor(path), cut_actor(volumes[time], centre, radius))
+        for row, name, actor in zip(rows, ("interface", "cut"), actors):
+            image = render(actor, centre, radius)
+            write(image, os.path.join(out, f"{name}_{number}.png"))
+            row.append(tile(image))
+    # Images grow upwards.
+    strip = appended([appended(row, axis=0) for row in reversed(rows)], axis=1)
+    write(strip, os.path.join(out, "strip.png"))
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except (Failure, OSError) as failure:
+        sys.exit(f"render.py: {failure}")

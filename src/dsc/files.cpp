@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "files.h"
+
+#include "errors.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+namespace dsc {
+namespace fs = std::filesystem;
+
+std::string extension(const std::string& path) {
+  std::string result = fs::path(path).extension().string();
+  if (!result.empty())
+    result.erase(0, 1);
+  std::transform(result.begin(), result.end(), result.begin(), [](char c) {
+    return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return result;
+}
+
+void require_writable(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw Input_error("'" + path + "' is not a regular file; choose another name");
+  // Results are written beside their place and renamed, so this is what must be possible.
+  const std::string probe = path + ".probe";
+  if (!std::ofstream(probe))
+    throw Input_error("cannot write '" + path +
+                      "'; check that its folder exists and may be written to");
+  fs::remove(probe, error);
+}
+
+} // namespace dsc

@@ -1,0 +1,21 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_FILES_H
+#define DSC_FILES_H
+
+#include <string>
+
+namespace dsc {
+
+/// The extension of `path` in lower case and without the dot; empty if there is none.
+std::string extension(const std::string& path);
+
+/// Finds out before a long computation whether its result can be written; leaves an existing file
+/// alone. \throws Input_error if a regular file cannot be created at `path`.
+void require_writable(const std::string& path);
+
+} // namespace dsc
+
+#endif // DSC_FILES_H

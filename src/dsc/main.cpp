@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "command_line.h"
+#include "commands.h"
+#include "errors.h"
+
+#include <CGAL/assertions_behaviour.h>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+namespace {
+
+enum Exit_code { bad_input = 1, bad_usage = 2 };
+
+int fail(std::string message, Exit_code code) {
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  std::cerr << "dsc: " << message << '\n';
+  return code;
+}
+
+// CGAL throws after it has printed; the message comes with the exception.
+void print_nothing(const char*, const char*, const char*, int, const char*) {}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  CGAL::set_error_handler(print_nothing);
+  CGAL::set_warning_handler(print_nothing);
+  try {
+    const std::optional<dsc::Options> options = dsc::parse_command_line(argc, argv);
+    if (!options)
+      return 0;
+    return std::visit([](const auto& command) { return dsc::execute(command); }, *options);
+  } catch (const dsc::Usage_error& error) {
+    return fail(error.what(), bad_usage);
+  } catch (const std::bad_alloc&) {
+    return fail("there is not enough memory; choose fewer --triangles", bad_input);
+  } catch (const std::exception& error) {
+    return fail(error.what(), bad_input);
+  } catch (...) {
+    return fail("something unknown went wrong; check the input", bad_input);
+  }
+}

@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "output_folder.h"
+
+#include "errors.h"
+#include "files.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+namespace dsc {
+namespace fs = std::filesystem;
+namespace {
+
+struct Moment
+{
+  double time;
+  std::string file;
+};
+
+/// What a collection of an earlier run lists up to `time`, as long as it is there.
+std::vector<Moment> moments_until(double time, const std::string& collection) {
+  static const std::regex entry("timestep=\"([^\"]*)\".* file=\"([^\"]*)\"");
+  std::vector<Moment> moments;
+  std::ifstream in(collection);
+  std::smatch match;
+  for (std::string line; std::getline(in, line);)
+    if (std::regex_search(line, match, entry)) {
+      const double t = std::strtod(match.str(1).c_str(), nullptr);
+      const fs::path file = fs::path(collection).parent_path() / match.str(2);
+      std::error_code error;
+      if (t <= time && fs::exists(file, error))
+        moments.push_back({t, file.string()});
+    }
+  return moments;
+}
+
+std::string numbered(const char* format, unsigned step) {
+  char name[40];
+  std::snprintf(name, sizeof name, format, step);
+  return name;
+}
+
+} // namespace
+
+Output_folder::Output_folder(const std::string& path)
+    : m_path(path), m_volume(file("volume.pvd")), m_interface(file("interface.pvd")) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error || !fs::is_directory(path, error))
+    throw Input_error("cannot create the folder '" + path +
+                      "'; check that no file has its name and that its place may be written to");
+  require_writable(checkpoint());
+}
+
+void Output_folder::keep_until(double time) {
+  for (CGAL::IO::PVD_series* series : {&m_volume, &m_interface})
+    for (const Moment& moment : moments_until(time, series->path())) {
+      series->append(moment.time, moment.file);
+      m_last_time = moment.time;
+    }
+}
+
+void Output_folder::write(const Tracked_complex& complex, const Run_position& position,
+                          const std::string& metadata) {
+  if (position.time > m_last_time) {
+    const std::string volume = file(numbered("volume_%06u.vtu", position.step));
+    const std::string interface = file(numbered("interface_%06u.vtu", position.step));
+    complex.write_volume_vtu(volume);
+    complex.write_interface_vtu(interface);
+    m_volume.append(position.time, volume);
+    m_interface.append(position.time, interface);
+    m_last_time = position.time;
+  }
+  if (position.time > m_checkpoint_time) {
+    complex.write_checkpoint(checkpoint(), metadata);
+    m_checkpoint_time = position.time;
+  }
+}
+
+std::string Output_folder::checkpoint() const { return file("checkpoint.dsc"); }
+
+std::string Output_folder::file(const std::string& name) const {
+  return (fs::path(m_path) / name).string();
+}
+
+} // namespace dsc

@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "surface.h"
+
+#include <CGAL/IO/labelled_surface_3.h>
+
+namespace dsc {
+
+std::vector<Surface> read_surfaces(const std::vector<std::string>& paths) {
+  std::vector<Surface> surfaces;
+  for (const std::string& path : paths)
+    surfaces.push_back(CGAL::IO::read_labelled_surface<Surface_point>(
+        path, static_cast<int>(surfaces.size()) + 1));
+  return surfaces;
+}
+
+} // namespace dsc

@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_REPORT_H
+#define DSC_REPORT_H
+
+#include "motion_json.h"
+#include "options.h"
+#include "run_position.h"
+#include "statistics.h"
+
+#include <chrono>
+#include <string>
+
+namespace dsc {
+
+/// What happened in each step, as one JSON object in a file. The file is replaced in one go, so
+/// that it is whole whenever the program ends. Without the name of a file nothing is written.
+class Report
+{
+public:
+  Report(const Run_options& options, const Run_position& start, double sweep_seconds);
+
+  /// Adds the state after a step, and writes the file unless that was done a moment ago.
+  /// \throws std::runtime_error if that fails
+  void add(const Run_position& position, const Step_outcome& outcome, const Statistics& statistics);
+
+  /// \throws std::runtime_error if that fails
+  void write();
+
+private:
+  std::string m_path;
+  double m_sweep_seconds;
+  Json m_json;
+  std::chrono::steady_clock::time_point m_next_write;
+};
+
+} // namespace dsc
+
+#endif // DSC_REPORT_H

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands.h"
+#include "files.h"
+#include "interrupt.h"
+#include "output_folder.h"
+#include "progress_line.h"
+#include "report.h"
+#include "run_position.h"
+#include "tracked_complex.h"
+
+#include <cstdio>
+#include <iostream>
+#include <optional>
+
+namespace dsc {
+namespace {
+
+constexpr int exit_code_of_interrupt = 130; // what shells use for SIGINT
+
+Tracked_complex start(const Run_options& options, Run_position& position) {
+  if (options.resume.empty()) {
+    position.inputs = options.inputs;
+    position.triangles = options.triangles;
+    return Tracked_complex::from_surfaces(options.inputs, options.triangles);
+  }
+  std::string metadata;
+  Tracked_complex complex = Tracked_complex::from_checkpoint(options.resume, metadata);
+  position = from_metadata(metadata);
+  return complex;
+}
+
+void print_summary(const Run_position& position, const Statistics& statistics,
+                   std::size_t unfinished, double seconds) {
+  std::printf(
+      "dsc: step %u, time %g: %zu tetrahedra, %zu interface triangles, dihedral angles %.3g "
+      "to %.4g degrees; %zu unfinished vertices, %.3g s\n",
+      position.step, position.time, statistics.tetrahedra, statistics.interface_triangles,
+      statistics.min_dihedral, statistics.max_dihedral, unfinished, seconds);
+}
+
+void print_interruption(const Run_position& position, const std::string& checkpoint,
+                        unsigned steps_left) {
+  std::cerr << "dsc: interrupted after step " << position.step << "; continue with --resume "
+            << checkpoint;
+  if (steps_left > 0)
+    std::cerr << " --steps " << steps_left;
+  std::cerr << '\n';
+}
+
+} // namespace
+
+int execute(const Run_options& options) {
+  catch_interrupts();
+
+  // What cannot work is refused before anything is computed.
+  if (!options.report.empty())
+    require_writable(options.report);
+  std::optional<Output_folder> folder;
+  if (!options.output.empty())
+    folder.emplace(options.output);
+
+  Run_position position;
+  Tracked_complex complex = start(options, position);
+  if (folder && !options.resume.empty())
+    folder->keep_until(position.time);
+
+  Report report(options, position, complex.sweep_seconds());
+  Statistics statistics = complex.statistics();
+  report.add(position, Step_outcome(), statistics);
+  const auto write_files = [&] {
+    if (folder)
+      folder->write(complex, position, to_metadata(position, options.motion));
+  };
+  write_files();
+
+  unsigned done = 0;
+  std::size_t unfinished = 0;
+  double seconds = 0;
+  Progress_line progress(options.steps, options.quiet);
+  progress.show(done);
+  while (done < options.steps && !interrupted()) {
+    const Step_outcome outcome = complex.advance(options.motion, position.time, options.threads);
+    ++done;
+    ++position.step;
+    position.time += 1;
+    unfinished += outcome.unfinished_vertices;
+    seconds += outcome.seconds;
+    statistics = complex.statistics();
+    report.add(position, outcome, statistics);
+    if (position.step % options.every == 0)
+      write_files();
+    progress.show(done);
+  }
+  progress.clear();
+  report.write();
+  write_files();
+
+  const bool stopped = interrupted();
+  if (stopped) {
+    std::string checkpoint = "dsc_interrupted.dsc";
+    if (folder)
+      checkpoint = folder->checkpoint();
+    else
+      complex.write_checkpoint(checkpoint, to_metadata(position, options.motion));
+    if (!options.quiet)
+      print_interruption(position, checkpoint, options.steps - done);
+  }
+  if (!options.quiet)
+    print_summary(position, statistics, unfinished, seconds);
+  return stopped ? exit_code_of_interrupt : 0;
+}
+
+} // namespace dsc

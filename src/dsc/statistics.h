@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_STATISTICS_H
+#define DSC_STATISTICS_H
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace dsc {
+
+/// One label of a complex; lengths in the units of the input.
+struct Label_statistics
+{
+  int label;
+  std::size_t tetrahedra;
+  double volume;
+  double area; ///< of the label's part of the interface
+  std::size_t components;
+  int euler_characteristic; ///< of the label's part of the interface
+};
+
+/// The state of a complex in numbers; angles in degrees.
+struct Statistics
+{
+  std::size_t vertices;
+  std::size_t tetrahedra;
+  std::size_t interface_triangles;
+  std::vector<Label_statistics> labels;
+  double min_dihedral;
+  double max_dihedral;
+  std::array<std::size_t, 18> dihedral_histogram; ///< bins of 10 degrees
+  double dihedrals_outside_6_171;                 ///< fraction of all dihedral angles
+  double min_quality;
+};
+
+/// What one step did; the state before the first step has all zeros.
+struct Step_outcome
+{
+  double seconds = 0; ///< of the deformation alone
+  bool complete = true;
+  std::size_t unfinished_vertices = 0;
+  unsigned passes = 0;
+  std::size_t split = 0;
+  std::size_t collapsed = 0;
+  std::size_t flipped = 0;
+  std::size_t relabeled = 0;
+};
+
+/// A surface in numbers, whether or not it bounds anything; angles in degrees.
+struct Surface_statistics
+{
+  std::size_t vertices; ///< those that are used
+  std::size_t triangles;
+  std::size_t boundary_edges; ///< edges of a single triangle; 0 means closed
+  std::size_t components;     ///< connected through vertices
+  long euler_characteristic;  ///< V - E + F
+  double area;
+  double volume; ///< inside, if the surface is closed and oriented
+  double min_angle;
+  double max_angle;
+};
+
+/// \throws std::runtime_error if the surface cannot be read
+Surface_statistics surface_statistics(const std::string& path);
+
+} // namespace dsc
+
+#endif // DSC_STATISTICS_H

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_SURFACE_H
+#define DSC_SURFACE_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Labelled_surface_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace dsc {
+
+using Surface_point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Surface = CGAL::Labelled_surface_3<Surface_point>;
+
+/// Reads surfaces, which get the labels 1, 2 and so on.
+/// \throws std::runtime_error if one cannot be read
+std::vector<Surface> read_surfaces(const std::vector<std::string>& paths);
+
+/// Decimates or refines surfaces to about `triangles` triangles in total, all by the same factor.
+/// Refining keeps the shape; decimating collapses the edges that matter least.
+/// \param names of the surfaces, for messages
+/// \throws Input_error if a surface is open or not manifold, or intersects itself afterwards
+void resample(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
+              std::size_t triangles);
+
+} // namespace dsc
+
+#endif // DSC_SURFACE_H

@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "statistics.h"
+#include "surface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace dsc {
+namespace {
+
+using Vector = CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3;
+
+double norm(const Vector& v) { return std::sqrt(v.squared_length()); }
+
+/// Which vertices are connected: a forest in an array, paths halved on the way up.
+class Connectivity
+{
+public:
+  explicit Connectivity(std::size_t n) : m_parent(n) {
+    std::iota(m_parent.begin(), m_parent.end(), std::size_t(0));
+  }
+
+  std::size_t root(std::size_t v) {
+    while (m_parent[v] != v)
+      v = m_parent[v] = m_parent[m_parent[v]];
+    return v;
+  }
+
+  void join(std::size_t v, std::size_t w) { m_parent[root(v)] = root(w); }
+
+private:
+  std::vector<std::size_t> m_parent;
+};
+
+} // namespace
+
+Surface_statistics surface_statistics(const std::string& path) {
+  const Surface surface = read_surfaces({path}).front();
+  Surface_statistics result = {};
+  result.triangles = surface.triangles.size();
+  result.min_angle = 180;
+
+  Connectivity connectivity(surface.points.size());
+  std::vector<bool> used(surface.points.size());
+  std::vector<std::array<std::size_t, 2>> edges;
+  // Far from the origin, tetrahedra with it would cancel to nothing.
+  const Surface_point& origin = surface.points[surface.triangles[0][0]];
+  for (const std::array<std::size_t, 3>& triangle : surface.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const std::size_t a = triangle[i], b = triangle[(i + 1) % 3], c = triangle[(i + 2) % 3];
+      used[a] = true;
+      connectivity.join(a, b);
+      edges.push_back({std::min(a, b), std::max(a, b)});
+      const Vector u = surface.points[b] - surface.points[a],
+                   v = surface.points[c] - surface.points[a];
+      const double angle = std::atan2(norm(CGAL::cross_product(u, v)), u * v) * (180 / CGAL_PI);
+      result.min_angle = std::min(result.min_angle, angle);
+      result.max_angle = std::max(result.max_angle, angle);
+    }
+    const Vector p = surface.points[triangle[0]] - origin, q = surface.points[triangle[1]] - origin,
+                 r = surface.points[triangle[2]] - origin;
+    result.area += norm(CGAL::cross_product(q - p, r - p)) / 2;
+    result.volume += p * CGAL::cross_product(q, r) / 6;
+  }
+
+  for (std::size_t v = 0; v < used.size(); ++v)
+    if (used[v]) {
+      ++result.vertices;
+      result.components += connectivity.root(v) == v;
+    }
+
+  std::sort(edges.begin(), edges.end());
+  long different_edges = 0;
+  for (auto edge = edges.begin(); edge != edges.end();) {
+    const auto next = std::upper_bound(edge, edges.end(), *edge);
+    result.boundary_edges += next - edge == 1;
+    ++different_edges;
+    edge = next;
+  }
+  result.euler_characteristic =
+      static_cast<long>(result.vertices) - different_edges + static_cast<long>(result.triangles);
+  return result;
+}
+
+} // namespace dsc

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_TRACKED_COMPLEX_H
+#define DSC_TRACKED_COMPLEX_H
+
+#include "options.h"
+#include "statistics.h"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dsc {
+
+/// A deformable simplicial complex behind a wall, so that a single file compiles its templates.
+/// All functions throw std::runtime_error if a file cannot be read or written, or makes no complex.
+class Tracked_complex
+{
+public:
+  /// Fills the space inside and around surfaces, whose solids get the labels 1, 2 and so on.
+  /// \param triangles to which the surfaces are resampled; 0 keeps them as they are
+  static Tracked_complex from_surfaces(const std::vector<std::string>& paths,
+                                       std::size_t triangles);
+
+  /// The labelled tetrahedra of a MEDIT file.
+  static Tracked_complex from_mesh(const std::string& path);
+
+  /// The complex in a checkpoint, and what was written with it.
+  static Tracked_complex from_checkpoint(const std::string& path, std::string& metadata);
+
+  Tracked_complex(Tracked_complex&&);
+  ~Tracked_complex();
+
+  /// Deforms the interface by one step, from `time` to `time` + 1.
+  Step_outcome advance(const Motion& motion, double time, unsigned threads);
+
+  Statistics statistics() const;
+
+  /// Seconds that one pass over all tetrahedra takes which only evaluates the exact orientation and
+  /// the quality of their corners: the unit that steps are compared by.
+  double sweep_seconds() const;
+
+  /// Writes the interface as a surface, in the format of the extension.
+  void write_interface(const std::string& path) const;
+  void write_interface_vtu(const std::string& path) const;
+  void write_volume_vtu(const std::string& path) const;
+  void write_mesh(const std::string& path) const;
+  void write_checkpoint(const std::string& path, const std::string& metadata) const;
+
+private:
+  struct Implementation;
+  explicit Tracked_complex(std::unique_ptr<Implementation> implementation);
+
+  std::unique_ptr<Implementation> m_implementation;
+};
+
+} // namespace dsc
+
+#endif // DSC_TRACKED_COMPLEX_H

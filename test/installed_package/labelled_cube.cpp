@@ -1,0 +1,29 @@
+#include <CGAL/Deformable_simplicial_complex_3.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <vector>
+
+using Complex = CGAL::Deformable_simplicial_complex_3<>;
+using Point = Complex::Point_3;
+
+// The unit cube in six tetrahedra about a diagonal; vertex i is at the bits (x, y, z) of i. Label 1
+// is where x > y.
+int main() {
+  std::vector<Point> points;
+  for (int i = 0; i < 8; ++i)
+    points.emplace_back(i & 1, (i >> 1) & 1, (i >> 2) & 1);
+  const std::vector<std::array<std::size_t, 4>> tetrahedra = {{0, 1, 3, 7}, {0, 5, 1, 7}, {0, 4, 5, 7},
+                                                              {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}};
+
+  Complex complex;
+  complex.assign(points, tetrahedra, {1, 1, 1, 0, 0, 0});
+
+  const bool right = complex.is_valid() && complex.number_of_cells() == 6 &&
+                     std::abs(complex.volume(1) - .5) < 1e-12 &&
+                     std::abs(complex.area(0, 1) - std::sqrt(2.)) < 1e-12;
+  std::cout << "volume " << complex.volume(1) << ", area " << complex.area(0, 1) << '\n';
+  return right ? EXIT_SUCCESS : EXIT_FAILURE;
+}

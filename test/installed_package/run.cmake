@@ -1,0 +1,21 @@
+# Installs `build_dir` below `work_dir`, then configures, builds and runs the project of this folder
+# against what was installed.
+file(REMOVE_RECURSE "${work_dir}")
+set(prefix "${work_dir}/prefix")
+set(components)
+if(with_tetgen)
+  set(components Tetgen)
+endif()
+
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+run("${CMAKE_COMMAND}" --install "${build_dir}" --config "${config}" --prefix "${prefix}")
+run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${work_dir}/build" -G "${generator}"
+  "-DCMAKE_CXX_COMPILER=${cxx_compiler}"
+  "-DCMAKE_BUILD_TYPE=${config}"
+  "-DCMAKE_PREFIX_PATH=${prefix}"
+  "-DCOMPONENTS=${components}")
+run("${CMAKE_COMMAND}" --build "${work_dir}/build" --config "${config}")
+run("${CMAKE_CTEST_COMMAND}" --test-dir "${work_dir}/build" -C "${config}" --output-on-failure)

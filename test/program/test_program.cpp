@@ -1,0 +1,443 @@
+// The program as its users see it: exit codes, messages, files. Without a built program there is
+// nothing to test.
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <sys/wait.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+struct Outcome
+{
+  int exit_code;
+  std::string out, err;
+};
+
+std::string contents(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// An axis-parallel box as an OFF file.
+std::string box(double x0, double y0, double z0, double x1, double y1, double z1) {
+  std::ostringstream off;
+  off << "OFF\n8 12 0\n";
+  for (int i = 0; i < 8; ++i)
+    off << (i & 1 ? x1 : x0) << ' ' << (i & 2 ? y1 : y0) << ' ' << (i & 4 ? z1 : z0) << '\n';
+  off << "3 0 2 3\n3 0 3 1\n3 4 5 7\n3 4 7 6\n3 0 1 5\n3 0 5 4\n"
+         "3 2 6 7\n3 2 7 3\n3 0 4 6\n3 0 6 2\n3 1 3 7\n3 1 7 5\n";
+  return off.str();
+}
+
+const char* const octahedron = "OFF\n6 8 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n"
+                               "3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n"
+                               "3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n";
+
+// Every test has a folder of its own with the inputs, and runs the program in it.
+class Program : public testing::Test
+{
+protected:
+  void SetUp() override {
+#ifndef DSC_PROGRAM
+    GTEST_SKIP() << "the program is not built";
+#endif
+    std::string pattern = (fs::temp_directory_path() / "dsc_program_XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    m_folder = pattern;
+    write("octahedron.off", octahedron);
+    write("cube.off", box(0, 0, 0, 1, 1, 1));
+    write("cube_beside.off", box(2, 0, 0, 3, 1, 1));
+    write("cube_across.off", box(.5, .5, .5, 1.5, 1.5, 1.5));
+  }
+
+  void TearDown() override {
+    if (!m_folder.empty())
+      fs::remove_all(m_folder);
+  }
+
+  fs::path path(const std::string& name) const { return m_folder / name; }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+  }
+
+  Outcome run(const std::string& arguments, const std::string& prefix = "") const {
+#ifdef DSC_PROGRAM
+    const std::string program = DSC_PROGRAM;
+#else
+    const std::string program = "false";
+#endif
+    const std::string command = "cd '" + m_folder.string() + "' && " + prefix + " '" + program +
+                                "' " + arguments + " 2>stderr.txt </dev/null";
+    Outcome outcome;
+    FILE* pipe = popen(command.c_str(), "r");
+    char buffer[4096];
+    for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;)
+      outcome.out.append(buffer, n);
+    const int status = pclose(pipe);
+    outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    outcome.err = contents(path("stderr.txt"));
+    return outcome;
+  }
+
+  // One line on stderr that says what is wrong and what to do, nothing else.
+  void expect_error(const std::string& arguments, int exit_code) const {
+    SCOPED_TRACE(arguments);
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, exit_code);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err.rfind("dsc: ", 0), 0u) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find_first_of(";:", 5), std::string::npos) << outcome.err;
+  }
+
+  void expect_success(const std::string& arguments) const {
+    SCOPED_TRACE(arguments);
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err, "");
+  }
+
+  Json report(const std::string& name) const { return Json::parse(contents(path(name))); }
+
+  // The number in the line of `dsc info` that starts with `key`.
+  double info(const std::string& file, const std::string& key) const {
+    const Outcome outcome = run("info " + file);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::istringstream lines(outcome.out);
+    for (std::string line; std::getline(lines, line);)
+      if (line.rfind(key, 0) == 0)
+        return std::atof(line.c_str() + key.size());
+    ADD_FAILURE() << "no " << key << " in\n" << outcome.out;
+    return 0;
+  }
+
+private:
+  fs::path m_folder;
+};
+
+const Json& label_of(const Json& step, int label) {
+  const Json& labels = step.at("labels");
+  return *std::find_if(labels.begin(), labels.end(),
+                       [&](const Json& entry) { return entry.at("label") == label; });
+}
+
+TEST_F(Program, refuses_wrong_usage) {
+  const std::string rotate = "rotate cube.off --axis 0,0,1 --angle 5 ";
+  for (const std::string& arguments :
+       std::vector<std::string>{"",
+                                "turn",
+                                "rotate cube.off",
+                                "rotate cube.off --axis 0,0,0 --angle 5",
+                                "rotate cube.off --axis 0,0 --angle 5",
+                                "rotate cube.off --axis 0,0,1,1 --angle 5",
+                                "rotate cube.off --axis nan,0,1 --angle 5",
+                                "rotate cube.off --axis 0,0,1 --angle nan",
+                                "rotate cube.off --axis 0,0,1 --angle inf",
+                                "rotate cube.off --axis 0,0,1 --angle 5x",
+                                "rotate --axis 0,0,1 --angle 5",
+                                "offset cube.off --distance nan",
+                                "offset cube.off --distance 0.1f",
+                                "offset cube.off --distance e",
+                                "offset cube.off --distance 1ee",
+                                "rotate cube.xyz --axis 0,0,1 --angle 5",
+                                "rotate cube --axis 0,0,1 --angle 5",
+                                "info cube.txt",
+                                "convert a.dsc out.xyz",
+                                "convert a.dsc",
+                                "info"})
+    expect_error(arguments, 2);
+  for (const std::string& option : std::vector<std::string>{
+           "--steps 0", "--steps -3", "--steps x", "--steps 1.5", "--threads 0", "--triangles 0",
+           "--every 2", "--output out --every 0", "--resume checkpoint.dsc", "--colour red"})
+    expect_error(rotate + option, 2);
+  expect_error("rotate --resume a.dsc --triangles 100 --axis 0,0,1 --angle 5", 2);
+}
+
+TEST_F(Program, refuses_bad_input) {
+  const std::string motion = " --distance 0.01 --steps 1";
+  write("empty.off", "");
+  write("text.off", "this is not a surface\n");
+  write("open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  write("infinite.off", box(0, 0, 0, 1, 1, 1).replace(11, 1, "inf"));
+  write("damaged.dsc", "this is not a checkpoint");
+  write("flat.mesh", "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n"
+                     "1 1 0 0\nTetrahedra\n1\n1 2 3 4 1\nEnd\n");
+  fs::create_directory(path("folder.json"));
+  for (const std::string& arguments :
+       std::vector<std::string>{"offset missing.off" + motion,
+                                "offset empty.off" + motion,
+                                "offset text.off" + motion,
+                                "offset open.off" + motion,
+                                "offset infinite.off" + motion,
+                                "offset open.off --triangles 100" + motion,
+                                "offset cube.off cube_across.off" + motion,
+                                "offset cube.off cube.off" + motion,
+                                "offset --resume missing.dsc" + motion,
+                                "offset --resume damaged.dsc" + motion,
+                                "offset cube.off --output cube.off" + motion,
+                                "offset cube.off --output cube.off/below" + motion,
+                                "offset cube.off --report missing/report.json" + motion,
+                                "offset cube.off --report folder.json" + motion,
+                                "info missing.off",
+                                "info missing.dsc",
+                                "info missing.mesh",
+                                "info flat.mesh",
+                                "info damaged.dsc",
+                                "info text.off",
+                                "convert missing.dsc out.off",
+                                "convert damaged.dsc out.off"})
+    expect_error(arguments, 1);
+}
+
+TEST_F(Program, names_the_bad_surface) {
+  write("open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const Outcome outcome = run("offset cube.off open.off --distance 0.01");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("open.off"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Program, finds_an_unwritable_folder_first) {
+  expect_error("offset missing.off --distance 0.01 --output cube.off/below", 1);
+  EXPECT_NE(contents(path("stderr.txt")).find("cube.off/below"), std::string::npos);
+}
+
+TEST_F(Program, prints_help) {
+  for (const std::string arguments :
+       {"--help", "info --help", "rotate --help", "offset --help", "convert --help"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_NE(outcome.out, "");
+    EXPECT_EQ(outcome.err, "");
+  }
+}
+
+TEST_F(Program, prints_one_line_or_nothing) {
+  const std::string arguments = "rotate octahedron.off --axis 1,1,1 --angle 3 --steps 2";
+  const Outcome loud = run(arguments);
+  EXPECT_EQ(std::count(loud.out.begin(), loud.out.end(), '\n'), 1) << loud.out;
+  EXPECT_EQ(loud.err, ""); // no progress line in a file
+  EXPECT_EQ(run(arguments + " --quiet").out, "");
+}
+
+TEST_F(Program, informs_about_surfaces) {
+  EXPECT_EQ(info("cube.off", "vertices"), 8);
+  EXPECT_EQ(info("cube.off", "triangles"), 12);
+  EXPECT_EQ(info("cube.off", "Euler characteristic"), 2);
+  EXPECT_EQ(info("cube.off", "area"), 6);
+  EXPECT_EQ(info("cube.off", "volume"), 1);
+  EXPECT_EQ(info("cube.off", "angles"), 45);
+}
+
+TEST_F(Program, reports_each_step) {
+  write("large.off", box(100, 100, 100, 110, 110, 110));
+  expect_success("rotate large.off --axis 0,0,-2 --angle 5 --steps 3 --report report.json");
+  const Json report = this->report("report.json");
+  EXPECT_EQ(report.at("input"), Json::array({"large.off"}));
+  EXPECT_EQ(report.at("parameters").at("command"), "rotate");
+  EXPECT_EQ(report.at("parameters").at("angle"), 5);
+  EXPECT_GT(report.at("sweep_seconds").get<double>(), 0);
+  ASSERT_EQ(report.at("steps").size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Json& step = report.at("steps")[i];
+    std::set<std::string> keys;
+    for (const auto& item : step.items())
+      keys.insert(item.key());
+    EXPECT_EQ(keys, (std::set<std::string>{"step",
+                                           "time",
+                                           "seconds",
+                                           "sweeps",
+                                           "complete",
+                                           "unfinished_vertices",
+                                           "passes",
+                                           "vertices",
+                                           "tetrahedra",
+                                           "interface_triangles",
+                                           "labels",
+                                           "min_dihedral",
+                                           "max_dihedral",
+                                           "dihedral_histogram",
+                                           "dihedrals_outside_6_171",
+                                           "min_quality",
+                                           "split",
+                                           "collapsed",
+                                           "flipped",
+                                           "relabeled"}));
+    EXPECT_EQ(step.at("step"), i);
+    EXPECT_EQ(step.at("time"), double(i));
+    EXPECT_EQ(step.at("complete"), true);
+    EXPECT_EQ(step.at("unfinished_vertices"), 0);
+    EXPECT_NEAR(step.at("sweeps").get<double>(),
+                step.at("seconds").get<double>() / report.at("sweep_seconds").get<double>(),
+                1e-9 * step.at("sweeps").get<double>());
+    const auto histogram = step.at("dihedral_histogram").get<std::vector<std::size_t>>();
+    EXPECT_EQ(histogram.size(), 18u);
+    std::size_t angles = 0;
+    for (const std::size_t n : histogram)
+      angles += n;
+    EXPECT_EQ(angles, 6 * step.at("tetrahedra").get<std::size_t>());
+    EXPECT_GT(step.at("min_dihedral").get<double>(), 0);
+    EXPECT_LT(step.at("max_dihedral").get<double>(), 180);
+    EXPECT_GT(step.at("min_quality").get<double>(), 0);
+
+    ASSERT_EQ(step.at("labels").size(), 2u);
+    const Json& solid = label_of(step, 1);
+    EXPECT_NEAR(solid.at("volume").get<double>(), 1000, 1e-6);
+    EXPECT_NEAR(solid.at("area").get<double>(), 600, 1e-6);
+    EXPECT_EQ(solid.at("components"), 1);
+    EXPECT_EQ(solid.at("euler_characteristic"), 2);
+    EXPECT_EQ(label_of(step, 0).at("tetrahedra").get<std::size_t>() +
+                  solid.at("tetrahedra").get<std::size_t>(),
+              step.at("tetrahedra").get<std::size_t>());
+  }
+  EXPECT_EQ(report.at("steps")[0].at("seconds"), 0);
+  EXPECT_EQ(contents(path("report.json")).find("nan"), std::string::npos);
+  EXPECT_FALSE(fs::exists(path("report.partial.json")));
+}
+
+TEST_F(Program, gives_several_surfaces_labels) {
+  expect_success(
+      "rotate cube.off cube_beside.off --axis 1,0,0 --angle 2 --steps 1 --report r.json");
+  const Json step = report("r.json").at("steps")[1];
+  ASSERT_EQ(step.at("labels").size(), 3u);
+  for (int label : {1, 2})
+    EXPECT_NEAR(label_of(step, label).at("volume").get<double>(), 1, 1e-9);
+}
+
+TEST_F(Program, offsets_in_units_of_the_input) {
+  write("large.off", box(100, 100, 100, 110, 110, 110));
+  const std::string arguments = "offset large.off --triangles 300 --steps 1 --report r.json ";
+  const auto volumes = [&](const std::string& distance) {
+    expect_success(arguments + "--distance " + distance);
+    const Json steps = report("r.json").at("steps");
+    return std::make_pair(label_of(steps[0], 1).at("volume").get<double>(),
+                          label_of(steps[1], 1).at("volume").get<double>());
+  };
+  const auto [before, outwards] = volumes("0.1");
+  EXPECT_NEAR(before, 1000, 1e-6);
+  EXPECT_GT(outwards, 1000 + 0.7 * 60); // area times distance, less what the edges lose
+  EXPECT_LT(outwards, 1000 + 1.2 * 60);
+  EXPECT_LT(volumes("-0.1").second, 1000 - 0.7 * 60);
+  // 300 triangles on an area of 600: edges of somewhat more than 2
+  EXPECT_GT(volumes("0.1e").second, 1000 + 0.7 * 0.1 * 1.8 * 600);
+}
+
+TEST_F(Program, resamples) {
+  expect_success(
+      "rotate cube.off --axis 0,0,1 --angle 1 --steps 1 --triangles 900 --report fine.json "
+      "--output fine");
+  EXPECT_EQ(report("fine.json").at("steps")[0].at("interface_triangles"), 900);
+  expect_success("convert fine/checkpoint.dsc fine.off");
+  expect_success("rotate fine.off --axis 0,0,1 --angle 1 --steps 1 --triangles 200 "
+                 "--report coarse.json");
+  const Json step = report("coarse.json").at("steps")[0];
+  EXPECT_NEAR(step.at("interface_triangles").get<double>(), 200, 10);
+  EXPECT_NEAR(label_of(step, 1).at("volume").get<double>(), 1, 0.01);
+}
+
+TEST_F(Program, writes_every_step_asked_for) {
+  expect_success(
+      "rotate octahedron.off --axis 1,2,3 --angle 2 --steps 5 --output new/out --every 2");
+  std::set<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path("new/out")))
+    names.insert(entry.path().filename().string());
+  EXPECT_EQ(names,
+            (std::set<std::string>{"checkpoint.dsc", "interface.pvd", "interface_000000.vtu",
+                                   "interface_000002.vtu", "interface_000004.vtu",
+                                   "interface_000005.vtu", "volume.pvd", "volume_000000.vtu",
+                                   "volume_000002.vtu", "volume_000004.vtu", "volume_000005.vtu"}));
+  for (const char* collection : {"new/out/volume.pvd", "new/out/interface.pvd"})
+    for (const char* step : {"_000000", "_000002", "_000004", "_000005"})
+      EXPECT_NE(contents(path(collection)).find(step), std::string::npos);
+}
+
+TEST_F(Program, resumes_to_the_same_bits) {
+  const std::string motions[] = {"rotate --axis 1,2,3 --angle 7 ", "offset --distance 0.2e "};
+  for (const std::string& motion : motions) {
+    SCOPED_TRACE(motion);
+    const std::string input = "octahedron.off cube_beside.off --triangles 100 ";
+    write("cube_beside.off", box(1.5, 0, 0, 2.5, 1, 1));
+    expect_success(motion + input + "--steps 4 --output whole");
+    expect_success(motion + input + "--steps 2 --output parts");
+    expect_success(motion + "--resume parts/checkpoint.dsc --steps 2 --threads 2 --output parts "
+                            "--report r.json");
+    for (const char* name : {"checkpoint.dsc", "volume.pvd", "interface.pvd", "volume_000004.vtu",
+                             "interface_000004.vtu"})
+      EXPECT_TRUE(contents(path("whole") / name) == contents(path("parts") / name)) << name;
+    const Json steps = report("r.json").at("steps");
+    ASSERT_EQ(steps.size(), 3u);
+    EXPECT_EQ(steps[0].at("step"), 2);
+    EXPECT_EQ(steps[2].at("time"), 4);
+    EXPECT_EQ(report("r.json").at("input"), Json::array({"octahedron.off", "cube_beside.off"}));
+    fs::remove_all(path("whole"));
+    fs::remove_all(path("parts"));
+  }
+}
+
+TEST_F(Program, does_not_keep_moments_that_are_undone) {
+  const std::string motion = "rotate --axis 0,0,1 --angle 7 ";
+  expect_success(motion + "octahedron.off --steps 1 --output short");
+  expect_success(motion + "octahedron.off --steps 3 --output long");
+  expect_success(motion + "--resume short/checkpoint.dsc --steps 1 --output long");
+  EXPECT_EQ(contents(path("long/volume.pvd")).find("volume_000003"), std::string::npos);
+  EXPECT_NE(contents(path("long/volume.pvd")).find("volume_000002"), std::string::npos);
+}
+
+TEST_F(Program, finishes_the_step_when_interrupted) {
+  const std::string arguments =
+      "rotate octahedron.off --axis 0,0,1 --angle 1 --steps 10000000 --report r.json";
+  for (const char* signal : {"INT", "TERM"}) {
+    const std::string prefix = std::string("timeout --preserve-status -s ") + signal + " 2";
+    const Outcome outcome = run(arguments, prefix);
+    EXPECT_EQ(outcome.exit_code, 130);
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    const unsigned step = report("r.json").at("steps").back().at("step");
+    EXPECT_EQ(info("dsc_interrupted.dsc", "step"), step);
+    fs::remove(path("dsc_interrupted.dsc"));
+
+    EXPECT_EQ(run(arguments + " --quiet --output out", prefix).exit_code, 130);
+    EXPECT_FALSE(fs::exists(path("dsc_interrupted.dsc")));
+    EXPECT_EQ(info("out/checkpoint.dsc", "step"), report("r.json").at("steps").back().at("step"));
+  }
+}
+
+TEST_F(Program, converts) {
+  expect_success("offset octahedron.off --distance 0.01 --steps 1 --output out");
+  for (const std::string format : {"off", "obj", "ply", "stl"}) {
+    SCOPED_TRACE(format);
+    expect_success("convert out/checkpoint.dsc interface." + format);
+    EXPECT_EQ(info("interface." + format, "Euler characteristic"), 2);
+    EXPECT_NEAR(info("interface." + format, "volume"), 4. / 3, 0.1);
+  }
+  expect_success("convert out/checkpoint.dsc all.mesh");
+  EXPECT_EQ(info("all.mesh", "tetrahedra"), info("out/checkpoint.dsc", "tetrahedra"));
+  EXPECT_EQ(info("all.mesh", "interface triangles"),
+            info("out/checkpoint.dsc", "interface triangles"));
+  expect_success("convert out/checkpoint.dsc all.vtu");
+  EXPECT_TRUE(contents(path("all.vtu")) == contents(path("out/volume_000001.vtu")));
+}
+
+TEST_F(Program, does_not_depend_on_the_number_of_threads) {
+  const std::string arguments =
+      "offset cube.off --triangles 400 --distance 0.2e --steps 2 --output ";
+  expect_success(arguments + "one --threads 1");
+  expect_success(arguments + "two --threads 2");
+  EXPECT_TRUE(contents(path("one/checkpoint.dsc")) == contents(path("two/checkpoint.dsc")));
+}
+
+} // namespace
