@@ -29,11 +29,11 @@ class Tetgen_tetrahedralizer_3
 {
 public:
   /*!
-  \param radius_edge_ratio upper bound of the circumradius of a tetrahedron divided by its shortest edge,
-         greater than 1. Below 1.2 points get very many, at infinity none are added for this bound.
+  \param radius_edge_ratio upper bound of the circumradius of a tetrahedron divided by its shortest
+  edge, greater than 1. Below 1.2 points get very many, at infinity none are added for this bound.
   \param minimum_dihedral_angle lower bound of dihedral angles in degrees, 0 to 18
-  \param maximum_volume upper bound of the volume of a tetrahedron, greater than 0, in the coordinates that
-         are passed to `operator()`
+  \param maximum_volume upper bound of the volume of a tetrahedron, greater than 0, in the
+  coordinates that are passed to `operator()`
 
   Near small angles between triangles, and where triangles are bad, the bounds cannot be kept.
   With the default values, there are about 6 tetrahedra per triangle of a surface of good triangles.
@@ -55,8 +55,8 @@ public:
 
   \pre Points are finite and differ. Triangles meet only in common vertices and edges.
   \return see `ConstrainedTetrahedralizer_3`
-  \throws Deformable_simplicial_complexes::Tetrahedralization_error if TetGen fails, or its result lacks
-          a triangle or has a flat tetrahedron
+  \throws Deformable_simplicial_complexes::Tetrahedralization_error if TetGen fails, or its result
+  lacks a triangle or has a flat tetrahedron
   */
   Tetrahedralization_3 operator()(const std::vector<std::array<double, 3>>& points,
                                   const std::vector<std::array<std::size_t, 3>>& triangles) const;

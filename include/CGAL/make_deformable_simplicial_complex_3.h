@@ -32,8 +32,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-template <class Complex, class NP> void improve_if_asked(Complex& dsc, const NP& np)
-{
+template <class Complex, class NP> void improve_if_asked(Complex& dsc, const NP& np) {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   if (choose_parameter(get_parameter(np, internal_np::improve), true))
@@ -44,8 +43,7 @@ template <class Complex, class NP> void improve_if_asked(Complex& dsc, const NP&
 template <class Complex, class Tetrahedralizer, class NP>
 Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
                         const std::vector<typename Complex::Label>& surface_labels,
-                        const Tetrahedralizer& tetrahedralizer, const NP& np)
-{
+                        const Tetrahedralizer& tetrahedralizer, const NP& np) {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const bool normalize = choose_parameter(get_parameter(np, internal_np::normalize), false);
@@ -86,8 +84,7 @@ Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
   return dsc;
 }
 
-template <class Points> std::vector<Coordinates_3> all_coordinates(const Points& points)
-{
+template <class Points> std::vector<Coordinates_3> all_coordinates(const Points& points) {
   std::vector<Coordinates_3> result;
   for (const auto& p : points)
     result.push_back(coordinates(p));
@@ -105,10 +102,10 @@ outside (section 3.3 of the paper).
 
 A surface is a closed 2-manifold of any number of components that does not intersect itself. Its
 triangles may be oriented in any way and need not share points: equal points are merged, points
-without triangles are left out. What is inside is counted: points that can be reached from the outside
-by crossing a surface once are inside of it, crossing it twice leads into a cavity of it. Surfaces may
-be nested in any way, but not touch or cross. Space inside several surfaces gets the label of the one
-that is entered last, space outside all of them gets label 0.
+without triangles are left out. What is inside is counted: points that can be reached from the
+outside by crossing a surface once are inside of it, crossing it twice leads into a cavity of it.
+Surfaces may be nested in any way, but not touch or cross. Space inside several surfaces gets the
+label of the one that is entered last, space outside all of them gets label 0.
 
 The triangles of the surfaces are the interface of the complex, and their points keep their
 coordinates, bit for bit unless `normalize` is set.
@@ -117,9 +114,9 @@ coordinates, bit for bit unless `normalize` is set.
 \tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`, such as `Tetgen_tetrahedralizer_3`
 \tparam NP a sequence of named parameters
 
-\param surfaces the surfaces and the labels of what they enclose; coordinates are rounded to `double`
-\param tetrahedralizer fills the box with tetrahedra
-\param np named parameters: those of `improve_mesh()`, and
+\param surfaces the surfaces and the labels of what they enclose; coordinates are rounded to
+`double` \param tetrahedralizer fills the box with tetrahedra \param np named parameters: those of
+`improve_mesh()`, and
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{normalize}
@@ -133,9 +130,8 @@ coordinates, bit for bit unless `normalize` is set.
     \cgalParamDescription{The domain, in the coordinates of the surfaces, which must be strictly
                           inside.}
     \cgalParamType{`Bbox_3` or a class with `bbox()`, such as `Iso_cuboid_3`}
-    \cgalParamDefault{the cube about the barycenter whose half side is 2.5 times the largest distance
-                      of a point from it: \f$[-1, 1]^3\f$ if `normalize` is set}
-  \cgalParamNEnd
+    \cgalParamDefault{the cube about the barycenter whose half side is 2.5 times the largest
+distance of a point from it: \f$[-1, 1]^3\f$ if `normalize` is set} \cgalParamNEnd
   \cgalParamNBegin{box_subdivision}
     \cgalParamDescription{Number of parts, 1 or more, into which each edge of the box is cut.}
     \cgalParamType{`unsigned`}
@@ -148,10 +144,10 @@ coordinates, bit for bit unless `normalize` is set.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\throws Deformable_simplicial_complexes::Invalid_surface_error if a surface is not as described above,
-        or reaches the box
-\throws Deformable_simplicial_complexes::Tetrahedralization_error if the tetrahedralizer fails
-\throws Deformable_simplicial_complexes::Error if the box is not finite or not subdivided
+\throws Deformable_simplicial_complexes::Invalid_surface_error if a surface is not as described
+above, or reaches the box \throws Deformable_simplicial_complexes::Tetrahedralization_error if the
+tetrahedralizer fails \throws Deformable_simplicial_complexes::Error if the box is not finite or not
+subdivided
 
 n log n in the number of triangles and tetrahedra, plus the tetrahedralization and the improvement.
 */
@@ -160,8 +156,7 @@ template <class Complex, class Tetrahedralizer,
 Complex make_deformable_simplicial_complex_3(
     const std::vector<Labelled_surface_3<typename Complex::Point_3>>& surfaces,
     const Tetrahedralizer& tetrahedralizer,
-    const NP& np = Deformable_simplicial_complexes::parameters::default_values())
-{
+    const NP& np = Deformable_simplicial_complexes::parameters::default_values()) {
   namespace internal = Deformable_simplicial_complexes::internal;
   std::vector<internal::Triangle_soup_3> soups;
   std::vector<typename Complex::Label> labels;
@@ -176,7 +171,8 @@ Complex make_deformable_simplicial_complex_3(
 \ingroup PkgDeformableSimplicialComplex3Ref
 
 Makes a complex of the solid, with label 1, that is bounded by a triangle mesh. The same as the
-overload above for a single surface; indices in errors count `vertices(surface)` and `faces(surface)`.
+overload above for a single surface; indices in errors count `vertices(surface)` and
+`faces(surface)`.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 \tparam FaceListGraph model of `FaceListGraph`
@@ -198,8 +194,7 @@ template <class Complex, class FaceListGraph, class Tetrahedralizer,
 #endif
 Complex make_deformable_simplicial_complex_3(
     const FaceListGraph& surface, const Tetrahedralizer& tetrahedralizer,
-    const NP& np = Deformable_simplicial_complexes::parameters::default_values())
-{
+    const NP& np = Deformable_simplicial_complexes::parameters::default_values()) {
   namespace internal = Deformable_simplicial_complexes::internal;
   if (!is_triangle_mesh(surface))
     throw Deformable_simplicial_complexes::Error(
@@ -227,8 +222,8 @@ way. The interface stays what it is, bit for bit.
 \param labels one label for each tetrahedron
 \param np named parameters: `improve`, as above, and those of `improve_mesh()`
 
-\throws Deformable_simplicial_complexes::Invalid_tetrahedra_error if coordinates are not finite, sizes
-        or indices do not fit, a tetrahedron is flat, or the union is no ball
+\throws Deformable_simplicial_complexes::Invalid_tetrahedra_error if coordinates are not finite,
+sizes or indices do not fit, a tetrahedron is flat, or the union is no ball
 
 n log n in the number of tetrahedra, plus the improvement.
 */
@@ -238,8 +233,7 @@ Complex make_deformable_simplicial_complex_3(
     const std::vector<typename Complex::Point_3>& points,
     std::vector<std::array<std::size_t, 4>> tetrahedra,
     const std::vector<typename Complex::Label>& labels,
-    const NP& np = Deformable_simplicial_complexes::parameters::default_values())
-{
+    const NP& np = Deformable_simplicial_complexes::parameters::default_values()) {
   Complex dsc;
   Deformable_simplicial_complexes::internal::orient_tetrahedra(points, tetrahedra,
                                                                dsc.geom_traits());

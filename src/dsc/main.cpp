@@ -6,7 +6,7 @@
 #include "commands.h"
 #include "errors.h"
 
-#include <CGAL/assertions_behaviour.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <exception>

@@ -158,9 +158,11 @@ Step_outcome Tracked_complex::advance(const Motion& motion, double time, unsigne
                report.split,         report.collapsed, report.flipped,           report.relabeled};
   };
   if (const Rotation* rotation = std::get_if<Rotation>(&motion)) {
-    const std::array<double, 3>& a = rotation->axis;
-    follow(CGAL::Rigid_rotation_3{centre_of_domain(complex), Vector(a[0], a[1], a[2]),
-                                  rotation->degrees * degree});
+    const auto [x, y, z] = rotation->axis;
+    const double length = std::hypot(x, y, z); // neither overflows nor underflows
+    follow(CGAL::Rigid_rotation_3(centre_of_domain(complex),
+                                  Vector(x / length, y / length, z / length),
+                                  rotation->degrees * degree));
   } else {
     const Offset& offset = std::get<Offset>(motion);
     const double unit =

@@ -35,8 +35,7 @@ namespace internal = Deformable_simplicial_complexes::internal;
 using Points = std::vector<internal::Coordinates_3>;
 using Triangles = std::vector<internal::Triangle_indices>;
 
-const char* explanation(int code)
-{
+const char* explanation(int code) {
   switch (code) {
   case 1:
     return "memory is exhausted: use larger bounds for the tetrahedra or a coarser surface";
@@ -55,24 +54,21 @@ const char* explanation(int code)
   }
 }
 
-Tetrahedralization_error tetgen_error(int code)
-{
+Tetrahedralization_error tetgen_error(int code) {
   return Tetrahedralization_error(
       "TetGen failed with code " + std::to_string(code) + ", " + explanation(code), code);
 }
 
-// A power of two that brings the largest extent of the points to [1, 2): TetGen fails far from 1. Such
-// scaling is exact but for numbers that are tiny compared to the extent.
-int scale_exponent(const Points& points)
-{
+// A power of two that brings the largest extent of the points to [1, 2): TetGen fails far from 1.
+// Such scaling is exact but for numbers that are tiny compared to the extent.
+int scale_exponent(const Points& points) {
   Bbox_3 box;
   for (const internal::Coordinates_3& p : points)
     box += internal::exact_point(p).bbox();
   return -std::ilogb((std::max)({box.x_span(), box.y_span(), box.z_span()}));
 }
 
-void set_input(tetgenio& input, const Points& points, const Triangles& triangles, int exponent)
-{
+void set_input(tetgenio& input, const Points& points, const Triangles& triangles, int exponent) {
   input.pointlist = new REAL[3 * points.size()];
   input.numberofpoints = int(points.size());
   REAL* coordinate = input.pointlist;
@@ -98,13 +94,12 @@ void set_input(tetgenio& input, const Points& points, const Triangles& triangles
 }
 
 // The points that were passed in, those that TetGen added, and the tetrahedra.
-Tetrahedralization_3 get_output(const tetgenio& output, const Points& points, int exponent)
-{
+Tetrahedralization_3 get_output(const tetgenio& output, const Points& points, int exponent) {
   Tetrahedralization_3 mesh{points, {}};
   for (int i = int(points.size()); i < output.numberofpoints; ++i) {
     const REAL* p = output.pointlist + 3 * i;
-    mesh.points.push_back({std::ldexp(p[0], -exponent), std::ldexp(p[1], -exponent),
-                           std::ldexp(p[2], -exponent)});
+    mesh.points.push_back(
+        {std::ldexp(p[0], -exponent), std::ldexp(p[1], -exponent), std::ldexp(p[2], -exponent)});
   }
   for (int t = 0; t < output.numberoftetrahedra; ++t) {
     const int* v = output.tetrahedronlist + t * output.numberofcorners;
@@ -115,8 +110,7 @@ Tetrahedralization_3 get_output(const tetgenio& output, const Points& points, in
 }
 
 // Makes tetrahedra positive; false if one is flat.
-bool orient(Tetrahedralization_3& mesh)
-{
+bool orient(Tetrahedralization_3& mesh) {
   return std::all_of(mesh.tetrahedra.begin(), mesh.tetrahedra.end(), [&mesh](auto& v) {
     const auto point = [&](std::size_t i) { return internal::exact_point(mesh.points[v[i]]); };
     const Orientation sign = orientation(point(0), point(1), point(2), point(3));
@@ -126,8 +120,7 @@ bool orient(Tetrahedralization_3& mesh)
   });
 }
 
-bool has_facets(const Tetrahedralization_3& mesh, const Triangles& triangles)
-{
+bool has_facets(const Tetrahedralization_3& mesh, const Triangles& triangles) {
   const auto facets = internal::sorted_facets(mesh.tetrahedra);
   return std::all_of(triangles.begin(), triangles.end(), [&](internal::Triangle_indices t) {
     std::sort(t.begin(), t.end());
@@ -138,14 +131,34 @@ bool has_facets(const Tetrahedralization_3& mesh, const Triangles& triangles)
   });
 }
 
+Tetrahedralization_3 tetrahedralize_once(const Points& points, const Triangles& triangles,
+                                         int exponent, tetgenbehavior behavior) {
+  tetgenio input, output;
+  try {
+    set_input(input, points, triangles, exponent);
+    tetrahedralize(&behavior, &input, &output);
+  } catch (int code) {
+    throw tetgen_error(code);
+  } catch (const std::bad_alloc&) {
+    throw tetgen_error(1);
+  }
+  Tetrahedralization_3 mesh = get_output(output, points, exponent);
+  if (!has_facets(mesh, triangles))
+    throw Tetrahedralization_error("TetGen lost triangles: separate vertices and surfaces that are "
+                                   "very close, or remesh the surfaces");
+  if (!orient(mesh))
+    throw Tetrahedralization_error("TetGen made flat tetrahedra: use other bounds for them, or "
+                                   "remesh the surfaces");
+  return mesh;
+}
+
 } // namespace
 
 Tetgen_tetrahedralizer_3::Tetgen_tetrahedralizer_3(double radius_edge_ratio,
                                                    double minimum_dihedral_angle,
                                                    double maximum_volume)
     : m_radius_edge_ratio(radius_edge_ratio), m_minimum_dihedral_angle(minimum_dihedral_angle),
-      m_maximum_volume(maximum_volume)
-{
+      m_maximum_volume(maximum_volume) {
   if (!(radius_edge_ratio > 1))
     throw Error("the radius-edge ratio of tetrahedra must be greater than 1");
   if (!(minimum_dihedral_angle >= 0 && minimum_dihedral_angle <= 18))
@@ -154,16 +167,9 @@ Tetgen_tetrahedralizer_3::Tetgen_tetrahedralizer_3(double radius_edge_ratio,
     throw Error("the maximum volume of tetrahedra must be greater than 0");
 }
 
-Tetrahedralization_3
-Tetgen_tetrahedralizer_3::operator()(const Points& points, const Triangles& triangles) const
-{
-  static std::mutex mutex;
-  const std::lock_guard<std::mutex> lock(mutex);
-
+Tetrahedralization_3 Tetgen_tetrahedralizer_3::operator()(const Points& points,
+                                                          const Triangles& triangles) const {
   const int exponent = scale_exponent(points);
-  tetgenio input, output;
-  set_input(input, points, triangles, exponent);
-
   // p: triangles are given, Y: keep them, q: bound the quality, Q: be quiet.
   char switches[] = "pYqQ";
   tetgenbehavior behavior;
@@ -174,22 +180,17 @@ Tetgen_tetrahedralizer_3::operator()(const Points& points, const Triangles& tria
     behavior.fixedvolume = 1;
     behavior.maxvolume = std::ldexp(m_maximum_volume, 3 * exponent);
   }
-  try {
-    tetrahedralize(&behavior, &input, &output);
-  }
-  catch (int code) {
-    throw tetgen_error(code);
-  }
-  catch (const std::bad_alloc&) {
-    throw tetgen_error(1);
-  }
 
-  Tetrahedralization_3 mesh = get_output(output, points, exponent);
-  if (!has_facets(mesh, triangles))
-    throw Tetrahedralization_error("TetGen lost triangles: remesh the surfaces");
-  if (!orient(mesh))
-    throw Tetrahedralization_error("TetGen made flat tetrahedra: use other bounds for them, or remesh the surfaces");
-  return mesh;
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
+  try {
+    return tetrahedralize_once(points, triangles, exponent, behavior);
+  } catch (const Tetrahedralization_error&) {
+    // TetGen takes what is closer than 1e-8 of the extent for equal. It is less robust with a smaller
+    // tolerance, which therefore is the second choice.
+    behavior.epsilon = 1e-14;
+    return tetrahedralize_once(points, triangles, exponent, behavior);
+  }
 }
 
 } // namespace CGAL

@@ -78,15 +78,14 @@ private:
     return result;
   }
 
-  // Central differences serve any measure.
+  // Differences serve any measure.
   void differentiate(Function& f) const
   {
     const double h = 1e-6 * m_length;
     const auto slope = [&](const Vector& axis) {
-      return (value(f, m_position + h * axis) - value(f, m_position - h * axis)) / (2 * h);
+      return (value(f, m_position + h * axis) - f.value) / h;
     };
     f.gradient = Vector(slope(Vector(1, 0, 0)), slope(Vector(0, 1, 0)), slope(Vector(0, 0, 1)));
-    f.value = value(f, m_position);
   }
 
   // The point of the convex hull of the active gradients that is nearest to the origin (Gilbert).
@@ -120,17 +119,23 @@ private:
   {
     double before = std::numeric_limits<double>::infinity();
     for (Function& f : m_functions) {
-      differentiate(f);
+      f.value = value(f, m_position);
       before = (std::min)(before, f.value);
     }
-    static constexpr double active = .05; // relative distance to the worst
-    const Vector d = steepest_ascent(before + active * std::abs(before));
+    // Those that are much better than the worst will not become the worst in one step.
+    static constexpr double relevant = 2, active = 1.05;
+    for (Function& f : m_functions)
+      if (f.value < relevant * before)
+        differentiate(f);
+    const Vector d = steepest_ascent(active * before);
     const double rate = d.squared_length();
     if (!(std::sqrt(rate) * m_length > 1e-3))
       return false;
     // As far as another function becomes the worst, by linear prediction.
     double way = .5 * m_length / std::sqrt(rate);
     for (const Function& f : m_functions) {
+      if (!(f.value < relevant * before))
+        continue;
       const double slope = f.gradient * d;
       if (slope < rate && f.value > before)
         way = (std::min)(way, (std::max)(1e-3 * way, (f.value - before) / (rate - slope)));

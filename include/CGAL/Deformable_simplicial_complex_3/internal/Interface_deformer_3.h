@@ -70,7 +70,7 @@ public:
   // Interface and free vertices at once: most of most motions.
   void move_together()
   {
-    const std::vector<Vertex_handle> free = free_vertices_near(m_complex, m_unfinished);
+    const std::vector<Vertex_handle> free = free_vertices_near(m_complex, m_unfinished, layers());
     const auto exact = m_complex.geom_traits().construct_exact_point_3_object();
     const auto solution = harmonic_extension(m_complex, free, [&](Vertex_handle v) {
       return v->has_destination() ? remaining(v) : Vector(0, 0, 0);
@@ -107,29 +107,25 @@ public:
   void relabel_degenerate_cells()
   {
     m_touched.sort();
-    Work_list<Cell_handle> cells = m_touched;
-    for (const auto& item : cells) {
-      const Cell_handle c = item.cell;
-      const auto before = c->label();
-      auto label = before;
-      if (!propose_relabeling(m_complex, c, m_relabeling_threshold, label))
-        continue;
-      m_complex.relabel(c, label);
-      m_visitor.after_relabel(c, before);
-      ++m_relabeled;
-    }
+    for (const auto& item : m_touched)
+      relabel_if_trapped(item.cell, m_relabeling_threshold);
   }
 
-  // Small angles of the interface where it could not move: it folds there.
+  // What keeps vertices from their destinations: cells that the interface is about to sweep away, and
+  // small angles where it folds.
   void remove_obstacles()
   {
+    static constexpr double swept = .3;   // quality below which a cell in the way may be relabeled
     static constexpr double cosine = .94; // 20 degrees
     Work_list<Cell_handle> cells;
     for (Vertex_handle v : m_unfinished) {
       m_complex.star(v, m_star);
       for (Cell_handle c : m_star)
-        if (!m_complex.is_infinite(c))
+        if (!m_complex.is_infinite(c)) {
           cells.push(c);
+          if (!m_complex.is_positive_star(v, {c}, v->destination()))
+            relabel_if_trapped(c, swept);
+        }
     }
     cells.sort();
     for (const auto& item : cells)
@@ -145,6 +141,7 @@ public:
     update_unfinished();
     const double distance = remaining_distance();
     m_idle_passes = distance > .99 * m_last_distance ? m_idle_passes + 1 : 0;
+    if(getenv("DSCV")) std::cerr<<"   unf "<<m_unfinished.size()<<" dist "<<distance/m_complex.mean_interface_edge()<<"\n";
     m_last_distance = distance;
   }
 
@@ -177,12 +174,33 @@ private:
            m_complex.position(v);
   }
 
+  // How far around its source a motion is felt: the farther it goes, the more space must give way.
+  unsigned layers() const
+  {
+    double squared = 0;
+    for (Vertex_handle v : m_unfinished)
+      squared = (std::max)(squared, remaining(v).squared_length());
+    const double edges = std::sqrt(squared) / m_complex.mean_interface_edge();
+    return unsigned((std::min)(6., 1 + std::ceil(2 * edges)));
+  }
+
   double remaining_distance() const
   {
     double sum = 0;
     for (Vertex_handle v : m_unfinished)
       sum += std::sqrt(remaining(v).squared_length());
     return sum;
+  }
+
+  void relabel_if_trapped(Cell_handle c, double threshold)
+  {
+    const auto before = c->label();
+    auto label = before;
+    if (!propose_relabeling(m_complex, c, threshold, label))
+      return;
+    m_complex.relabel(c, label);
+    m_visitor.after_relabel(c, before);
+    ++m_relabeled;
   }
 
   void touch(Cell_handle c)

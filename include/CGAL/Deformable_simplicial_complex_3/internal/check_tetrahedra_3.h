@@ -21,11 +21,11 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // Makes tetrahedra positive by swapping two vertices of the negative ones. Throws
-// Invalid_tetrahedra_error if coordinates are not finite, indices do not exist, or tetrahedra are flat.
+// Invalid_tetrahedra_error if coordinates are not finite, indices do not exist, or tetrahedra are
+// flat.
 template <class Traits>
 void orient_tetrahedra(const std::vector<typename Traits::Point_3>& points,
-                       std::vector<std::array<std::size_t, 4>>& tetrahedra, const Traits& traits)
-{
+                       std::vector<std::array<std::size_t, 4>>& tetrahedra, const Traits& traits) {
   std::vector<std::size_t> offenders;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!is_finite(coordinates(points[i])))

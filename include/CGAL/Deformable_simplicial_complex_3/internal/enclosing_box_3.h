@@ -23,8 +23,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-inline Bbox_3 cube(const Coordinates_3& center, double half_side)
-{
+inline Bbox_3 cube(const Coordinates_3& center, double half_side) {
   const auto& c = center;
   const double h = half_side;
   return {c[0] - h, c[1] - h, c[2] - h, c[0] + h, c[1] + h, c[2] + h};
@@ -37,8 +36,7 @@ class Building_frame_3
 {
 public:
   // Normalization brings the default box to [-1,1]^3; without it, points stay what they are.
-  Building_frame_3(const std::vector<Merged_soup_3>& soups, bool normalize)
-  {
+  Building_frame_3(const std::vector<Merged_soup_3>& soups, bool normalize) {
     Coordinates_3 barycenter = {0, 0, 0};
     std::size_t n = 0;
     for (const Merged_soup_3& soup : soups)
@@ -50,37 +48,33 @@ public:
     double radius = 0;
     for (const Merged_soup_3& soup : soups)
       for (const Coordinates_3& p : soup.points)
-        radius = (std::max)(radius, std::hypot(p[0] - barycenter[0], p[1] - barycenter[1],
-                                               p[2] - barycenter[2]));
+        radius = (std::max)(
+            radius, std::hypot(p[0] - barycenter[0], p[1] - barycenter[1], p[2] - barycenter[2]));
     const double half_side = 2.5 * radius;
     if (normalize) {
       m_translation = barycenter;
       m_scale = half_side;
       m_default_box = cube({0, 0, 0}, 1);
-    }
-    else
+    } else
       m_default_box = cube(barycenter, half_side);
   }
 
   const Coordinates_3& translation() const { return m_translation; }
   double scale() const { return m_scale; }
 
-  Coordinates_3 operator()(const Coordinates_3& p) const
-  {
+  Coordinates_3 operator()(const Coordinates_3& p) const {
     return {(p[0] - m_translation[0]) / m_scale, (p[1] - m_translation[1]) / m_scale,
             (p[2] - m_translation[2]) / m_scale};
   }
 
   // The box that the user gave, or the default one, in this frame.
   Bbox_3 box(CGAL::internal_np::Param_not_found) const { return m_default_box; }
-  Bbox_3 box(const Bbox_3& given) const
-  {
+  Bbox_3 box(const Bbox_3& given) const {
     const Coordinates_3 min = (*this)({given.xmin(), given.ymin(), given.zmin()});
     const Coordinates_3 max = (*this)({given.xmax(), given.ymax(), given.zmax()});
     return {min[0], min[1], min[2], max[0], max[1], max[2]};
   }
-  template <class Iso_cuboid> Bbox_3 box(const Iso_cuboid& given) const
-  {
+  template <class Iso_cuboid> Bbox_3 box(const Iso_cuboid& given) const {
     return box(given.bbox());
   }
 
@@ -90,8 +84,7 @@ private:
   Bbox_3 m_default_box;
 };
 
-inline void check_enclosed(const Merged_soup_3& soup, std::size_t surface, const Bbox_3& box)
-{
+inline void check_enclosed(const Merged_soup_3& soup, std::size_t surface, const Bbox_3& box) {
   const auto is_inside = [&box](const Coordinates_3& p) {
     return box.xmin() < p[0] && p[0] < box.xmax() && box.ymin() < p[1] && p[1] < box.ymax() &&
            box.zmin() < p[2] && p[2] < box.zmax();
@@ -105,10 +98,10 @@ inline void check_enclosed(const Merged_soup_3& soup, std::size_t surface, const
                    std::move(vertices));
 }
 
-// The surface of a box, each side cut into n x n rectangles of two triangles. Diagonals run from the
-// corners to the center of a side: no tetrahedron of the inside can then have three facets on the box.
-inline Triangle_soup_3 box_surface(const Bbox_3& box, unsigned n)
-{
+// The surface of a box, each side cut into n x n rectangles of two triangles. Diagonals run from
+// the corners to the center of a side: no tetrahedron of the inside can then have three facets on
+// the box.
+inline Triangle_soup_3 box_surface(const Bbox_3& box, unsigned n) {
   if (n == 0)
     throw Error("the sides of the enclosing box are cut into no parts: give a subdivision of 1 or "
                 "more");

@@ -22,11 +22,11 @@ namespace internal {
 // within a number of layers of edges, or all of them if much of the interface moves.
 template <class Complex>
 std::vector<typename Complex::Vertex_handle>
-free_vertices_near(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& moving)
+free_vertices_near(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& moving,
+                   unsigned layers)
 {
   using Vertex_handle = typename Complex::Vertex_handle;
   static constexpr std::size_t much = 16;
-  static constexpr unsigned layers = 6;
   std::vector<Vertex_handle> found;
   const auto is_free = [&](Vertex_handle v) {
     return !v->is_interface() && !complex.is_boundary(v) && !complex.is_infinite(v);
@@ -79,7 +79,7 @@ harmonic_extension(const Complex& complex, const std::vector<typename Complex::V
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(n);
   Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(n, 3);
-  for (auto c : star_union(complex, free)) {
+  for (auto c : sorted_star_union(complex, free)) {
     const Tetrahedron_frame<Point> t(complex.position(c->vertex(0)), complex.position(c->vertex(1)),
                                      complex.position(c->vertex(2)), complex.position(c->vertex(3)));
     const auto normals = t.area_vectors();

@@ -29,8 +29,7 @@ struct Wall
   friend bool operator<(const Wall& a, const Wall& b) { return a.vertices < b.vertices; }
 };
 
-inline Wall make_wall(Triangle_indices vertices, std::size_t surface)
-{
+inline Wall make_wall(Triangle_indices vertices, std::size_t surface) {
   std::sort(vertices.begin(), vertices.end());
   return {vertices, surface};
 }
@@ -46,8 +45,7 @@ using Facet_sides = std::array<Facet_side, 4>;
 
 // Throws Tetrahedralization_error unless each wall is a facet of two tetrahedra.
 inline std::vector<Facet_sides> find_sides(const std::vector<Cell_vertices>& tetrahedra,
-                                           std::vector<Wall> walls)
-{
+                                           std::vector<Wall> walls) {
   std::sort(walls.begin(), walls.end());
   std::size_t walls_found = 0;
   std::vector<Facet_sides> sides(tetrahedra.size());
@@ -77,8 +75,7 @@ inline std::vector<Facet_sides> find_sides(const std::vector<Cell_vertices>& tet
 // surface nested in itself bounds a cavity. n log n.
 inline std::vector<int> label_tetrahedra(const std::vector<Cell_vertices>& tetrahedra,
                                          const std::vector<Wall>& walls,
-                                         const std::vector<int>& surface_labels)
-{
+                                         const std::vector<int>& surface_labels) {
   const std::vector<Facet_sides> sides = find_sides(tetrahedra, walls);
   const auto is_on_boundary = [](const Facet_sides& s) {
     return std::any_of(s.begin(), s.end(),

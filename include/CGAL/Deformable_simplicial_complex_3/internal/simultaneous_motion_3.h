@@ -42,7 +42,7 @@ public:
     m_cells = star_union(complex, vertices);
   }
 
-  // Returns the cells around the vertices by increasing time stamp. The rounds end because in each a
+  // Returns the cells around the vertices. The rounds end because in each a
   // vertex is held back further, and cells whose vertices all stay are positive.
   const std::vector<Cell_handle>& run()
   {

@@ -29,7 +29,7 @@ bool is_numbered(Vertex_handle v, const std::vector<Vertex_handle>& vertices)
   return v->scratch_index() < vertices.size() && vertices[v->scratch_index()] == v;
 }
 
-// The finite cells around numbered vertices, each once, by increasing time stamp. Where many vertices are
+// The finite cells around numbered vertices, each once, in no particular order. Where many vertices are
 // asked for, one pass over the cells is cheaper than their stars.
 template <class Complex>
 std::vector<typename Complex::Cell_handle>
@@ -37,28 +37,46 @@ star_union(const Complex& complex, const std::vector<typename Complex::Vertex_ha
 {
   using Cell_handle = typename Complex::Cell_handle;
   static constexpr std::size_t many = 8; // a star costs about as much as 8 cells of a pass each
-  std::vector<std::pair<std::size_t, Cell_handle>> found;
+  std::vector<Cell_handle> result;
   if (vertices.size() * many > complex.number_of_vertices()) {
     for (Cell_handle c : complex.triangulation().finite_cell_handles())
       if (is_numbered(c->vertex(0), vertices) || is_numbered(c->vertex(1), vertices) ||
           is_numbered(c->vertex(2), vertices) || is_numbered(c->vertex(3), vertices))
-        found.emplace_back(c->time_stamp(), c);
+        result.push_back(c);
   } else {
     std::vector<Cell_handle> star;
     for (auto v : vertices) {
       complex.star(v, star);
-      for (Cell_handle c : star)
-        if (!complex.is_infinite(c))
-          found.emplace_back(c->time_stamp(), c);
+      // A cell is taken at the first of its numbered vertices.
+      for (Cell_handle c : star) {
+        const auto is_earlier = [&](int i) {
+          return is_numbered(c->vertex(i), vertices) &&
+                 c->vertex(i)->scratch_index() < v->scratch_index();
+        };
+        if (!complex.is_infinite(c) && !is_earlier(0) && !is_earlier(1) && !is_earlier(2) &&
+            !is_earlier(3))
+          result.push_back(c);
+      }
     }
   }
-  std::sort(found.begin(), found.end(),
+  return result;
+}
+
+// The same by increasing time stamp, for sums that depend on the order.
+template <class Complex>
+std::vector<typename Complex::Cell_handle>
+sorted_star_union(const Complex& complex,
+                  const std::vector<typename Complex::Vertex_handle>& vertices)
+{
+  using Cell_handle = typename Complex::Cell_handle;
+  std::vector<std::pair<std::size_t, Cell_handle>> stamped;
+  for (Cell_handle c : star_union(complex, vertices))
+    stamped.emplace_back(c->time_stamp(), c);
+  std::sort(stamped.begin(), stamped.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Cell_handle> result;
-  result.reserve(found.size());
-  for (const auto& item : found)
-    if (result.empty() || result.back() != item.second)
-      result.push_back(item.second);
+  for (const auto& item : stamped)
+    result.push_back(item.second);
   return result;
 }
 
