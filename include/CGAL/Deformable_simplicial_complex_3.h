@@ -10,6 +10,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/Component_change.h>
 #include <CGAL/Deformable_simplicial_complex_3/State_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Component_tracker.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Label_totals.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/assemble_triangulation.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/hilbert_order.h>
@@ -257,7 +258,9 @@ public:
   /// Puts vertices at points, all at once. \pre `cells` are all cells of the vertices' stars, each
   /// once, and the finite ones are positively oriented afterwards.
   void set_points(const std::vector<Vertex_handle>& vertices, const std::vector<Point_3>& points,
-                  const std::vector<Cell_handle>& cells);
+                  const std::vector<Cell_handle>& cells,
+                  const Deformable_simplicial_complexes::internal::For_each_index& for_each_index =
+                      Deformable_simplicial_complexes::internal::For_each_index());
 
   /// @}
   /// \name Change of the mesh
@@ -296,7 +299,6 @@ private:
 
   double cell_volume(Cell_handle c) const;
   double cell_quality(Cell_handle c) const;
-  void refresh(Cell_handle c) { c->set_quality(cell_quality(c)); }
   bool is_positive(Cell_handle c) const;
   bool has_interface_facet(Vertex_handle v) const;
   void sew(Cavity& cavity);
@@ -324,6 +326,7 @@ private:
   // Buffers whose memory is reused.
   mutable std::vector<Cell_handle> m_star;
   std::vector<Half_facet> m_half_facets;
+  std::vector<std::int64_t> m_volume_changes;
 };
 
 } // namespace CGAL

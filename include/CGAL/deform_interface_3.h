@@ -41,6 +41,10 @@ then relabels cells flattened between two parts of the interface, and improves w
     \cgalParamDescription{quality below which a cell trapped by the interface may join the other phase}
     \cgalParamType{`double`} \cgalParamDefault{0.01, the paper's}
   \cgalParamNEnd
+  \cgalParamNBegin{number_of_threads}
+    \cgalParamDescription{threads to use where linked with TBB; the result does not depend on it}
+    \cgalParamType{`unsigned int`} \cgalParamDefault{1}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told of each change of the mesh and may end the deformation}
     \cgalParamType{model of `DeformationVisitor_3`, by value or `std::reference_wrapper`}
@@ -71,9 +75,13 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
   const double relabeling_threshold =
       choose_parameter(get_parameter(np, tags::relabeling_threshold), .01);
 
+  const unsigned number_of_threads =
+      choose_parameter(get_parameter(np, tags::number_of_threads), 1u);
+
   using Visitor = std::remove_reference_t<decltype(visitor)>;
   Deformable_simplicial_complexes::internal::Interface_deformer_3<Complex, Visitor> deformer(
-      dsc, visitor, quality_threshold, relabeling_threshold);
+      dsc, visitor, quality_threshold, relabeling_threshold,
+      Deformable_simplicial_complexes::internal::For_each_index(number_of_threads));
   deformer.set_destinations(destination);
   unsigned pass = 0;
   while (!deformer.is_complete() && deformer.is_progressing() && pass < maximum_number_of_passes &&

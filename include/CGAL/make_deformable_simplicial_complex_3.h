@@ -107,16 +107,16 @@ outside by crossing a surface once are inside of it, crossing it twice leads int
 Surfaces may be nested in any way, but not touch or cross. Space inside several surfaces gets the
 label of the one that is entered last, space outside all of them gets label 0.
 
-The triangles of the surfaces are the interface of the complex, and their points keep their
-coordinates, bit for bit unless `normalize` is set.
+Triangles between different labels are the interface of the complex. Points of the surfaces keep
+their coordinates, bit for bit unless `normalize` is set.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 \tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`, such as `Tetgen_tetrahedralizer_3`
 \tparam NP a sequence of named parameters
 
-\param surfaces the surfaces and the labels of what they enclose; coordinates are rounded to
-`double` \param tetrahedralizer fills the box with tetrahedra \param np named parameters: those of
-`improve_mesh()`, and
+\param surfaces with the labels of what they enclose; coordinates are rounded to `double`
+\param tetrahedralizer fills the box with tetrahedra
+\param np named parameters: those of `improve_mesh()`, and
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{normalize}
@@ -131,9 +131,10 @@ coordinates, bit for bit unless `normalize` is set.
                           inside.}
     \cgalParamType{`Bbox_3` or a class with `bbox()`, such as `Iso_cuboid_3`}
     \cgalParamDefault{the cube about the barycenter whose half side is 2.5 times the largest
-distance of a point from it: \f$[-1, 1]^3\f$ if `normalize` is set} \cgalParamNEnd
+                      distance of a point from it: \f$[-1, 1]^3\f$ if `normalize` is set}
+  \cgalParamNEnd
   \cgalParamNBegin{box_subdivision}
-    \cgalParamDescription{Number of parts, 1 or more, into which each edge of the box is cut.}
+    \cgalParamDescription{Number of parts into which each edge of the box is cut, 1 to 1000.}
     \cgalParamType{`unsigned`}
     \cgalParamDefault{4}
   \cgalParamNEnd
@@ -145,9 +146,10 @@ distance of a point from it: \f$[-1, 1]^3\f$ if `normalize` is set} \cgalParamNE
 \cgalNamedParamsEnd
 
 \throws Deformable_simplicial_complexes::Invalid_surface_error if a surface is not as described
-above, or reaches the box \throws Deformable_simplicial_complexes::Tetrahedralization_error if the
-tetrahedralizer fails \throws Deformable_simplicial_complexes::Error if the box is not finite or not
-subdivided
+        above, or reaches the box
+\throws Deformable_simplicial_complexes::Tetrahedralization_error if the tetrahedralizer fails
+\throws Deformable_simplicial_complexes::Error if the box is not finite, or its subdivision is out
+of range
 
 n log n in the number of triangles and tetrahedra, plus the tetrahedralization and the improvement.
 */
@@ -223,7 +225,7 @@ way. The interface stays what it is, bit for bit.
 \param np named parameters: `improve`, as above, and those of `improve_mesh()`
 
 \throws Deformable_simplicial_complexes::Invalid_tetrahedra_error if coordinates are not finite,
-sizes or indices do not fit, a tetrahedron is flat, or the union is no ball
+        sizes or indices do not fit, a tetrahedron is flat, or the union is no ball
 
 n log n in the number of tetrahedra, plus the improvement.
 */

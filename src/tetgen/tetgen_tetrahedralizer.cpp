@@ -159,12 +159,12 @@ Tetgen_tetrahedralizer_3::Tetgen_tetrahedralizer_3(double radius_edge_ratio,
                                                    double maximum_volume)
     : m_radius_edge_ratio(radius_edge_ratio), m_minimum_dihedral_angle(minimum_dihedral_angle),
       m_maximum_volume(maximum_volume) {
-  if (!(radius_edge_ratio > 1))
-    throw Error("the radius-edge ratio of tetrahedra must be greater than 1");
+  if (!(radius_edge_ratio >= 1.2))
+    throw Error("the radius-edge ratio of tetrahedra is too small: use 1.2 or more");
   if (!(minimum_dihedral_angle >= 0 && minimum_dihedral_angle <= 18))
-    throw Error("the minimum dihedral angle of tetrahedra must be in [0, 18] degrees");
+    throw Error("the minimum dihedral angle of tetrahedra is out of range: use 0 to 18 degrees");
   if (!(maximum_volume > 0))
-    throw Error("the maximum volume of tetrahedra must be greater than 0");
+    throw Error("the maximum volume of tetrahedra is not positive: use more than 0");
 }
 
 Tetrahedralization_3 Tetgen_tetrahedralizer_3::operator()(const Points& points,
@@ -186,8 +186,8 @@ Tetrahedralization_3 Tetgen_tetrahedralizer_3::operator()(const Points& points,
   try {
     return tetrahedralize_once(points, triangles, exponent, behavior);
   } catch (const Tetrahedralization_error&) {
-    // TetGen takes what is closer than 1e-8 of the extent for equal. It is less robust with a smaller
-    // tolerance, which therefore is the second choice.
+    // TetGen takes what is closer than 1e-8 of the extent for equal. It is less robust with a
+    // smaller tolerance, which therefore is the second choice.
     behavior.epsilon = 1e-14;
     return tetrahedralize_once(points, triangles, exponent, behavior);
   }

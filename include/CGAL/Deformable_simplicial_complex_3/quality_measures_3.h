@@ -102,13 +102,15 @@ struct Radius_ratio_3
     double area = 0;
     for (const auto& n : t.area_vectors())
       area += std::sqrt(n.squared_length()) / 2;
-    const double inscribed = t.six_volumes / (2 * area);
-    // The circumcenter is this vector over twice the six volumes away from p.
+    // The circumcenter is this vector over twice the six volumes away from p, so that the radii are
+    // six_volumes / (2 area) and |center| / (2 six_volumes).
     const auto center = t.a.squared_length() * cross_product(t.b, t.c) +
                         t.b.squared_length() * cross_product(t.c, t.a) +
                         t.c.squared_length() * cross_product(t.a, t.b);
-    const double circumscribed = std::sqrt(center.squared_length()) / (2 * std::abs(t.six_volumes));
-    return 3 * inscribed / circumscribed;
+    if (t.six_volumes == 0)
+      return 0;
+    return 3 * t.six_volumes * std::abs(t.six_volumes) /
+           (area * std::sqrt(center.squared_length()));
   }
 };
 

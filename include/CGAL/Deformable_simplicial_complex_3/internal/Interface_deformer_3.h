@@ -31,9 +31,9 @@ public:
   using Report = Deformation_report<Complex>;
 
   Interface_deformer_3(Complex& complex, Visitor& visitor, double quality_threshold,
-                       double relabeling_threshold)
+                       double relabeling_threshold, const For_each_index& for_each_index)
       : m_complex(complex), m_visitor(visitor), m_improver(complex, visitor, quality_threshold),
-        m_relabeling_threshold(relabeling_threshold)
+        m_relabeling_threshold(relabeling_threshold), m_for_each_index(for_each_index)
   {
     for (auto label : complex.labels())
       label_change(label).volume_before = complex.volume(label);
@@ -72,9 +72,10 @@ public:
   {
     const std::vector<Vertex_handle> free = free_vertices_near(m_complex, m_unfinished, layers());
     const auto exact = m_complex.geom_traits().construct_exact_point_3_object();
-    const auto solution = harmonic_extension(m_complex, free, [&](Vertex_handle v) {
+    const auto displacement = [&](Vertex_handle v) {
       return v->has_destination() ? remaining(v) : Vector(0, 0, 0);
-    });
+    };
+    const auto solution = harmonic_extension(m_complex, free, displacement, m_for_each_index);
     std::vector<Vertex_handle> vertices = m_unfinished;
     std::vector<Point_3> targets;
     for (Vertex_handle v : m_unfinished)
@@ -84,7 +85,7 @@ public:
         vertices.push_back(free[i]);
         targets.push_back(exact(m_complex.position(free[i]) + solution[i]));
       }
-    Simultaneous_motion_3<Complex> motion(m_complex, vertices, targets);
+    Simultaneous_motion_3<Complex> motion(m_complex, vertices, targets, m_for_each_index);
     for (Cell_handle c : motion.run())
       touch(c);
     update_unfinished();
@@ -141,7 +142,6 @@ public:
     update_unfinished();
     const double distance = remaining_distance();
     m_idle_passes = distance > .99 * m_last_distance ? m_idle_passes + 1 : 0;
-    if(getenv("DSCV")) std::cerr<<"   unf "<<m_unfinished.size()<<" dist "<<distance/m_complex.mean_interface_edge()<<"\n";
     m_last_distance = distance;
   }
 
@@ -241,6 +241,7 @@ private:
   Visitor& m_visitor;
   Mesh_improver_3<Complex, Visitor> m_improver;
   double m_relabeling_threshold;
+  For_each_index m_for_each_index;
   std::vector<Vertex_handle> m_unfinished;
   Work_list<Cell_handle> m_touched;
   std::vector<Cell_handle> m_star;

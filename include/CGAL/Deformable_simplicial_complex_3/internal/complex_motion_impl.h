@@ -111,28 +111,40 @@ CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::set_point(Vertex_handle v, const std::vector<Cell_handle>& star,
                                const Point_3& p)
 {
-  set_points({v}, {p}, star);
+  for (Cell_handle c : star)
+    if (!is_infinite(c))
+      m_totals.add_volume(c->label(), -m_totals.units(cell_volume(c)));
+  v->set_point(p);
+  for (Cell_handle c : star)
+    if (!is_infinite(c)) {
+      CGAL_assertion(is_positive(c));
+      m_totals.add_volume(c->label(), m_totals.units(cell_volume(c)));
+      c->set_quality(cell_quality(c));
+    }
 }
 
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::set_points(const std::vector<Vertex_handle>& vertices,
-                                const std::vector<Point_3>& points,
-                                const std::vector<Cell_handle>& cells)
+void CGAL_DSC_CLASS::set_points(
+    const std::vector<Vertex_handle>& vertices, const std::vector<Point_3>& points,
+    const std::vector<Cell_handle>& cells,
+    const Deformable_simplicial_complexes::internal::For_each_index& for_each_index)
 {
-  const auto add_volumes = [&](int sign) {
-    for (Cell_handle c : cells)
-      if (!is_infinite(c))
-        m_totals.add_volume(c->label(), sign * m_totals.units(cell_volume(c)));
-  };
-  add_volumes(-1);
+  m_volume_changes.resize(cells.size());
+  for_each_index(cells.size(), [&](size_type i) {
+    m_volume_changes[i] = is_infinite(cells[i]) ? 0 : m_totals.units(cell_volume(cells[i]));
+  });
   for (size_type i = 0; i < vertices.size(); ++i)
     vertices[i]->set_point(points[i]);
-  add_volumes(1);
-  for (Cell_handle c : cells)
-    if (!is_infinite(c)) {
-      CGAL_assertion(is_positive(c));
-      refresh(c);
-    }
+  for_each_index(cells.size(), [&](size_type i) {
+    if (is_infinite(cells[i]))
+      return;
+    CGAL_assertion(is_positive(cells[i]));
+    m_volume_changes[i] = m_totals.units(cell_volume(cells[i])) - m_volume_changes[i];
+    cells[i]->set_quality(cell_quality(cells[i]));
+  });
+  for (size_type i = 0; i < cells.size(); ++i)
+    if (!is_infinite(cells[i]))
+      m_totals.add_volume(cells[i]->label(), m_volume_changes[i]);
 }
 
 CGAL_DSC_TEMPLATE

@@ -254,7 +254,7 @@ void CGAL_DSC_CLASS::initialize_caches()
       (box.xmax() - box.xmin()) * (box.ymax() - box.ymin()) * (box.zmax() - box.zmin()));
   for (Cell_handle c : m_triangulation.finite_cell_handles()) {
     m_totals.add_cell(c->label(), cell_volume(c));
-    refresh(c);
+    c->set_quality(cell_quality(c));
     for (int i = 0; i < 4; ++i)
       if (is_interface(Facet(c, i)))
         for (Vertex_handle v : facet_vertices(Facet(c, i)))

@@ -102,9 +102,8 @@ inline void check_enclosed(const Merged_soup_3& soup, std::size_t surface, const
 // the corners to the center of a side: no tetrahedron of the inside can then have three facets on
 // the box.
 inline Triangle_soup_3 box_surface(const Bbox_3& box, unsigned n) {
-  if (n == 0)
-    throw Error("the sides of the enclosing box are cut into no parts: give a subdivision of 1 or "
-                "more");
+  if (n < 1 || n > 1000)
+    throw Error("the subdivision of the enclosing box is out of range: use 1 to 1000");
   if (!is_finite({box.xmin(), box.ymin(), box.zmin()}) ||
       !is_finite({box.xmax(), box.ymax(), box.zmax()}))
     throw Error("the enclosing box is not finite: give a finite box, or scale the surfaces down");

@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_HARMONIC_EXTENSION_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_HARMONIC_EXTENSION_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/internal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
 #include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
 
@@ -68,7 +69,7 @@ rigid or affine motion of a closed interface is reproduced inside, so that cells
 template <class Complex, class Displacement>
 std::vector<typename Complex::Approximate_vector_3>
 harmonic_extension(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& free,
-                   const Displacement& displacement)
+                   const Displacement& displacement, const For_each_index& for_each_index)
 {
   using Vector = typename Complex::Approximate_vector_3;
   using Point = typename Complex::Approximate_point_3;
@@ -109,10 +110,13 @@ harmonic_extension(const Complex& complex, const std::vector<typename Complex::V
   matrix.setFromTriplets(entries.begin(), entries.end());
 
   // The extension only guides: what it proposes is checked, so that a rough solution will do.
-  Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver(matrix);
-  solver.setTolerance(1e-4);
-  solver.setMaxIterations(200);
-  const Eigen::MatrixX3d solution = solver.solve(right);
+  Eigen::MatrixX3d solution(n, 3);
+  for_each_index(3, [&](std::size_t axis) {
+    Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver(matrix);
+    solver.setTolerance(1e-4);
+    solver.setMaxIterations(200);
+    solution.col(axis) = solver.solve(right.col(axis));
+  });
   std::vector<Vector> result;
   for (int i = 0; i < n; ++i)
     result.emplace_back(solution(i, 0), solution(i, 1), solution(i, 2));

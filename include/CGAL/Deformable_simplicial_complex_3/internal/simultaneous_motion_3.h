@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SIMULTANEOUS_MOTION_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SIMULTANEOUS_MOTION_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/internal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
 
 #include <algorithm>
@@ -34,8 +35,9 @@ public:
   using Vector = typename Complex::Approximate_vector_3;
 
   Simultaneous_motion_3(Complex& complex, const std::vector<Vertex_handle>& vertices,
-                        const std::vector<Point_3>& targets)
-      : m_complex(complex), m_vertices(vertices), m_targets(targets), m_proposal(targets),
+                        const std::vector<Point_3>& targets,
+                        const For_each_index& for_each_index)
+      : m_complex(complex), m_for_each_index(for_each_index), m_vertices(vertices), m_targets(targets), m_proposal(targets),
         m_way(vertices.size(), 1.)
   {
     number_vertices(vertices);
@@ -57,7 +59,7 @@ public:
             unchecked.push_back(c);
       }
     }
-    m_complex.set_points(m_vertices, m_proposal, m_cells);
+    m_complex.set_points(m_vertices, m_proposal, m_cells, m_for_each_index);
     return m_cells;
   }
 
@@ -78,12 +80,16 @@ private:
   // Holds back the vertices of cells that would not be positive, and those around. Returns all of them.
   std::vector<std::uint32_t> hold_back(const std::vector<Cell_handle>& cells)
   {
+    std::vector<char> is_bad(cells.size());
+    m_for_each_index(cells.size(), [&](std::size_t i) { is_bad[i] = !is_positive(cells[i]); });
     std::vector<std::uint32_t> held;
-    for (Cell_handle c : cells)
-      if (!is_positive(c))
-        for (int i = 0; i < 4; ++i)
-          if (is_numbered(c->vertex(i), m_vertices) && m_way[c->vertex(i)->scratch_index()] > 0)
-            held.push_back(c->vertex(i)->scratch_index());
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      if (is_bad[k])
+        for (int i = 0; i < 4; ++i) {
+          const Vertex_handle v = cells[k]->vertex(i);
+          if (is_numbered(v, m_vertices) && m_way[v->scratch_index()] > 0)
+            held.push_back(v->scratch_index());
+        }
     std::sort(held.begin(), held.end());
     held.erase(std::unique(held.begin(), held.end()), held.end());
     for (std::uint32_t i : held)
@@ -131,6 +137,7 @@ private:
   }
 
   Complex& m_complex;
+  const For_each_index& m_for_each_index;
   const std::vector<Vertex_handle>& m_vertices;
   const std::vector<Point_3>& m_targets;
   std::vector<Cell_handle> m_cells;

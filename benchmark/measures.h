@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_BENCHMARK_MEASURES_H
+#define DSC_BENCHMARK_MEASURES_H
+
+#include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace dsc_benchmark {
+
+using Complex = CGAL::Deformable_simplicial_complex_3<>;
+using Point = Complex::Approximate_point_3;
+using Vector = Complex::Approximate_vector_3;
+using Clock = std::chrono::steady_clock;
+
+constexpr double degree = CGAL_PI / 180;
+
+inline double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+inline CGAL::Bbox_3 bounding_box(const Complex& complex) {
+  CGAL::Bbox_3 box;
+  for (const Complex::Vertex_handle v : complex.vertices())
+    box += complex.position(v).bbox();
+  return box;
+}
+
+/// The exact orientation and the volume-length ratio of each cell, summed up to have a result.
+inline double sweep(const Complex& complex, const std::vector<Complex::Cell_handle>& cells) {
+  const auto orientation = complex.geom_traits().orientation_3_object();
+  const CGAL::Volume_length_ratio_3 ratio;
+  double sum = 0;
+  for (const Complex::Cell_handle c : cells) {
+    const auto v = [c](int i) { return c->vertex(i); };
+    sum += orientation(v(0)->point(), v(1)->point(), v(2)->point(), v(3)->point()) +
+           ratio(complex.position(v(0)), complex.position(v(1)), complex.position(v(2)),
+                 complex.position(v(3)));
+  }
+  return sum;
+}
+
+/// Seconds of a sweep over all finite tetrahedra, the unit that motions are measured in: the median
+/// of several. To be taken of a complex whose storage is sorted.
+inline double sweep_seconds(const Complex& complex) {
+  const std::vector<Complex::Cell_handle> cells = complex.cells();
+  std::array<double, 15> seconds;
+  [[maybe_unused]] volatile double sum; // so that no sweep can be optimized away
+  for (double& s : seconds) {
+    const auto start = Clock::now();
+    sum = sweep(complex, cells);
+    s = seconds_since(start);
+  }
+  std::nth_element(seconds.begin(), seconds.begin() + seconds.size() / 2, seconds.end());
+  return seconds[seconds.size() / 2];
+}
+
+/// The fraction of all dihedral angles that are below 6 or above 171 degrees.
+inline double dihedral_angles_outside_6_171(const Complex& complex) {
+  using Frame = CGAL::Deformable_simplicial_complexes::internal::Tetrahedron_frame<Point>;
+  std::size_t outside = 0;
+  for (const Complex::Cell_handle c : complex.triangulation().finite_cell_handles()) {
+    const auto p = [&](int i) { return complex.position(c->vertex(i)); };
+    const auto normals = Frame(p(0), p(1), p(2), p(3)).area_vectors();
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j) {
+        const double sine = std::sqrt(CGAL::cross_product(normals[i], normals[j]).squared_length());
+        const double angle = std::atan2(sine, -(normals[i] * normals[j])) / degree;
+        outside += angle < 6 || angle > 171;
+      }
+  }
+  return double(outside) / (6 * double(complex.number_of_cells()));
+}
+
+} // namespace dsc_benchmark
+
+#endif // DSC_BENCHMARK_MEASURES_H

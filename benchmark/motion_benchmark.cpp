@@ -1,0 +1,246 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Rotates a surface by a whole turn, or offsets it out and back, and measures what it costs and
+// what becomes of the surface. Prints a row of a table, without its head.
+
+#include "inputs.h"
+#include "measures.h"
+
+#include <CGAL/Tetgen_tetrahedralizer_3.h>
+#include <CGAL/advect_interface_3.h>
+#include <CGAL/interface_flows_3.h>
+#include <CGAL/make_deformable_simplicial_complex_3.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dsc_benchmark {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
+/// The interface before a motion. Time stamps say what is left of it, as none is used twice.
+class Initial_interface
+{
+public:
+  explicit Initial_interface(const Complex& complex) : m_triangles(triangles(complex)) {
+    for (const Complex::Vertex_handle v : complex.interface_vertices())
+      m_vertices.emplace_back(v->time_stamp(), complex.position(v));
+  }
+
+  std::size_t number_of_vertices() const { return m_vertices.size(); }
+
+  /// How far each vertex that is still on the interface is from where it was.
+  std::vector<double> distances(const Complex& complex) const {
+    std::vector<double> result;
+    auto initial = m_vertices.begin();
+    for (const Complex::Vertex_handle v : complex.interface_vertices()) {
+      while (initial != m_vertices.end() && initial->first < v->time_stamp())
+        ++initial;
+      if (initial != m_vertices.end() && initial->first == v->time_stamp())
+        result.push_back(std::sqrt((complex.position(v) - initial->second).squared_length()));
+    }
+    return result;
+  }
+
+  /// The fraction of the triangles that still have their vertices and are on the interface.
+  double unchanged_triangles(const Complex& complex) const {
+    const std::vector<Triangle> now = triangles(complex);
+    const auto is_left = [&](const Triangle& t) {
+      return std::binary_search(now.begin(), now.end(), t);
+    };
+    return double(std::count_if(m_triangles.begin(), m_triangles.end(), is_left)) /
+           double(m_triangles.size());
+  }
+
+private:
+  using Triangle = std::array<std::size_t, 3>;
+
+  static std::vector<Triangle> triangles(const Complex& complex) {
+    std::vector<Triangle> result;
+    for (const Complex::Facet& f : complex.interface_facets()) {
+      const auto v = complex.facet_vertices(f);
+      result.push_back({v[0]->time_stamp(), v[1]->time_stamp(), v[2]->time_stamp()});
+      std::sort(result.back().begin(), result.back().end());
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  std::vector<std::pair<std::size_t, Point>> m_vertices; // by time stamp
+  std::vector<Triangle> m_triangles;                     // sorted
+};
+
+/// Numbers of all steps of a run, and what they amount to.
+class Steps
+{
+public:
+  explicit Steps(double sweep_seconds) : m_sweep_seconds(sweep_seconds) {}
+
+  /// Takes one step, of which only the motion is timed. More may be added to what is returned.
+  template <class Flow> Json& take(Complex& complex, const Flow& flow) {
+    const auto start = Clock::now();
+    const auto report = CGAL::advect_interface(complex, flow, double(m_steps.size()), 1.);
+    const double seconds = seconds_since(start);
+    m_steps.push_back({{"seconds", seconds},
+                       {"sweeps", seconds / m_sweep_seconds},
+                       {"incomplete", report.complete ? 0 : 1},
+                       {"unfinished_vertices", report.unfinished.size()},
+                       {"passes", report.passes},
+                       {"split", report.split},
+                       {"collapsed", report.collapsed},
+                       {"flipped", report.flipped},
+                       {"smoothed", report.smoothed},
+                       {"relabeled", report.relabeled},
+                       {"tetrahedra", complex.number_of_cells()}});
+    return m_steps.back();
+  }
+
+  double sum(const char* key) const {
+    double result = 0;
+    for (const Json& step : m_steps)
+      result += step[key].get<double>();
+    return result;
+  }
+  double mean(const char* key) const { return sum(key) / double(m_steps.size()); }
+  double maximum(const char* key) const {
+    double result = 0;
+    for (const Json& step : m_steps)
+      result = std::max(result, step[key].get<double>());
+    return result;
+  }
+
+  const Json& json() const { return m_steps; }
+
+private:
+  double m_sweep_seconds;
+  Json m_steps = Json::array();
+};
+
+/// A whole turn about the z axis through the centre of the box.
+Json rotate(Complex& complex, Steps& steps) {
+  static constexpr int number_of_steps = 180;
+  const CGAL::Bbox_3 box = bounding_box(complex);
+  const Initial_interface initial(complex);
+  const CGAL::Rigid_rotation_3 rotation(CGAL::midpoint(Point(box.xmin(), box.ymin(), box.zmin()),
+                                                       Point(box.xmax(), box.ymax(), box.zmax())),
+                                        Vector(0, 0, 1), 360. / number_of_steps * degree);
+  for (int i = 0; i < number_of_steps; ++i)
+    steps.take(complex, rotation);
+
+  const std::vector<double> distances = initial.distances(complex);
+  const double largest =
+      distances.empty() ? 0 : *std::max_element(distances.begin(), distances.end());
+  return {{"invalid_steps", complex.is_valid(true) ? 0 : 1}, // of the last one only
+          {"incomplete_steps", steps.sum("incomplete")},
+          {"largest_distance", largest / (box.xmax() - box.xmin())},
+          {"vanished_vertices", initial.number_of_vertices() - distances.size()},
+          {"unchanged_triangles", initial.unchanged_triangles(complex)}};
+}
+
+/// Of all solids, in the units of the input.
+double volume(const Complex& complex) {
+  double sum = 0;
+  for (const int label : complex.labels())
+    sum += label == 0 ? 0 : complex.volume(label);
+  return sum * std::pow(complex.normalization().scale, 3);
+}
+
+/// Five mean edges out and back, a quarter of one in each step.
+Json offset(Complex& complex, Steps& steps) {
+  static constexpr int number_of_steps = 20;
+  const double distance = .25 * complex.mean_interface_edge();
+  Json volumes = Json::array({volume(complex)});
+  Json components = Json::array({complex.number_of_components(1)});
+  for (double speed : {distance, -distance}) {
+    for (int i = 0; i < number_of_steps; ++i) {
+      Json& step = steps.take(complex, CGAL::Normal_offset_3{speed});
+      step["invalid"] = complex.is_valid(true) ? 0 : 1;
+      step["angles_outside_6_171"] = dihedral_angles_outside_6_171(complex);
+      step["volume"] = volume(complex);
+    }
+    volumes.push_back(volume(complex));
+    components.push_back(complex.number_of_components(1));
+  }
+  return {{"invalid_steps", steps.sum("invalid")},
+          {"incomplete_steps", steps.sum("incomplete")},
+          {"unfinished_vertices", steps.sum("unfinished_vertices")},
+          {"unfinished_vertices_maximum", steps.maximum("unfinished_vertices")},
+          {"angles_outside_6_171", steps.maximum("angles_outside_6_171")},
+          {"volumes", volumes},
+          {"components", components}};
+}
+
+int run(const std::string& mode, const std::string& input, std::size_t triangles,
+        const std::string& json_path) {
+  Surface surface = read_input(input, triangles);
+  Json result = {{"mode", mode},
+                 {"input", std::filesystem::path(input).stem().string()},
+                 {"triangles", surface.triangles.size()}};
+  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+      {std::move(surface)}, CGAL::Tetgen_tetrahedralizer_3(), parameters::normalize(true));
+  complex.sort_storage();
+  const double seconds = sweep_seconds(complex);
+  result["tetrahedra"] = complex.number_of_cells();
+  result["sweep_milliseconds"] = 1000 * seconds;
+
+  Steps steps(seconds);
+  result.update(mode == "rotation" ? rotate(complex, steps) : offset(complex, steps));
+  result["sweeps_mean"] = steps.mean("sweeps");
+  result["sweeps_maximum"] = steps.maximum("sweeps");
+
+  std::cout.precision(4);
+  for (const auto& [key, value] : result.items())
+    if (key != "mode") {
+      std::cout << "| ";
+      if (value.is_array())
+        std::cout << value[0].get<double>() << " → " << value[1].get<double>() << " → "
+                  << value[2].get<double>();
+      else if (value.is_number_float())
+        std::cout << value.get<double>();
+      else
+        std::cout << (value.is_string() ? value.get<std::string>() : value.dump());
+      std::cout << ' ';
+    }
+  std::cout << '|' << std::endl;
+  if (!json_path.empty()) {
+    result["steps"] = steps.json();
+    std::ofstream(json_path) << result.dump(2) << '\n';
+  }
+  return result["invalid_steps"] == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+} // namespace
+} // namespace dsc_benchmark
+
+int main(int argc, char** argv) {
+  CLI::App app("Rotates a surface by a whole turn, or offsets it out and back, and measures it.");
+  std::string mode, input, json_path;
+  std::size_t triangles = 0;
+  app.add_option("mode", mode)->required()->check(CLI::IsMember({"rotation", "offset"}));
+  app.add_option("mesh", input, "a file, or two_spheres")->required();
+  app.add_option("--triangles", triangles, "to which a finer surface is decimated");
+  app.add_option("--json", json_path, "a file for the numbers of all steps");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return dsc_benchmark::run(mode, input, triangles, json_path);
+  } catch (const std::exception& error) {
+    std::cerr << "motion_benchmark: " << input << ": " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+}

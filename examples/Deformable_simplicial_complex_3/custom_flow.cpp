@@ -1,0 +1,73 @@
+#include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Tetgen_tetrahedralizer_3.h>
+#include <CGAL/advect_interface_3.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/generators.h>
+#include <CGAL/make_deformable_simplicial_complex_3.h>
+#include <CGAL/subdivision_method_3.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <vector>
+
+using Complex = CGAL::Deformable_simplicial_complex_3<>;
+using Point = Complex::Approximate_point_3;
+using Vector = Complex::Approximate_vector_3;
+using Mesh = CGAL::Surface_mesh<Complex::Point_3>;
+
+// A model of InterfaceVelocity_3. Each vertex goes where the area of the interface decreases fastest,
+// that is, with the mean curvature of a surface. Where several labels meet, all sheets pull.
+struct Area_decrease
+{
+  void operator()(const CGAL::Interface_snapshot_3<Complex>& interface_,
+                  const std::vector<Point>& positions, double /*t*/,
+                  std::vector<Vector>& velocities) const {
+    velocities.assign(positions.size(), Vector(0, 0, 0));
+    std::vector<double> areas(positions.size(), 0.); // of the triangles around each vertex
+    for (const auto& triangle : interface_.triangles)
+      for (int i = 0; i < 3; ++i) {
+        const std::size_t v = triangle.vertices[i];
+        const Point p = positions[v], q = positions[triangle.vertices[(i + 1) % 3]],
+                    r = positions[triangle.vertices[(i + 2) % 3]];
+        const Vector normal = CGAL::cross_product(q - p, r - p);
+        const double twice_area = std::sqrt(normal.squared_length());
+        if (twice_area == 0)
+          continue;
+        velocities[v] = velocities[v] - CGAL::cross_product(normal / twice_area, r - q) / 2;
+        areas[v] += twice_area / 2;
+      }
+    for (std::size_t v = 0; v < velocities.size(); ++v)
+      if (areas[v] > 0)
+        velocities[v] = velocities[v] / (areas[v] / 3);
+  }
+};
+
+int main(int argc, char* argv[]) {
+  Mesh surface;
+  if (argc > 1) {
+    if (!CGAL::IO::read_polygon_mesh(argv[1], surface)) {
+      std::cerr << "cannot read " << argv[1] << std::endl;
+      return EXIT_FAILURE;
+    }
+  } else {
+    CGAL::make_icosahedron(surface, Complex::Point_3(0, 0, 0), 1.);
+    CGAL::Subdivision_method_3::Loop_subdivision(surface,
+                                                 CGAL::parameters::number_of_iterations(2));
+  }
+  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+      surface, CGAL::Tetgen_tetrahedralizer_3(),
+      CGAL::Deformable_simplicial_complexes::parameters::normalize(true));
+
+  // A sphere of radius r stays a sphere: the square of its radius decreases by 4 dt.
+  const double dt = .01 * std::pow(complex.mean_interface_edge(), 2) * 4;
+  for (int step = 0; step < 20; ++step) {
+    const auto report = CGAL::advect_interface(complex, Area_decrease(), step * dt, dt);
+    if (step % 5 == 0)
+      std::cout << "time " << (step + 1) * dt << ": volume " << complex.volume(1) << ", area "
+                << complex.area(1) << ", vertices that fell short: " << report.unfinished.size()
+                << std::endl;
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,57 @@
+#include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Tetgen_tetrahedralizer_3.h>
+#include <CGAL/advect_interface_3.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/generators.h>
+#include <CGAL/make_deformable_simplicial_complex_3.h>
+#include <CGAL/subdivision_method_3.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+using Complex = CGAL::Deformable_simplicial_complex_3<>;
+using Point = Complex::Approximate_point_3;
+using Vector = Complex::Approximate_vector_3;
+using Mesh = CGAL::Surface_mesh<Complex::Point_3>;
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
+int main(int argc, char* argv[]) {
+  Mesh surface;
+  if (argc > 1) {
+    if (!CGAL::IO::read_polygon_mesh(argv[1], surface)) {
+      std::cerr << "cannot read " << argv[1] << std::endl;
+      return EXIT_FAILURE;
+    }
+  } else {
+    CGAL::make_icosahedron(surface, Complex::Point_3(0, 0, 0), 1.);
+    CGAL::Subdivision_method_3::Loop_subdivision(surface,
+                                                 CGAL::parameters::number_of_iterations(2));
+  }
+  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+      surface, CGAL::Tetgen_tetrahedralizer_3(), DSC::parameters::normalize(true));
+
+  // A vortex about the z-axis that is faster near the axis and turns back at half time. It keeps
+  // volumes, and everything is where it began at the end.
+  const double period = 2;
+  const auto vortex = [=](const Point& p, double t) {
+    const double speed = std::cos(CGAL_PI * t / period) * std::exp(-2 * (p.x() * p.x() + p.y() * p.y()));
+    return speed * Vector(-p.y(), p.x(), 0);
+  };
+
+  std::cout.precision(10);
+  std::cout << "time 0: volume " << complex.volume(1) << std::endl;
+  const int steps = 20;
+  const double dt = period / steps;
+  for (int i = 0; i < steps; ++i) {
+    const auto report = CGAL::advect_interface(
+        complex, vortex, i * dt, dt,
+        DSC::parameters::scheme(DSC::Integration_scheme::rk4).maximum_number_of_passes(10));
+    if ((i + 1) % 5 == 0 || !report.complete)
+      std::cout << "time " << (i + 1) * dt << ": volume " << complex.volume(1) << ", "
+                << report.unfinished.size() << " vertices fell short" << std::endl;
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,71 @@
+#include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/IO/checkpoint_3.h>
+#include <CGAL/deform_interface_3.h>
+#include <CGAL/make_deformable_simplicial_complex_3.h>
+
+#include <array>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <vector>
+
+using Complex = CGAL::Deformable_simplicial_complex_3<>;
+using Point = Complex::Point_3;
+using Surface = CGAL::Labelled_surface_3<Point>;
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
+void print(const char* what, const std::vector<std::size_t>& indices) {
+  std::cout << "  " << what << ':';
+  for (const std::size_t i : indices)
+    std::cout << ' ' << i;
+  std::cout << '\n';
+}
+
+// Runs something and tells what is wrong with its input.
+template <class Function> void report_errors(const Function& function) {
+  try {
+    function();
+  } catch (const DSC::Invalid_surface_error& e) {
+    std::cout << e.what() << '\n';
+    print("facets", e.facets());
+    print("ends of edges", e.vertices());
+  } catch (const DSC::Tetrahedralization_error& e) {
+    std::cout << e.what() << "\n  code: " << e.code() << '\n';
+  } catch (const DSC::Invalid_tetrahedra_error& e) {
+    std::cout << e.what() << '\n';
+    print("tetrahedra", e.tetrahedra());
+    print("vertices", e.vertices());
+  } catch (const DSC::Invalid_destination_error& e) {
+    std::cout << e.what() << '\n';
+    print("vertices of the interface", e.vertices());
+  } catch (const DSC::File_error& e) {
+    std::cout << e.what() << "\n  path: " << e.path() << '\n';
+  }
+}
+
+int main() {
+  const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+  const auto no_tetrahedralizer = [](const auto&, const auto&) { return CGAL::Tetrahedralization_3(); };
+  const auto make = [&](const Surface& surface) {
+    return CGAL::make_deformable_simplicial_complex_3<Complex>(std::vector<Surface>{surface},
+                                                               no_tetrahedralizer);
+  };
+  const std::vector<std::array<std::size_t, 3>> facets = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+
+  // A surface with a hole; then one without, and a tetrahedralizer that returns nothing
+  report_errors([&] { make({points, {facets[0], facets[1], facets[2]}, 1}); });
+  report_errors([&] { make({points, facets, 1}); });
+
+  // A second tetrahedron that is flat; two that are not
+  Complex complex;
+  report_errors([&] { complex.assign(points, {{0, 1, 2, 3}, {1, 2, 3, 3}}, {1, 2}); });
+  complex.assign(points, {{0, 1, 2, 3}, {1, 2, 3, 4}}, {1, 2});
+
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  report_errors([&] {
+    CGAL::deform_interface(complex, [&](Complex::Vertex_handle) { return Point(nan, 0, 0); });
+  });
+  report_errors([] { CGAL::IO::read_checkpoint("no_such_file"); });
+  return complex.is_valid() ? EXIT_SUCCESS : EXIT_FAILURE;
+}

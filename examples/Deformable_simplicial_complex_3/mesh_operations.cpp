@@ -1,0 +1,71 @@
+#include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
+
+#include <array>
+#include <cstdlib>
+#include <iostream>
+#include <vector>
+
+using Complex = CGAL::Deformable_simplicial_complex_3<>;
+using Point = Complex::Point_3;
+using Vertex_handle = Complex::Vertex_handle;
+using Cavity = Complex::Cavity;
+
+int main() {
+  // A long octahedron in four tetrahedra around its axis, which joins the last two points
+  const std::vector<Point> points = {{1, 0, 0},  {0, 1, 0}, {-1, 0, 0},
+                                     {0, -1, 0}, {0, 0, 3}, {0, 0, -3}};
+  Complex complex;
+  const std::vector<Vertex_handle> v = complex.assign(
+      points, {{0, 1, 4, 5}, {1, 2, 4, 5}, {2, 3, 4, 5}, {3, 0, 4, 5}}, {1, 1, 1, 1});
+  Cavity cavity(complex);
+  const auto print = [&](const char* what) {
+    std::cout << what << ": " << cavity.removed().size() << " cells became "
+              << cavity.created().size() << ", worst quality " << cavity.quality_before() << " -> "
+              << cavity.quality_after() << std::endl;
+  };
+
+  // A proposal fills the cavity and leaves the complex alone; to replace is to commit it.
+  Complex::Cell_handle c;
+  int i, j;
+  if (complex.triangulation().is_edge(v[4], v[5], c, i, j) &&
+      CGAL::propose_edge_removal(complex, c, i, j, cavity)) {
+    complex.replace(cavity);
+    print("edge removal");
+  }
+
+  // A cavity of one's own: a tetrahedron is replaced by the four around a point inside of it.
+  c = complex.cells().front();
+  cavity.clear();
+  cavity.remove(c);
+  std::array<Cavity::Index, 4> corners;
+  for (int k = 0; k < 4; ++k)
+    corners[k] = cavity.add(c->vertex(k));
+  const Cavity::Index inserted = cavity.add(
+      CGAL::centroid(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point(),
+                     c->vertex(3)->point()),
+      CGAL::Boundary_class::inside);
+  for (int k = 0; k < 4; ++k) {
+    std::array<Cavity::Index, 4> tetrahedron = corners;
+    tetrahedron[k] = inserted;
+    cavity.create(tetrahedron, c);
+  }
+  if (cavity.is_positive()) {
+    complex.replace(cavity);
+    print("vertex insertion");
+  }
+
+  // The new vertex goes again: it collapses into one of its neighbors.
+  const Vertex_handle w = cavity.vertices()[inserted].handle;
+  if (complex.triangulation().is_edge(w, v[0], c, i, j)) {
+    if (c->vertex(i) != w)
+      std::swap(i, j);
+    if (CGAL::propose_edge_collapse(complex, c, i, j, 0., cavity)) {
+      complex.replace(cavity);
+      print("edge collapse");
+    }
+  }
+  return complex.is_valid() ? EXIT_SUCCESS : EXIT_FAILURE;
+}

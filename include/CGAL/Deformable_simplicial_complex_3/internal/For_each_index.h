@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FOR_EACH_INDEX_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FOR_EACH_INDEX_H
+
+#include <cstddef>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Calls a function for the indices below n, in any order and, if linked with TBB, on several threads.
+// The calls must not depend on each other: then the number of threads changes no bit of the results.
+class For_each_index
+{
+public:
+  explicit For_each_index(unsigned number_of_threads = 1) : m_number_of_threads(number_of_threads) {}
+
+  template <class Function> void operator()(std::size_t n, const Function& function) const
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    if (m_number_of_threads > 1) {
+      tbb::task_arena arena(static_cast<int>(m_number_of_threads));
+      arena.execute([&] {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n),
+                          [&](const tbb::blocked_range<std::size_t>& range) {
+                            for (std::size_t i = range.begin(); i < range.end(); ++i)
+                              function(i);
+                          });
+      });
+      return;
+    }
+#endif
+    for (std::size_t i = 0; i < n; ++i)
+      function(i);
+  }
+
+private:
+  unsigned m_number_of_threads;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FOR_EACH_INDEX_H

@@ -1,0 +1,261 @@
+#ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_ARCHETYPES_H
+#define DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_ARCHETYPES_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
+#include <CGAL/Deformable_simplicial_complex_traits_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Triangulation_ds_cell_base_3.h>
+#include <CGAL/Triangulation_ds_vertex_base_3.h>
+#include <CGAL/enum.h>
+#include <CGAL/tags.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+// Models that offer what the concepts of the package require, and nothing else: whatever compiles
+// with them needs no more.
+namespace archetypes {
+
+// DeformableSimplicialComplexTraits_3
+
+class Traits
+{
+public:
+  using Approximate_point_3 = CGAL::Simple_cartesian<double>::Point_3;
+  using Approximate_vector_3 = CGAL::Simple_cartesian<double>::Vector_3;
+
+  // can be copied, assigned and compared; its coordinates are nobody's business
+  class Point_3
+  {
+  public:
+    Point_3() = default;
+    friend bool operator==(const Point_3& a, const Point_3& b) { return a.m_point == b.m_point; }
+
+  private:
+    friend class Traits;
+    explicit Point_3(const Approximate_point_3& p) : m_point(p) {}
+
+    Approximate_point_3 m_point;
+  };
+
+  // what Triangulation_3 names and never uses here
+  class Segment_3;
+  class Triangle_3;
+  class Tetrahedron_3;
+  class Construct_point_3;
+
+  class Orientation_3
+  {
+  public:
+    CGAL::Orientation operator()(const Point_3& p, const Point_3& q, const Point_3& r,
+                                 const Point_3& s) const {
+      const auto exact = [](const Point_3& x) {
+        return Kernel::Point_3(x.m_point.x(), x.m_point.y(), x.m_point.z());
+      };
+      return Kernel().orientation_3_object()(exact(p), exact(q), exact(r), exact(s));
+    }
+  };
+
+  class Construct_approximate_point_3
+  {
+  public:
+    Approximate_point_3 operator()(const Point_3& p) const { return p.m_point; }
+  };
+
+  class Construct_exact_point_3
+  {
+  public:
+    Point_3 operator()(const Approximate_point_3& p) const { return Point_3(p); }
+  };
+
+  class Compute_approximate_volume_3
+  {
+  public:
+    double operator()(const Approximate_point_3& p, const Approximate_point_3& q,
+                      const Approximate_point_3& r, const Approximate_point_3& s) const {
+      return Model().compute_approximate_volume_3_object()(p, q, r, s);
+    }
+  };
+
+  class Link_intersection_3
+  {
+  public:
+    CGAL::Star_exit_3 operator()(const Point_3& p, const Point_3& q,
+                                 const std::vector<std::array<Point_3, 3>>& facets) const {
+      const auto exact = [](const Point_3& x) {
+        return Kernel::Point_3(x.m_point.x(), x.m_point.y(), x.m_point.z());
+      };
+      std::vector<std::array<Kernel::Point_3, 3>> link;
+      for (const auto& f : facets)
+        link.push_back({exact(f[0]), exact(f[1]), exact(f[2])});
+      return Model().link_intersection_3_object()(exact(p), exact(q), link);
+    }
+  };
+
+  Orientation_3 orientation_3_object() const { return {}; }
+  Construct_approximate_point_3 construct_approximate_point_3_object() const { return {}; }
+  Construct_exact_point_3 construct_exact_point_3_object() const { return {}; }
+  Compute_approximate_volume_3 compute_approximate_volume_3_object() const { return {}; }
+  Link_intersection_3 link_intersection_3_object() const { return {}; }
+
+private:
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Model = CGAL::Deformable_simplicial_complex_traits_3<Kernel>;
+};
+
+// DeformableSimplicialComplexVertexBase_3
+
+template <class Tds = void> class Vertex_base : public CGAL::Triangulation_ds_vertex_base_3<Tds>
+{
+  using Base = CGAL::Triangulation_ds_vertex_base_3<Tds>;
+
+public:
+  template <class Tds2> struct Rebind_TDS
+  {
+    using Other = Vertex_base<Tds2>;
+  };
+  using Point = Traits::Point_3;
+  using Has_timestamp = CGAL::Tag_true;
+
+  const Point& point() const { return m_point; }
+  void set_point(const Point& p) { m_point = p; }
+  std::size_t time_stamp() const { return m_time_stamp; }
+  void set_time_stamp(std::size_t stamp) { m_time_stamp = stamp; }
+  bool is_interface() const { return m_is_interface; }
+  void set_interface(bool is_interface) { m_is_interface = is_interface; }
+  std::uint8_t boundary_class() const { return m_boundary_class; }
+  void set_boundary_class(std::uint8_t boundary_class) { m_boundary_class = boundary_class; }
+  const Point& destination() const { return m_destination; }
+  bool has_destination() const { return m_has_destination; }
+  void set_destination(const Point& destination) {
+    m_destination = destination;
+    m_has_destination = true;
+  }
+  void clear_destination() { m_has_destination = false; }
+  std::uint32_t scratch_index() const { return m_scratch_index; }
+  void set_scratch_index(std::uint32_t index) { m_scratch_index = index; }
+
+private:
+  Point m_point, m_destination;
+  std::size_t m_time_stamp = std::size_t(-1);
+  std::uint32_t m_scratch_index = 0;
+  std::uint8_t m_boundary_class = 0;
+  bool m_is_interface = false, m_has_destination = false;
+};
+
+// DeformableSimplicialComplexCellBase_3
+
+template <class Tds = void> class Cell_base : public CGAL::Triangulation_ds_cell_base_3<Tds>
+{
+  using Base = CGAL::Triangulation_ds_cell_base_3<Tds>;
+
+public:
+  template <class Tds2> struct Rebind_TDS
+  {
+    using Other = Cell_base<Tds2>;
+  };
+  using Has_timestamp = CGAL::Tag_true;
+  using Base::Base;
+
+  std::size_t time_stamp() const { return m_time_stamp; }
+  void set_time_stamp(std::size_t stamp) { m_time_stamp = stamp; }
+  int label() const { return m_label; }
+  void set_label(int label) { m_label = label; }
+  double quality() const { return m_quality; }
+  void set_quality(double quality) { m_quality = quality; }
+  std::uint32_t component() const { return m_component; }
+  void set_component(std::uint32_t component) { m_component = component; }
+  float exhausted_quality() const { return m_exhausted_quality; }
+  void set_exhausted_quality(float quality) { m_exhausted_quality = quality; }
+
+private:
+  int m_label = 0;
+  std::uint32_t m_component = 0;
+  float m_exhausted_quality = 2;
+  double m_quality = 1;
+  std::size_t m_time_stamp = std::size_t(-1);
+};
+
+// TetrahedronQualityMeasure_3
+
+class Quality_measure
+{
+public:
+  double operator()(const Traits::Approximate_point_3& p, const Traits::Approximate_point_3& q,
+                    const Traits::Approximate_point_3& r,
+                    const Traits::Approximate_point_3& s) const {
+    return CGAL::Volume_length_ratio_3()(p, q, r, s);
+  }
+};
+
+// DeformationVisitor_3; it is passed by reference, and thus need not be copied
+
+template <class Complex> class Visitor
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+
+  Visitor() = default;
+  Visitor(const Visitor&) = delete;
+  Visitor& operator=(const Visitor&) = delete;
+
+  void after_split(Vertex_handle, Vertex_handle, Vertex_handle) {}
+  void before_collapse(Vertex_handle, Vertex_handle) {}
+  void after_flip(const std::vector<Cell_handle>&) {}
+  void after_relabel(Cell_handle, int) {}
+  bool go_further(unsigned) { return true; }
+};
+
+// The destination of a vertex, InterfaceFlowMap_3, a velocity field, and InterfaceVelocity_3:
+// all move everything by the same small vector.
+
+inline Traits::Approximate_vector_3 small_vector() { return {.03, .02, .01}; }
+
+template <class Complex> class Destination
+{
+public:
+  explicit Destination(const Complex& dsc) : m_complex(dsc) {}
+  typename Complex::Point_3 operator()(typename Complex::Vertex_handle v) const {
+    return m_complex.geom_traits().construct_exact_point_3_object()(m_complex.position(v) +
+                                                                    small_vector());
+  }
+
+private:
+  const Complex& m_complex;
+};
+
+class Flow_map
+{
+public:
+  Traits::Approximate_point_3 operator()(const Traits::Approximate_point_3& p, double,
+                                         double dt) const {
+    return p + dt * small_vector();
+  }
+};
+
+class Velocity_field
+{
+public:
+  Traits::Approximate_vector_3 operator()(const Traits::Approximate_point_3&, double) const {
+    return small_vector();
+  }
+};
+
+template <class Complex> class Interface_velocity
+{
+public:
+  void operator()(const CGAL::Interface_snapshot_3<Complex>&,
+                  const std::vector<Traits::Approximate_point_3>& positions, double,
+                  std::vector<Traits::Approximate_vector_3>& velocities) const {
+    velocities.assign(positions.size(), small_vector());
+  }
+};
+
+} // namespace archetypes
+
+#endif // DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_ARCHETYPES_H

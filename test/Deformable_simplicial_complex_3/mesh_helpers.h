@@ -1,0 +1,113 @@
+#ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_MESH_HELPERS_H
+#define DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_MESH_HELPERS_H
+
+#include "small_meshes.h"
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <utility>
+#include <vector>
+
+// What several tests do to complexes and look at. Templates, as complexes of other kernels and of
+// archetypes take part.
+namespace mesh_helpers {
+
+// The same numbers with every standard library.
+class Random
+{
+public:
+  explicit Random(unsigned seed) : m_engine(seed) {}
+
+  double operator()(double minimum, double maximum) {
+    return minimum + (maximum - minimum) * (double(m_engine()) / 4294967296.);
+  }
+  // in 0, ..., n - 1
+  std::size_t below(std::size_t n) { return m_engine() % n; }
+
+  template <class Complex> typename Complex::Approximate_vector_3 vector(double bound) {
+    const double x = (*this)(-bound, bound), y = (*this)(-bound, bound);
+    return {x, y, (*this)(-bound, bound)};
+  }
+
+private:
+  std::mt19937 m_engine;
+};
+
+template <class Complex>
+typename Complex::Point_3 exact_point(const Complex& dsc,
+                                      const typename Complex::Approximate_point_3& p) {
+  return dsc.geom_traits().construct_exact_point_3_object()(p);
+}
+
+// Moves every vertex by a random vector, as far as its star allows.
+template <class Complex> void jitter(Complex& dsc, double bound, unsigned seed) {
+  Random random(seed);
+  for (auto v : dsc.vertices())
+    dsc.move_vertex(v, exact_point(dsc, dsc.position(v) + random.vector<Complex>(bound)));
+}
+
+// A grid with n^3 cubes whose vertices are jittered by up to a part of the side of a cube.
+template <class Label>
+small_meshes::Complex jittered_grid(std::size_t n, Label label, double part, unsigned seed) {
+  auto dsc = small_meshes::make_complex(small_meshes::grid(n, label));
+  jitter(dsc, part * 2. / double(n), seed);
+  return dsc;
+}
+
+template <class Complex> double minimum_quality(const Complex& dsc) {
+  double minimum = std::numeric_limits<double>::infinity();
+  for (auto c : dsc.triangulation().finite_cell_handles())
+    minimum = (std::min)(minimum, c->quality());
+  return minimum;
+}
+
+using Coordinates = std::array<double, 3>;
+
+template <class Complex>
+Coordinates coordinates(const Complex& dsc, typename Complex::Vertex_handle v) {
+  const auto p = dsc.position(v);
+  return {p.x(), p.y(), p.z()};
+}
+
+// The interface as a set of triangles, bit for bit: corners and the two labels, sorted.
+using Interface_triangle = std::pair<std::array<Coordinates, 3>, std::array<int, 2>>;
+
+template <class Complex> std::vector<Interface_triangle> interface_triangles(const Complex& dsc) {
+  std::vector<Interface_triangle> result;
+  for (const auto& f : dsc.interface_facets()) {
+    Interface_triangle t;
+    const auto v = dsc.facet_vertices(f);
+    for (int i = 0; i < 3; ++i)
+      t.first[i] = coordinates(dsc, v[i]);
+    std::sort(t.first.begin(), t.first.end());
+    t.second = {f.first->label(), f.first->neighbor(f.second)->label()};
+    result.push_back(t);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// Whether all finite cells around v would be positive with v at q, by other means than the complex.
+template <class Complex>
+bool is_positive_with(const Complex& dsc, typename Complex::Vertex_handle v,
+                      const typename Complex::Point_3& q) {
+  std::vector<typename Complex::Cell_handle> star;
+  dsc.triangulation().finite_incident_cells(v, std::back_inserter(star));
+  for (auto c : star) {
+    std::array<typename Complex::Point_3, 4> p;
+    for (int i = 0; i < 4; ++i)
+      p[i] = c->vertex(i) == v ? q : c->vertex(i)->point();
+    if (CGAL::orientation(p[0], p[1], p[2], p[3]) != CGAL::POSITIVE)
+      return false;
+  }
+  return true;
+}
+
+} // namespace mesh_helpers
+
+#endif // DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_MESH_HELPERS_H

@@ -1,0 +1,95 @@
+#include "archetypes.h"
+#include "mesh_helpers.h"
+
+#include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Triangulation_data_structure_3.h>
+#include <CGAL/advect_interface_3.h>
+#include <CGAL/deform_interface_3.h>
+#include <CGAL/improve_mesh_3.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+// The package runs with models that offer nothing but what the concepts require, and does with them
+// exactly what it does with its own models.
+
+namespace {
+
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+using Tds =
+    CGAL::Triangulation_data_structure_3<archetypes::Vertex_base<>, archetypes::Cell_base<>>;
+using Archetype =
+    CGAL::Deformable_simplicial_complex_3<archetypes::Traits, Tds, archetypes::Quality_measure>;
+using Complex = small_meshes::Complex;
+
+Archetype make_archetype(const small_meshes::Labelled_mesh& mesh) {
+  Archetype dsc;
+  std::vector<Archetype::Point_3> points;
+  for (const auto& p : mesh.points)
+    points.push_back(
+        mesh_helpers::exact_point(dsc, Archetype::Approximate_point_3(p.x(), p.y(), p.z())));
+  dsc.assign(points, mesh.tetrahedra, mesh.labels);
+  return dsc;
+}
+
+small_meshes::Labelled_mesh ball() { return small_meshes::grid(4, small_meshes::ball); }
+
+// Runs the same on the archetype and on the default complex.
+template <class Run> void expect_same(const Run& run) {
+  Archetype archetype = make_archetype(ball());
+  Complex reference = small_meshes::make_complex(ball());
+  mesh_helpers::jitter(archetype, .15, 1);
+  mesh_helpers::jitter(reference, .15, 1);
+  run(archetype);
+  run(reference);
+  EXPECT_TRUE(archetype.is_valid());
+  EXPECT_TRUE(archetype.state() == reference.state());
+}
+
+} // namespace
+
+TEST(Archetypes, complex) {
+  Archetype dsc = make_archetype(ball());
+  const Archetype copy = dsc;
+  const auto state = dsc.state();
+  EXPECT_TRUE(copy.state() == state);
+  Archetype moved = std::move(dsc);
+  moved.swap(dsc);
+  dsc.sort_storage();
+  dsc.restore(state);
+  EXPECT_TRUE(dsc.is_valid());
+  EXPECT_EQ(dsc.number_of_components(1), 1u);
+  EXPECT_EQ(dsc.euler_characteristic(1), 2);
+  EXPECT_GT(dsc.area(1), 0);
+  EXPECT_GT(dsc.area(0, 1), 0);
+  EXPECT_EQ(dsc.take_component_changes().size(), 2u);
+  dsc.relabel(dsc.cells().front(), 2);
+  EXPECT_EQ(dsc.labels(), (std::vector<int>{0, 1, 2}));
+  dsc.clear();
+  EXPECT_EQ(dsc.number_of_vertices(), 0u);
+}
+
+TEST(Archetypes, improve_mesh) {
+  expect_same([](auto& dsc) { CGAL::improve_mesh(dsc, parameters::quality_threshold(.6)); });
+}
+
+TEST(Archetypes, deform_interface) {
+  expect_same([](auto& dsc) {
+    using Complex = std::decay_t<decltype(dsc)>;
+    archetypes::Visitor<Complex> visitor;
+    CGAL::deform_interface(dsc, archetypes::Destination<Complex>(dsc),
+                           parameters::visitor(std::ref(visitor)));
+  });
+}
+
+TEST(Archetypes, advect_interface) {
+  expect_same([](auto& dsc) {
+    using Complex = std::decay_t<decltype(dsc)>;
+    CGAL::advect_interface(dsc, archetypes::Flow_map(), 0, 1);
+    CGAL::advect_interface(dsc, archetypes::Velocity_field(), 1, 1);
+    CGAL::advect_interface(dsc, archetypes::Interface_velocity<Complex>(), 2, 1);
+  });
+}
