@@ -6,15 +6,13 @@
 // that they stay valid. What it prints and writes depends on nothing but the options: compare it
 // between runs, also with and without address space randomization (`setarch -R`).
 
+#include "measures.h"
 #include "small_meshes.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/IO/checkpoint_3.h>
 #include <CGAL/advect_interface_3.h>
-
-#include <CGAL/number_utils.h>
 
 #include <CLI/CLI.hpp>
 #include <boost/crc.hpp>
@@ -36,9 +34,9 @@
 
 namespace {
 
-using Complex = small_meshes::Complex;
-using Point = Complex::Approximate_point_3;
-using Vector = Complex::Approximate_vector_3;
+using dsc_benchmark::Complex;
+using dsc_benchmark::Point;
+using dsc_benchmark::Vector;
 using Field = std::vector<Vector>; // displacements in the order of `interface_vertices()`
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
@@ -177,7 +175,7 @@ void deform(Complex& complex, const Field& field, bool is_bad, Counts& counts) {
       throw std::runtime_error("a deformation was refused, but not without a change");
     ++counts.refused;
   }
-  if (!complex.is_valid(true))
+  if (!dsc_benchmark::check(complex))
     throw std::runtime_error("the complex is invalid");
 }
 

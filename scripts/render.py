@@ -19,10 +19,14 @@ import vtk
 
 SIZE = (1200, 900)
 TILE = (600, 450)
-# Seen from the front (-y), a little from the right and above; the half in front is cut away.
-VIEW_DIRECTION = (-0.5, 0.85, -0.45)
+# The y axis points up. Seen from the front (+z), a little from the right and above; the half in front
+# is cut away.
+VIEW_DIRECTION = (-0.4, -0.3, -0.9)
+VIEW_UP = (0, 1, 0)
+# Half the height of a picture, in multiples of the interface's half diagonal.
+SHOWN_HEIGHT = 0.72
 # How far around its centre tetrahedra are shown, in multiples of the interface's half diagonal.
-SHOWN_RADIUS = 1.0
+SHOWN_RADIUS = 0.8
 # The outside is pale; labels beyond the list start it again after the first colour.
 COLOURS = ((0.90, 0.90, 0.88), (0.30, 0.52, 0.74), (0.89, 0.55, 0.24), (0.42, 0.65, 0.38),
            (0.72, 0.36, 0.42), (0.55, 0.45, 0.68), (0.80, 0.70, 0.30))
@@ -116,7 +120,7 @@ def cut_actor(path, centre, radius):
     ids = vtk.vtkIdTypeArray()
     for cell in range(grid.GetNumberOfCells()):
         shift = [b - c for b, c in zip(barycentres.GetPoint(cell), centre)]
-        if shift[1] >= 0 and math.hypot(*shift) <= SHOWN_RADIUS * radius:
+        if shift[2] <= 0 and math.hypot(*shift) <= SHOWN_RADIUS * radius:
             ids.InsertNextValue(cell)
     node = vtk.vtkSelectionNode()
     node.SetFieldType(vtk.vtkSelectionNode.CELL)
@@ -150,9 +154,9 @@ def render(actor, centre, radius):
     camera = renderer.GetActiveCamera()
     camera.SetFocalPoint(*centre)
     camera.SetPosition(*(c - 10 * radius * d for c, d in zip(centre, VIEW_DIRECTION)))
-    camera.SetViewUp(0, 0, 1)
+    camera.SetViewUp(*VIEW_UP)
     camera.ParallelProjectionOn()
-    camera.SetParallelScale(1.2 * SHOWN_RADIUS * radius)
+    camera.SetParallelScale(SHOWN_HEIGHT * radius)
     renderer.ResetCameraClippingRange()
     window = vtk.vtkRenderWindow()
     window.OffScreenRenderingOn()

@@ -15,8 +15,8 @@ int main() {
   const std::vector<Point> points = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0}, {0, -1, 0},
                                      {0, 0, 1}, {0, 0, -1}, {0, 0, 0}};
   const std::vector<std::array<std::size_t, 4>> tetrahedra = {
-      {0, 2, 4, 6}, {2, 1, 4, 6}, {1, 3, 4, 6}, {3, 0, 4, 6},
-      {2, 0, 5, 6}, {1, 2, 5, 6}, {3, 1, 5, 6}, {0, 3, 5, 6}};
+      {2, 0, 4, 6}, {1, 2, 4, 6}, {3, 1, 4, 6}, {0, 3, 4, 6},
+      {0, 2, 5, 6}, {2, 1, 5, 6}, {1, 3, 5, 6}, {3, 0, 5, 6}};
   Complex complex;
   const std::vector<Vertex_handle> vertices =
       complex.assign(points, tetrahedra, {0, 0, 0, 0, 1, 1, 1, 1});

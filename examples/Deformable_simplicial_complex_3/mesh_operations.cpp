@@ -1,11 +1,11 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
 
 #include <array>
 #include <cstdlib>
 #include <iostream>
+#include <utility>
 #include <vector>
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
@@ -19,7 +19,7 @@ int main() {
                                      {0, -1, 0}, {0, 0, 3}, {0, 0, -3}};
   Complex complex;
   const std::vector<Vertex_handle> v = complex.assign(
-      points, {{0, 1, 4, 5}, {1, 2, 4, 5}, {2, 3, 4, 5}, {3, 0, 4, 5}}, {1, 1, 1, 1});
+      points, {{1, 0, 4, 5}, {2, 1, 4, 5}, {3, 2, 4, 5}, {0, 3, 4, 5}}, {1, 1, 1, 1});
   Cavity cavity(complex);
   const auto print = [&](const char* what) {
     std::cout << what << ": " << cavity.removed().size() << " cells became "

@@ -236,11 +236,12 @@ Complex make_deformable_simplicial_complex_3(
     std::vector<std::array<std::size_t, 4>> tetrahedra,
     const std::vector<typename Complex::Label>& labels,
     const NP& np = Deformable_simplicial_complexes::parameters::default_values()) {
+  namespace internal = Deformable_simplicial_complexes::internal;
   Complex dsc;
-  Deformable_simplicial_complexes::internal::orient_tetrahedra(points, tetrahedra,
-                                                               dsc.geom_traits());
+  internal::orient_tetrahedra(points, tetrahedra, dsc.geom_traits());
+  internal::check_ball(points, tetrahedra, dsc.geom_traits());
   dsc.assign(points, tetrahedra, labels);
-  Deformable_simplicial_complexes::internal::improve_if_asked(dsc, np);
+  internal::improve_if_asked(dsc, np);
   return dsc;
 }
 

@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Triangle_soup_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/assemble_triangulation.h>
 
 #include <CGAL/enum.h>
 
@@ -59,6 +60,39 @@ void orient_tetrahedra(const std::vector<typename Traits::Point_3>& points,
   if (!offenders.empty())
     throw Invalid_tetrahedra_error("tetrahedra are flat: remesh where they are",
                                    std::move(offenders));
+}
+
+// Throws Invalid_tetrahedra_error if two tetrahedra are on the same side of a common facet, or if
+// the boundary, supposed that it is a connected 2-manifold, is no sphere. n log n.
+template <class Traits>
+void check_ball(const std::vector<typename Traits::Point_3>& points,
+                const std::vector<std::array<std::size_t, 4>>& tetrahedra, const Traits& traits) {
+  const auto side = [&](const Cell_facet& f) {
+    return traits.orientation_3_object()(points[f.vertices[0]], points[f.vertices[1]],
+                                         points[f.vertices[2]],
+                                         points[tetrahedra[f.cell][f.index]]);
+  };
+  std::vector<std::size_t> vertices;
+  std::size_t number_of_facets = 0;
+  const std::vector<Cell_facet> facets = sorted_facets(tetrahedra);
+  for (auto f = facets.begin(); f != facets.end(); ++f) {
+    const auto g = f + 1;
+    if (g != facets.end() && f->vertices == g->vertices) {
+      if (side(*f) == side(*g))
+        throw Invalid_tetrahedra_error("two tetrahedra overlap: remesh where they are",
+                                       {f->cell, g->cell});
+      f = g;
+    } else {
+      ++number_of_facets;
+      vertices.insert(vertices.end(), f->vertices.begin(), f->vertices.end());
+    }
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  // Three edges for two facets: V - E + F = V - F / 2.
+  if (2 * vertices.size() != number_of_facets + 4)
+    throw Invalid_tetrahedra_error("the boundary of the tetrahedra is no sphere: give a mesh whose "
+                                   "domain is a ball");
 }
 
 } // namespace internal

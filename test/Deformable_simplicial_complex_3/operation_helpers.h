@@ -1,0 +1,135 @@
+#ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_OPERATION_HELPERS_H
+#define DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_OPERATION_HELPERS_H
+
+#include "mesh_helpers.h"
+
+#include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+#include <CGAL/number_utils.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+// What the tests of mesh operations have in common.
+namespace operation_helpers {
+
+using mesh_helpers::Random;
+using small_meshes::Complex;
+using small_meshes::Labelled_mesh;
+using small_meshes::Point;
+using Cavity = Complex::Cavity;
+using Vertex_handle = Complex::Vertex_handle;
+using Cell_handle = Complex::Cell_handle;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double tolerance = 1e-12;
+
+inline double quality(const Complex& dsc, Vertex_handle p, Vertex_handle q, Vertex_handle r,
+                      Vertex_handle s) {
+  return dsc.quality_measure()(dsc.position(p), dsc.position(q), dsc.position(r), dsc.position(s));
+}
+
+inline Point on_circle(double angle, double radius, double z) {
+  return Point(radius * std::cos(angle), radius * std::sin(angle), z);
+}
+
+inline bool is_positive(const Labelled_mesh& mesh) {
+  return std::all_of(mesh.tetrahedra.begin(), mesh.tetrahedra.end(), [&](const auto& t) {
+    return CGAL::orientation(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]],
+                             mesh.points[t[3]]) == CGAL::POSITIVE;
+  });
+}
+
+// A random ring of n tetrahedra around the edge from point 0 up to point 1; the points of the ring
+// follow counterclockwise. Two arcs of it have different labels if `first_arc` is not zero.
+inline Labelled_mesh random_ring(std::size_t n, std::size_t first_arc, Random& random) {
+  Labelled_mesh mesh;
+  do {
+    const double height = random(.1, 1.2);
+    mesh = {{Point(random(-.2, .2), random(-.2, .2), -height),
+             Point(random(-.2, .2), random(-.2, .2), height)},
+            {},
+            {}};
+    for (std::size_t k = 0; k < n; ++k) {
+      mesh.points.push_back(on_circle(2 * CGAL_PI * (double(k) + random(-.3, .3)) / double(n),
+                                      random(.7, 1.3), height * random(-.3, .3)));
+      mesh.tetrahedra.push_back({0, 1, 2 + k, 2 + (k + 1) % n});
+      mesh.labels.push_back(k < first_arc ? 1 : 0);
+    }
+  } while (!is_positive(mesh));
+  return mesh;
+}
+
+// The worst quality of the best of all triangulations of the ring polygon from p to q, with
+// tetrahedra to a below and b above.
+inline double best_triangulation(const Complex& dsc, Vertex_handle a, Vertex_handle b,
+                                 const std::vector<Vertex_handle>& ring, std::size_t p,
+                                 std::size_t q) {
+  if (q - p < 2)
+    return infinity;
+  double best = -infinity;
+  for (std::size_t k = p + 1; k < q; ++k)
+    best = (std::max)(best, (std::min)({quality(dsc, ring[p], ring[k], ring[q], b),
+                                        quality(dsc, ring[k], ring[p], ring[q], a),
+                                        best_triangulation(dsc, a, b, ring, p, k),
+                                        best_triangulation(dsc, a, b, ring, k, q)}));
+  return best;
+}
+
+struct Edge_in_cell
+{
+  Cell_handle cell;
+  int i, j;
+};
+
+inline Edge_in_cell find_edge(const Complex& dsc, Vertex_handle v, Vertex_handle w) {
+  Edge_in_cell e;
+  EXPECT_TRUE(dsc.triangulation().is_edge(v, w, e.cell, e.i, e.j));
+  return e;
+}
+
+template <class Visit> void for_each_edge(const Complex& dsc, Visit visit) {
+  for (Cell_handle c : dsc.cells())
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j)
+        if (i != j)
+          visit(Edge_in_cell{c, i, j});
+}
+
+inline double volume_of_domain(const Complex& dsc) {
+  double sum = 0;
+  for (int label : dsc.labels())
+    sum += dsc.volume(label);
+  return sum;
+}
+
+// Commits a proposal and looks at what comes out; `volume` is that of the domain.
+inline void expect_valid_commit(Complex& dsc, Cavity& cavity, double volume) {
+  dsc.replace(cavity);
+  EXPECT_TRUE(dsc.is_valid());
+  EXPECT_NEAR(volume_of_domain(dsc), volume, tolerance);
+  double created = infinity;
+  for (Cell_handle c : cavity.created())
+    created = (std::min)(created, dsc.quality(c));
+  EXPECT_EQ(created, cavity.quality_after());
+  EXPECT_EQ(cavity.created().size(), cavity.tetrahedra().size());
+}
+
+// The cell of a copy that stands for a cell of the original.
+inline Cell_handle in_copy(const Complex& copy, Cell_handle c) {
+  for (Cell_handle d : copy.triangulation().finite_cell_handles())
+    if (d->time_stamp() == c->time_stamp())
+      return d;
+  ADD_FAILURE() << "no copy";
+  return Cell_handle();
+}
+
+} // namespace operation_helpers
+
+#endif // DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_OPERATION_HELPERS_H
