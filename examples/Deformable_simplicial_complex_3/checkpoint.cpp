@@ -1,47 +1,49 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/IO/checkpoint_3.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/advect_interface_3.h>
+#include <CGAL/boost/graph/generators.h>
 #include <CGAL/interface_flows_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
+#include <CGAL/subdivision_method_3.h>
 
 #include <cstdlib>
 #include <iostream>
 #include <string>
-#include <vector>
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
-using Surface = CGAL::Labelled_surface_3<Complex::Point_3>;
+using Point = Complex::Point_3;
 
-// Ten steps of a flow, from the given one on
-void run(Complex& complex, int first_step) {
-  const double dt = .01;
-  for (int step = first_step; step < first_step + 10; ++step)
+// Steps of a flow in which two spheres grow together
+void run(Complex& complex, int first_step, int last_step) {
+  const double dt = .04;
+  for (int step = first_step; step < last_step; ++step)
     CGAL::advect_interface(complex, CGAL::Normal_offset_3{1.}, step * dt, dt);
 }
 
 int main() {
-  const std::vector<Surface> octahedron = {
-      {{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
-       {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}},
-       1}};
+  CGAL::Surface_mesh<Point> spheres;
+  CGAL::make_icosahedron(spheres, Point(-.7, 0, 0), .5);
+  CGAL::make_icosahedron(spheres, Point(.7, 0, 0), .5);
+  CGAL::Subdivision_method_3::Loop_subdivision(spheres, CGAL::parameters::number_of_iterations(2));
   Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
-      octahedron, CGAL::Tetgen_tetrahedralizer_3());
+      spheres, CGAL::Tetgen_tetrahedralizer_3());
 
-  // What the program needs besides the complex goes along as text.
-  run(complex, 0);
-  CGAL::IO::write_checkpoint("octahedron.checkpoint", complex.state(), std::to_string(10));
-  run(complex, 10);
+  // What the program needs besides the complex goes along as text: here, the number of steps done.
+  run(complex, 0, 6);
+  CGAL::IO::write_checkpoint("spheres.checkpoint", complex.state(), std::to_string(6));
+  run(complex, 6, 12);
 
   // In most cases this is another program, some other day.
-  const CGAL::IO::Checkpoint_3 checkpoint = CGAL::IO::read_checkpoint("octahedron.checkpoint");
+  const CGAL::IO::Checkpoint_3 checkpoint = CGAL::IO::read_checkpoint("spheres.checkpoint");
   Complex restored;
   restored.restore(checkpoint.state);
-  run(restored, std::stoi(checkpoint.metadata));
+  run(restored, std::stoi(checkpoint.metadata), 12);
 
   const bool same = complex.state() == restored.state();
   std::cout.precision(17);
-  std::cout << "volume " << complex.volume(1) << ", after the interruption " << restored.volume(1)
-            << (same ? ": the same bits" : ": different") << std::endl;
+  std::cout << "volume " << complex.volume(1) << " without, " << restored.volume(1)
+            << " with the interruption" << (same ? ": the same bits" : ": different") << std::endl;
   return same ? EXIT_SUCCESS : EXIT_FAILURE;
 }

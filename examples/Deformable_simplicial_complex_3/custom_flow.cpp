@@ -60,8 +60,8 @@ int main(int argc, char* argv[]) {
       surface, CGAL::Tetgen_tetrahedralizer_3(),
       CGAL::Deformable_simplicial_complexes::parameters::normalize(true));
 
-  // A sphere of radius r stays a sphere: the square of its radius decreases by 4 dt.
-  const double dt = .01 * std::pow(complex.mean_interface_edge(), 2) * 4;
+  // A sphere stays one; the square of its radius decreases by 4 dt.
+  const double h = complex.mean_interface_edge(), dt = .04 * h * h;
   for (int step = 0; step < 20; ++step) {
     const auto report = CGAL::advect_interface(complex, Area_decrease(), step * dt, dt);
     if (step % 5 == 0)

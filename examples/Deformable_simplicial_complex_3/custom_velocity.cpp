@@ -33,12 +33,12 @@ int main(int argc, char* argv[]) {
   Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
       surface, CGAL::Tetgen_tetrahedralizer_3(), DSC::parameters::normalize(true));
 
-  // A vortex about the z-axis that is faster near the axis and turns back at half time. It keeps
-  // volumes, and everything is where it began at the end.
+  // A vortex about the z-axis that is faster near the axis and turns back at half time: it keeps
+  // volumes, and in the end everything is where it began.
   const double period = 2;
   const auto vortex = [=](const Point& p, double t) {
-    const double speed = std::cos(CGAL_PI * t / period) * std::exp(-2 * (p.x() * p.x() + p.y() * p.y()));
-    return speed * Vector(-p.y(), p.x(), 0);
+    const double angular = std::cos(CGAL_PI * t / period) * std::exp(-p.x() * p.x() - p.y() * p.y());
+    return 2 * angular * Vector(-p.y(), p.x(), 0);
   };
 
   std::cout.precision(10);

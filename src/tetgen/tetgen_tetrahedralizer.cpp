@@ -6,7 +6,6 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Triangle_soup_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/assemble_triangulation.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/enum.h>
@@ -17,6 +16,7 @@
 #include <new>
 #include <string>
 #include <utility>
+#include <vector>
 
 // When TetGen 1.5 gives up, this function of its header frees the mesh and throws; the destructor
 // of the mesh then frees it once more and crashes. The library calls the definition below instead.
@@ -120,15 +120,20 @@ bool orient(Tetrahedralization_3& mesh) {
   });
 }
 
-bool has_facets(const Tetrahedralization_3& mesh, const Triangles& triangles) {
-  const auto facets = internal::sorted_facets(mesh.tetrahedra);
-  return std::all_of(triangles.begin(), triangles.end(), [&](internal::Triangle_indices t) {
+bool has_facets(const Tetrahedralization_3& mesh, Triangles triangles) {
+  for (internal::Triangle_indices& t : triangles)
     std::sort(t.begin(), t.end());
-    const auto found = std::lower_bound(
-        facets.begin(), facets.end(), t,
-        [](const internal::Cell_facet& f, const auto& vertices) { return f.vertices < vertices; });
-    return found != facets.end() && found->vertices == t;
-  });
+  std::sort(triangles.begin(), triangles.end());
+  std::vector<char> is_found(triangles.size(), 0);
+  for (const auto& v : mesh.tetrahedra)
+    for (std::size_t i = 0; i < 4; ++i) {
+      internal::Triangle_indices facet = {v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4]};
+      std::sort(facet.begin(), facet.end());
+      const auto t = std::lower_bound(triangles.begin(), triangles.end(), facet);
+      if (t != triangles.end() && *t == facet)
+        is_found[t - triangles.begin()] = 1;
+    }
+  return std::find(is_found.begin(), is_found.end(), 0) == is_found.end();
 }
 
 Tetrahedralization_3 tetrahedralize_once(const Points& points, const Triangles& triangles,

@@ -35,8 +35,24 @@ inline double quality(const Complex& dsc, Vertex_handle p, Vertex_handle q, Vert
   return dsc.quality_measure()(dsc.position(p), dsc.position(q), dsc.position(r), dsc.position(s));
 }
 
-inline Point on_circle(double angle, double radius, double z) {
-  return Point(radius * std::cos(angle), radius * std::sin(angle), z);
+// A point below and one above the origin, and a ring of n more around them, counterclockwise.
+inline std::vector<Point> apices_and_ring(std::size_t n, double disorder, double height,
+                                          Random& random) {
+  std::vector<Point> points;
+  const double stretch = random(1, 1 + 10 * disorder);
+  const auto add = [&](double radius, double angle, double z) {
+    points.emplace_back(stretch * radius * std::cos(angle), radius * std::sin(angle), z);
+  };
+  for (double z : {-height, height}) {
+    const double radius = random(0, disorder);
+    add(radius, random(0, 2 * CGAL_PI), z);
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    const double radius = 1 + random(-disorder, disorder),
+                 angle = 2 * CGAL_PI * (double(k) + random(-disorder, disorder)) / double(n);
+    add(radius, angle, height * random(-disorder, disorder));
+  }
+  return points;
 }
 
 inline bool is_positive(const Labelled_mesh& mesh) {
@@ -51,14 +67,9 @@ inline bool is_positive(const Labelled_mesh& mesh) {
 inline Labelled_mesh random_ring(std::size_t n, std::size_t first_arc, Random& random) {
   Labelled_mesh mesh;
   do {
-    const double height = random(.1, 1.2);
-    mesh = {{Point(random(-.2, .2), random(-.2, .2), -height),
-             Point(random(-.2, .2), random(-.2, .2), height)},
-            {},
-            {}};
+    const double disorder = random(0, .3), height = random(.1, 1.2);
+    mesh = {apices_and_ring(n, disorder, height, random), {}, {}};
     for (std::size_t k = 0; k < n; ++k) {
-      mesh.points.push_back(on_circle(2 * CGAL_PI * (double(k) + random(-.3, .3)) / double(n),
-                                      random(.7, 1.3), height * random(-.3, .3)));
       mesh.tetrahedra.push_back({0, 1, 2 + k, 2 + (k + 1) % n});
       mesh.labels.push_back(k < first_arc ? 1 : 0);
     }

@@ -15,6 +15,11 @@
 #include <utility>
 #include <vector>
 
+#ifdef __SANITIZE_ADDRESS__
+// TetGen leaks what it is working on when it gives up.
+extern "C" const char* __lsan_default_suppressions() { return "leak:tetgenmesh"; }
+#endif
+
 namespace {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
@@ -340,11 +345,10 @@ TEST(Build, bounds_of_the_tetrahedralizer) {
 }
 
 TEST(Build, the_tetrahedralizer_fails_with_words) {
-  // A triangle pierces the box.
-  const std::vector<std::array<double, 3>> points = {
-      {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {.2, .2, -1}, {.3, .2, .2}, {.2, .3, .2}};
+  // The same triangle twice.
+  const std::vector<std::array<double, 3>> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const std::vector<std::array<std::size_t, 3>> triangles = {
-      {0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}, {4, 5, 6}};
+      {0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}, {0, 1, 2}};
   try {
     CGAL::Tetgen_tetrahedralizer_3()(points, triangles);
     FAIL();

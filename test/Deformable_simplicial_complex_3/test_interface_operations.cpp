@@ -128,7 +128,7 @@ TEST(Interface_flip, changes_two_triangles_and_no_topology) {
     }
   }
   EXPECT_GT(accepted, 10);
-  EXPECT_GT(at_lines, 10);
+  EXPECT_GT(at_lines, 5);
 }
 
 // Relabeling
@@ -210,8 +210,10 @@ TEST(Relabeling, follows_the_two_rules) {
 }
 
 TEST(Relabeling, considers_cells_below_its_thresholds_only) {
-  const Complex dsc = jittered_grid(4, small_meshes::ball, .4, 8);
-  int first_rule_only = 0;
+  Random random(8);
+  const auto random_label = [&](const Point&) { return int(random.below(3)); };
+  const Complex dsc = jittered_grid(4, random_label, .4, 8);
+  int by_second_rule = 0;
   for (Cell_handle c : dsc.cells()) {
     int label = -1;
     const double quality = dsc.quality(c);
@@ -220,9 +222,9 @@ TEST(Relabeling, considers_cells_below_its_thresholds_only) {
     const bool above_half = propose_relabeling(dsc, c, 1.5 * quality, label),
                below_half = propose_relabeling(dsc, c, 2.5 * quality, label);
     EXPECT_LE(above_half, below_half);
-    first_rule_only += above_half != below_half ? 1 : 0;
+    by_second_rule += above_half != below_half ? 1 : 0;
   }
-  EXPECT_GT(first_rule_only, 0);
+  EXPECT_GT(by_second_rule, 0);
 }
 
 // A cap with its base on phase 1, closed to the other side by phase 1 or 2.

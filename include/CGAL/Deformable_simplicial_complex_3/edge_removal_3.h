@@ -7,10 +7,12 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <vector>
+#include <utility>
 
 namespace CGAL {
 
@@ -48,7 +50,7 @@ public:
   }
 
   std::size_t size() const { return m_cells.size(); }
-  const std::vector<Cell_handle>& cells() const { return m_cells; }
+  Cell_handle cell(std::size_t k) const { return m_cells[k % size()]; }
 
   // Triangulates the polygon of ring vertices first, ..., last (modulo the size) so that the worst
   // quality of the tetrahedra over and under it is best, and plans them in the cavity. Returns false if
@@ -81,7 +83,7 @@ public:
     if (!(m_best[n - 1] > bound))
       return false;
 
-    const Cell_handle parent = m_cells[first % size()];
+    const Cell_handle parent = cell(first);
     m_open.assign(1, {0, n - 1});
     while (!m_open.empty()) {
       const auto [p, q] = m_open.back();
@@ -100,11 +102,14 @@ public:
 private:
   Cavity& m_cavity;
   Index m_a, m_b;
-  std::vector<Cell_handle> m_cells;
-  std::vector<Index> m_vertices;
-  std::vector<double> m_best;
-  std::vector<std::size_t> m_apex;
-  std::vector<std::pair<std::size_t, std::size_t>> m_open;
+  // Most rings have fewer than eight cells.
+  template <class T> using Ring = boost::container::small_vector<T, 8>;
+  template <class T> using Table = boost::container::small_vector<T, 64>;
+  Ring<Cell_handle> m_cells;
+  Ring<Index> m_vertices;
+  Table<double> m_best;
+  Table<std::size_t> m_apex;
+  Ring<std::pair<std::size_t, std::size_t>> m_open;
 };
 
 } // namespace internal
@@ -130,10 +135,10 @@ bool propose_edge_removal(const Complex& complex, typename Complex::Cell_handle 
 {
   cavity.clear();
   Deformable_simplicial_complexes::internal::Edge_ring_3<Complex> ring(cell, i, j, cavity);
-  for (auto c : ring.cells()) {
-    if (complex.is_infinite(c) || c->label() != cell->label())
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    if (complex.is_infinite(ring.cell(k)) || ring.cell(k)->label() != cell->label())
       return false;
-    cavity.remove(c);
+    cavity.remove(ring.cell(k));
   }
   return ring.triangulate(0, ring.size() - 1, cavity.quality_before()) && cavity.is_positive();
 }
@@ -160,20 +165,20 @@ bool propose_interface_edge_flip(const Complex& complex, typename Complex::Cell_
   cavity.clear();
   Deformable_simplicial_complexes::internal::Edge_ring_3<Complex> ring(cell, i, j, cavity);
   const std::size_t n = ring.size();
-  std::vector<std::size_t> sheets; // ring vertices at which the label changes
+  boost::container::small_vector<std::size_t, 8> sheets; // ring vertices at which the label changes
   for (std::size_t k = 0; k < n; ++k) {
-    if (complex.is_infinite(ring.cells()[k]))
+    if (complex.is_infinite(ring.cell(k)))
       return false;
-    cavity.remove(ring.cells()[k]);
-    if (ring.cells()[k]->label() != ring.cells()[(k + n - 1) % n]->label())
+    cavity.remove(ring.cell(k));
+    if (ring.cell(k)->label() != ring.cell(k + n - 1)->label())
       sheets.push_back(k);
   }
   if (sheets.size() != 2)
     return false;
   // A side of one cell has the other diagonal already; in the interface it would become singular.
   for (std::size_t k : sheets)
-    if (ring.cells()[k]->label() != ring.cells()[(k + 1) % n]->label()) {
-      const auto c = ring.cells()[k];
+    if (ring.cell(k)->label() != ring.cell(k + 1)->label()) {
+      const auto c = ring.cell(k);
       const int u = Deformable_simplicial_complexes::internal::other_index(c->index(cell->vertex(i)), c->index(cell->vertex(j)));
       if (complex.is_interface(typename Complex::Edge(c, u, 6 - u - c->index(cell->vertex(i)) -
                                                                 c->index(cell->vertex(j)))))

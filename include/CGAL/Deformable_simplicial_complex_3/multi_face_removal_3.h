@@ -7,10 +7,12 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 
@@ -25,6 +27,7 @@ template <class Complex> class Sandwich_3
 public:
   using Cell_handle = typename Complex::Cell_handle;
   using Vertex_handle = typename Complex::Vertex_handle;
+  template <class T> using Small_vector = boost::container::small_vector<T, 16>;
 
   // A facet of the set: its cells below (apex a) and above (apex b).
   struct Sheet
@@ -59,8 +62,8 @@ public:
 
   Vertex_handle a() const { return m_a; }
   Vertex_handle b() const { return m_b; }
-  const std::vector<Sheet>& sheets() const { return m_sheets; }
-  const std::vector<Directed_edge>& boundary() const { return m_boundary; }
+  const Small_vector<Sheet>& sheets() const { return m_sheets; }
+  const Small_vector<Directed_edge>& boundary() const { return m_boundary; }
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -127,8 +130,8 @@ private:
   Cell_handle m_above;
   Vertex_handle m_b;
   Sheet m_first;
-  std::vector<Sheet> m_sheets;
-  std::vector<Directed_edge> m_boundary;
+  Small_vector<Sheet> m_sheets;
+  Small_vector<Directed_edge> m_boundary;
 };
 
 } // namespace internal

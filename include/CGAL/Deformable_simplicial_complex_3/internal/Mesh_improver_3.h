@@ -86,7 +86,7 @@ public:
   {
     const double before = c->quality();
     typename Complex::Point_3 target;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 4 && c->quality() < m_threshold; ++i) {
       const Vertex_handle v = c->vertex(i);
       if (v->is_interface())
         continue;

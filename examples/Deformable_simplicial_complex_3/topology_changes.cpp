@@ -1,0 +1,51 @@
+#include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Tetgen_tetrahedralizer_3.h>
+#include <CGAL/advect_interface_3.h>
+#include <CGAL/boost/graph/generators.h>
+#include <CGAL/interface_flows_3.h>
+#include <CGAL/make_deformable_simplicial_complex_3.h>
+#include <CGAL/subdivision_method_3.h>
+
+#include <cstdlib>
+#include <iostream>
+
+using Complex = CGAL::Deformable_simplicial_complex_3<>;
+using Point = Complex::Point_3;
+using Report = CGAL::Deformation_report<Complex>;
+
+void print(int step, const Complex& complex, const Report& report) {
+  std::cout << "step " << step << ": " << report.passes << " passes, " << report.relabeled
+            << " cells relabeled\n";
+  for (const auto& [vertex, distance] : report.unfinished)
+    std::cout << "  the vertex at " << complex.position(vertex) << " is " << distance
+              << " from its destination\n";
+  for (const Report::Label_change& change : report.labels)
+    if (change.merged + change.split + change.vanished + change.appeared > 0)
+      std::cout << "  label " << change.label << ": " << change.before << " -> " << change.after
+                << " components; " << change.merged << " merged, " << change.split << " split, "
+                << change.vanished << " vanished, " << change.appeared << " appeared\n";
+}
+
+int main() {
+  // One surface of two components, both of which enclose label 1
+  CGAL::Surface_mesh<Point> spheres;
+  CGAL::make_icosahedron(spheres, Point(-.7, 0, 0), .5);
+  CGAL::make_icosahedron(spheres, Point(.7, 0, 0), .5);
+  CGAL::Subdivision_method_3::Loop_subdivision(spheres, CGAL::parameters::number_of_iterations(2));
+  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+      spheres, CGAL::Tetgen_tetrahedralizer_3());
+
+  // The spheres grow together, then what they have become shrinks.
+  const double dt = .3 * complex.mean_interface_edge();
+  for (int step = 0; step < 30; ++step) {
+    const CGAL::Normal_offset_3 offset{step < 15 ? 1. : -1.};
+    const Report report = CGAL::advect_interface(complex, offset, step * dt, dt);
+    if (!report.complete || report.relabeled > 0)
+      print(step, complex, report);
+  }
+  std::cout << "volume " << complex.volume(1) << ", area " << complex.area(1)
+            << ", Euler characteristic of the surface " << complex.euler_characteristic(1)
+            << std::endl;
+  return complex.is_valid() ? EXIT_SUCCESS : EXIT_FAILURE;
+}
