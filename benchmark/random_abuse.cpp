@@ -158,14 +158,15 @@ struct Counts
   }
 };
 
-void deform(Complex& complex, const Field& field, bool is_bad, Counts& counts) {
+void deform(Complex& complex, const Field& field, bool is_bad, unsigned threads, Counts& counts) {
   using CGAL::Deformable_simplicial_complexes::Integration_scheme;
   const Complex::State before = is_bad ? complex.state() : Complex::State();
   const auto velocity = [&](const CGAL::Interface_snapshot_3<Complex>&, const std::vector<Point>&,
                             double, Field& velocities) { velocities = field; };
   try {
-    counts.add(CGAL::advect_interface(complex, velocity, 0., 1.,
-                                      parameters::scheme(Integration_scheme::euler)));
+    counts.add(CGAL::advect_interface(
+        complex, velocity, 0., 1.,
+        parameters::scheme(Integration_scheme::euler).number_of_threads(threads)));
     if (is_bad)
       throw std::runtime_error("a destination that is not finite was accepted");
   } catch (const CGAL::Deformable_simplicial_complexes::Invalid_destination_error&) {
@@ -181,7 +182,7 @@ void deform(Complex& complex, const Field& field, bool is_bad, Counts& counts) {
 
 // Prints a row of the table and returns the last complex.
 Complex abuse(const std::string& name, const Complex& initial, std::size_t number_of_fields,
-              Random_fields& fields, Checksum& checksum, std::ostream& out) {
+              unsigned threads, Random_fields& fields, Checksum& checksum, std::ostream& out) {
   const std::size_t few = initial.interface_vertices().size() / 4;
   Complex complex = initial;
   Counts counts;
@@ -192,7 +193,7 @@ Complex abuse(const std::string& name, const Complex& initial, std::size_t numbe
     }
     Field field = fields(complex);
     const bool is_bad = fields.spoil(field);
-    deform(complex, field, is_bad, counts);
+    deform(complex, field, is_bad, threads, counts);
     checksum.add(complex.state());
   }
   out << "| " << name << " | " << number_of_fields << " | " << counts.refused << " | "
@@ -203,7 +204,8 @@ Complex abuse(const std::string& name, const Complex& initial, std::size_t numbe
   return complex;
 }
 
-void run(std::size_t number_of_fields, std::uint64_t seed, const std::string& checkpoint) {
+void run(std::size_t number_of_fields, std::uint64_t seed, unsigned threads,
+         const std::string& checkpoint) {
   Random_fields fields(seed);
   Checksum checksum;
   std::ostringstream out;
@@ -212,10 +214,10 @@ void run(std::size_t number_of_fields, std::uint64_t seed, const std::string& ch
          "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | "
          "---: |\n";
   abuse("ball", small_meshes::make_complex(small_meshes::grid(8, small_meshes::ball)),
-        number_of_fields / 2, fields, checksum, out);
+        number_of_fields / 2, threads, fields, checksum, out);
   const Complex last = abuse(
       "quadrants", small_meshes::make_complex(small_meshes::grid(6, small_meshes::four_phases)),
-      number_of_fields - number_of_fields / 2, fields, checksum, out);
+      number_of_fields - number_of_fields / 2, threads, fields, checksum, out);
   out << "\nEvery state was valid. CRC-32 of all states: " << std::hex << checksum.value() << '\n';
   std::cout << out.str();
   if (!checkpoint.empty())
@@ -228,13 +230,15 @@ int main(int argc, char** argv) {
   CLI::App app("Deforms small complexes at random and checks that they stay valid.");
   std::size_t number_of_fields = 2000;
   std::uint64_t seed = 1;
+  unsigned threads = 1;
   std::string checkpoint;
   app.add_option("--fields", number_of_fields, "number of displacement fields");
   app.add_option("--seed", seed, "of the random numbers");
+  app.add_option("--threads", threads, "number of threads");
   app.add_option("--checkpoint", checkpoint, "a file for the last complex and what is printed");
   CLI11_PARSE(app, argc, argv);
   try {
-    run(number_of_fields, seed, checkpoint);
+    run(number_of_fields, seed, threads, checkpoint);
     return EXIT_SUCCESS;
   } catch (const std::exception& error) {
     std::cerr << "random_abuse: " << error.what() << '\n';

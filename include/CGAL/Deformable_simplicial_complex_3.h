@@ -13,6 +13,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Label_totals.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/assemble_triangulation.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/check_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/hilbert_order.h>
 #include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
 #include <CGAL/Deformable_simplicial_complex_cell_base_3.h>

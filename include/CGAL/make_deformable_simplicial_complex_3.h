@@ -32,11 +32,12 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-template <class Complex, class NP> void improve_if_asked(Complex& dsc, const NP& np) {
+template <class Complex, class NP> void finish(Complex& dsc, const NP& np) {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   if (choose_parameter(get_parameter(np, internal_np::improve), true))
     improve_mesh(dsc, np);
+  dsc.sort_storage();
 }
 
 // check, normalize, enclose, tetrahedralize, label, assign, improve
@@ -80,7 +81,7 @@ Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
   dsc.assign(points, mesh.tetrahedra, label_tetrahedra(mesh.tetrahedra, walls, surface_labels));
   const Coordinates_3& t = frame.translation();
   dsc.set_normalization({{t[0], t[1], t[2]}, frame.scale()});
-  improve_if_asked(dsc, np);
+  finish(dsc, np);
   return dsc;
 }
 
@@ -239,9 +240,8 @@ Complex make_deformable_simplicial_complex_3(
   namespace internal = Deformable_simplicial_complexes::internal;
   Complex dsc;
   internal::orient_tetrahedra(points, tetrahedra, dsc.geom_traits());
-  internal::check_ball(points, tetrahedra, dsc.geom_traits());
   dsc.assign(points, tetrahedra, labels);
-  internal::improve_if_asked(dsc, np);
+  internal::finish(dsc, np);
   return dsc;
 }
 

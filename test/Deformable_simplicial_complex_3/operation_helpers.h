@@ -35,22 +35,21 @@ inline double quality(const Complex& dsc, Vertex_handle p, Vertex_handle q, Vert
   return dsc.quality_measure()(dsc.position(p), dsc.position(q), dsc.position(r), dsc.position(s));
 }
 
-// A point below and one above the origin, and a ring of n more around them, counterclockwise.
+// The ends of an upright edge inside a ring of n more points, counterclockwise. The edge is not in
+// the middle, so that some of the tetrahedra around it are thin.
 inline std::vector<Point> apices_and_ring(std::size_t n, double disorder, double height,
                                           Random& random) {
   std::vector<Point> points;
-  const double stretch = random(1, 1 + 10 * disorder);
-  const auto add = [&](double radius, double angle, double z) {
-    points.emplace_back(stretch * radius * std::cos(angle), radius * std::sin(angle), z);
-  };
+  const double x = random(0, .8);
   for (double z : {-height, height}) {
-    const double radius = random(0, disorder);
-    add(radius, random(0, 2 * CGAL_PI), z);
+    const double y = random(-disorder, disorder);
+    points.emplace_back(x + random(-disorder, disorder), y, z);
   }
   for (std::size_t k = 0; k < n; ++k) {
     const double radius = 1 + random(-disorder, disorder),
                  angle = 2 * CGAL_PI * (double(k) + random(-disorder, disorder)) / double(n);
-    add(radius, angle, height * random(-disorder, disorder));
+    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
+                        height * random(-disorder, disorder));
   }
   return points;
 }

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <string>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -27,23 +27,36 @@ struct Cell_facet
   int index;
 };
 
-// All facets of the cells, equal ones next to each other.
-inline std::vector<Cell_facet> sorted_facets(const std::vector<Cell_vertices>& cells) {
-  std::vector<Cell_facet> facets;
-  facets.reserve(4 * cells.size());
-  for(std::size_t c = 0; c < cells.size(); ++c)
-    for(int i = 0; i < 4; ++i) {
-      std::array<std::size_t, 3> f;
-      std::size_t* out = f.data();
-      for(int j = 0; j < 4; ++j)
-        if(j != i)
-          *out++ = cells[c][j];
+// All facets of the cells, equal ones next to each other, those of earlier cells first. A bucket for each
+// smallest vertex leaves little to sort.
+inline std::vector<Cell_facet> sorted_facets(const std::vector<Cell_vertices>& cells)
+{
+  std::vector<Cell_facet> unsorted;
+  unsorted.reserve(4 * cells.size());
+  std::vector<std::size_t> bucket_ends;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    for (int i = 0; i < 4; ++i) {
+      std::array<std::size_t, 3> f = {cells[c][(i + 1) % 4], cells[c][(i + 2) % 4],
+                                      cells[c][(i + 3) % 4]};
       std::sort(f.begin(), f.end());
-      facets.push_back({f, c, i});
+      unsorted.push_back({f, c, i});
+      if (bucket_ends.size() < f[0] + 2)
+        bucket_ends.resize(f[0] + 2, 0);
+      ++bucket_ends[f[0] + 1];
     }
-  std::sort(facets.begin(), facets.end(), [](const Cell_facet& a, const Cell_facet& b) {
-    return a.vertices != b.vertices ? a.vertices < b.vertices : a.cell < b.cell;
-  });
+  std::partial_sum(bucket_ends.begin(), bucket_ends.end(), bucket_ends.begin());
+  std::vector<Cell_facet> facets(unsorted.size());
+  for (const Cell_facet& f : unsorted)
+    facets[bucket_ends[f.vertices[0]]++] = f;
+  for (auto first = facets.begin(); first != facets.end();) {
+    const auto last = facets.begin() + bucket_ends[first->vertices[0]];
+    std::sort(first, last, [](const Cell_facet& f, const Cell_facet& g) {
+      return f.vertices[1] != g.vertices[1]   ? f.vertices[1] < g.vertices[1]
+             : f.vertices[2] != g.vertices[2] ? f.vertices[2] < g.vertices[2]
+                                              : f.cell < g.cell;
+    });
+    first = last;
+  }
   return facets;
 }
 

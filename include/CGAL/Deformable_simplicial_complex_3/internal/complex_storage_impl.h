@@ -83,6 +83,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
         who.push_back(vertex_order[v - 1]);
     throw Invalid_tetrahedra_error(e.what(), where, who);
   }
+  internal::check_ball(points, tetrahedra, geom_traits());
   result.initialize_boundary_classes();
   result.initialize_caches();
   result.initialize_edge_lengths();

@@ -1,0 +1,120 @@
+#!/usr/bin/env bash
+# Builds the benchmarks, runs them on the meshes of CGAL, and writes tables and raw results into
+# BUILD_DIR/benchmark-results. See README.md for what is measured.
+# Usage: benchmark/run.sh [BUILD_DIR [motion] [memory] [operations] [abuse] [meshes]]
+set -euo pipefail
+source=$(realpath "$(dirname "$0")/..")
+build=$(realpath --canonicalize-missing "${1:-$source/build}")
+parts=("${@:2}")
+[ ${#parts[@]} -gt 0 ] || parts=(motion memory operations abuse meshes)
+mesh_seconds=${MESH_SECONDS:-600} # the time limit of one mesh in `meshes`
+
+programs=$build/benchmark
+meshes=$build/data/meshes
+results=$build/benchmark-results
+failures=0
+
+begin_table() { # TABLE COLUMN...
+  { printf '| %s ' "${@:2}"; printf '|\n'; printf '| --- %.0s' "${@:2}"; printf '|\n'; } >"$1"
+}
+
+add_row() { # TABLE PROGRAM ARGUMENT...
+  echo "${*:2}"
+  "${@:2}" >>"$1" || fail "$1" "${*:2}" $?
+}
+
+fail() { # TABLE WHAT EXIT_CODE
+  echo "| **failed** with exit code $3: ${2##*/} |" >>"$1"
+  failures=$((failures + 1))
+}
+
+measure_motion() {
+  begin_table "$results/rotation.md" input triangles tetrahedra "sweep (ms)" valid \
+    "incomplete steps" "distance / box side" "vanished vertices" "unchanged triangles" \
+    "sweeps per step, mean" "maximum"
+  begin_table "$results/offset.md" input triangles tetrahedra "sweep (ms)" valid \
+    "incomplete steps" "unfinished vertices" "maximum" "angles outside 6–171°" \
+    "volume start → out → back" "components" "sweeps per step, mean" "maximum"
+  local mode
+  for mode in rotation offset; do
+    measure_one_motion eight "$meshes/eight.off"
+    measure_one_motion two_spheres two_spheres
+    measure_one_motion bunny00 "$meshes/bunny00.off" --triangles 13900
+    measure_one_motion elephant "$meshes/elephant.off"
+    measure_one_motion armadillo "$meshes/armadillo.off"
+    measure_one_motion refined_elephant "$meshes/refined_elephant.off"
+  done
+}
+
+measure_one_motion() { # NAME INPUT..., in the variable `mode`
+  add_row "$results/$mode.md" "$programs/motion_benchmark" "$mode" "${@:2}" \
+    --json "$results/$mode-$1.json"
+}
+
+measure_memory() {
+  begin_table "$results/memory.md" input tetrahedra cells vertices other "all" resident
+  add_row "$results/memory.md" "$programs/memory_benchmark" "$meshes/bunny00.off" \
+    --triangles 13900 --json "$results/memory-bunny00.json"
+  add_row "$results/memory.md" "$programs/memory_benchmark" "$meshes/refined_elephant.off" \
+    --json "$results/memory-refined_elephant.json"
+}
+
+measure_operations() {
+  "$programs/operations_benchmark" "$meshes/eight.off" \
+    --benchmark_out="$results/operations.json" --benchmark_out_format=json |
+    tee "$results/operations.txt" || fail "$results/operations.txt" operations_benchmark $?
+}
+
+# Three runs must agree to the last bit.
+measure_abuse() {
+  local table=$results/random_abuse.md abuse=$programs/random_abuse run
+  : >"$table"
+  add_row "$table" "$abuse" --checkpoint "$results/random_abuse-1.dsc"
+  add_row /dev/null "$abuse" --checkpoint "$results/random_abuse-2.dsc" --threads 2
+  add_row /dev/null setarch "$(uname -m)" --addr-no-randomize \
+    "$abuse" --checkpoint "$results/random_abuse-3.dsc"
+  for run in 2 3; do
+    cmp "$results/random_abuse-1.dsc" "$results/random_abuse-$run.dsc" ||
+      fail "$table" "run $run differs" 1
+  done
+}
+
+measure_meshes() {
+  local table=$results/all_meshes.md mesh code
+  begin_table "$table" file triangles outcome tetrahedra "seconds" "incomplete steps"
+  for mesh in "$meshes"/*.{off,ply,stl}; do
+    echo "all_meshes $mesh"
+    code=0
+    timeout "$mesh_seconds" "$programs/all_meshes" "$mesh" >>"$table" || code=$?
+    case $code in
+      0) ;;
+      1) failures=$((failures + 1)) ;; # says so itself
+      124) echo "| ${mesh##*/} | – | not done in $mesh_seconds s | – | – | – |" >>"$table" ;;
+      *) fail "$table" "$mesh" $code ;;
+    esac
+  done 2>"$results/all_meshes.log"
+  {
+    echo
+    echo "$(grep -c '| rotates |' "$table") rotate," \
+      "$(grep -c '| refused:' "$table") are refused," \
+      "$(grep -c '| not done in' "$table") take too long," \
+      "$(grep -c '\*\*' "$table") fail."
+  } >>"$table"
+}
+
+"$source/scripts/install_dependencies.sh"
+[ -f "$build/CMakeCache.txt" ] ||
+  cmake -S "$source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release
+cmake --build "$build" --target benchmarks --parallel "$(nproc)"
+mkdir -p "$results"
+tar --extract --gzip --file /usr/share/doc/libcgal-dev/data.tar.gz --directory "$build" data/meshes
+{
+  grep --max-count=1 'model name' /proc/cpuinfo || uname -m
+  "${CXX:-c++}" --version | head -n 1
+} >"$results/machine.txt"
+
+for part in "${parts[@]}"; do
+  "measure_$part"
+done
+echo "Results in $results, $failures failures"
+[ "$failures" -eq 0 ]
