@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -117,6 +118,7 @@ public:
       result += step[key].get<double>();
     return result;
   }
+  std::size_t count(const char* key) const { return std::size_t(sum(key)); }
   double mean(const char* key) const { return sum(key) / double(m_steps.size()); }
   double maximum(const char* key) const {
     double result = 0;
@@ -147,7 +149,7 @@ Json rotate(Complex& complex, Steps& steps) {
   const double largest =
       distances.empty() ? 0 : *std::max_element(distances.begin(), distances.end());
   return {{"valid", check(complex)},
-          {"incomplete_steps", steps.sum("incomplete")},
+          {"incomplete_steps", steps.count("incomplete")},
           {"largest_distance", largest / (box.xmax() - box.xmin())},
           {"vanished_vertices", initial.number_of_vertices() - distances.size()},
           {"unchanged_triangles", initial.unchanged_triangles(complex)}};
@@ -177,10 +179,10 @@ Json offset(Complex& complex, Steps& steps) {
     volumes.push_back(volume(complex));
     components.push_back(complex.number_of_components(1));
   }
-  return {{"valid", steps.sum("invalid") == 0},
-          {"incomplete_steps", steps.sum("incomplete")},
-          {"unfinished_vertices", steps.sum("unfinished_vertices")},
-          {"unfinished_vertices_maximum", steps.maximum("unfinished_vertices")},
+  return {{"valid", steps.count("invalid") == 0},
+          {"incomplete_steps", steps.count("incomplete")},
+          {"unfinished_vertices", steps.count("unfinished_vertices")},
+          {"unfinished_vertices_maximum", std::size_t(steps.maximum("unfinished_vertices"))},
           {"angles_outside_6_171", steps.maximum("angles_outside_6_171")},
           {"volumes", volumes},
           {"components", components}};

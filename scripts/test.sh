@@ -6,13 +6,13 @@ jobs=$(nproc)
 
 scripts/install_dependencies.sh
 
-echo "== Release"
-cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
+echo "== Release: the program, the installed package, examples and benchmarks"
+cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DDSC_BUILD_UNIT_TESTS=OFF
 cmake --build build --parallel "$jobs"
 ctest --test-dir build --output-on-failure --no-tests=error --parallel "$jobs"
 
-# Only the tests, optimized a little: unoptimized CGAL is too slow to run them.
-echo "== Debug, with the address and undefined behaviour sanitizers"
+# The headers, with CGAL's own checks; optimized a little, as unoptimized CGAL is too slow to run.
+echo "== Debug with the address and undefined behaviour sanitizers: everything else"
 cmake -S . -B build-checked -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" \
   -DDSC_SANITIZE=ON -DDSC_BUILD_PROGRAM=OFF -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_BENCHMARKS=OFF
 cmake --build build-checked --parallel "$jobs"

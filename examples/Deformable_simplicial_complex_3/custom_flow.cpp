@@ -17,8 +17,9 @@ using Point = Complex::Approximate_point_3;
 using Vector = Complex::Approximate_vector_3;
 using Mesh = CGAL::Surface_mesh<Complex::Point_3>;
 
-// A model of InterfaceVelocity_3. Each vertex goes where the area of the interface decreases fastest,
-// that is, with the mean curvature of a surface. Where several labels meet, all sheets pull.
+// A model of InterfaceVelocity_3. Each vertex goes where the area of the interface decreases
+// fastest, that is, with the mean curvature of a surface. Where several labels meet, all sheets
+// pull.
 struct Area_decrease
 {
   void operator()(const CGAL::Interface_snapshot_3<Complex>& interface_,

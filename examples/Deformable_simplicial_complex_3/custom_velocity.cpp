@@ -37,7 +37,8 @@ int main(int argc, char* argv[]) {
   // volumes, and in the end everything is where it began.
   const double period = 2;
   const auto vortex = [=](const Point& p, double t) {
-    const double angular = std::cos(CGAL_PI * t / period) * std::exp(-p.x() * p.x() - p.y() * p.y());
+    const double angular =
+        std::cos(CGAL_PI * t / period) * std::exp(-p.x() * p.x() - p.y() * p.y());
     return 2 * angular * Vector(-p.y(), p.x(), 0);
   };
 

@@ -46,12 +46,15 @@ template <class Function> void report_errors(const Function& function) {
 
 int main() {
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
-  const auto no_tetrahedralizer = [](const auto&, const auto&) { return CGAL::Tetrahedralization_3(); };
+  const auto no_tetrahedralizer = [](const auto&, const auto&) {
+    return CGAL::Tetrahedralization_3();
+  };
   const auto make = [&](const Surface& surface) {
     return CGAL::make_deformable_simplicial_complex_3<Complex>(std::vector<Surface>{surface},
                                                                no_tetrahedralizer);
   };
-  const std::vector<std::array<std::size_t, 3>> facets = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  const std::vector<std::array<std::size_t, 3>> facets = {
+      {0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
 
   // A surface with a hole; then one without, and a tetrahedralizer that returns nothing
   report_errors([&] { make({points, {facets[0], facets[1], facets[2]}, 1}); });

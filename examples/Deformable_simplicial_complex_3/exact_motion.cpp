@@ -12,7 +12,7 @@ using Vertex_handle = Complex::Vertex_handle;
 
 int main() {
   // An octahedron in eight tetrahedra around its center, which is the last point
-  const std::vector<Point> points = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0}, {0, -1, 0},
+  const std::vector<Point> points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0},
                                      {0, 0, 1}, {0, 0, -1}, {0, 0, 0}};
   const std::vector<std::array<std::size_t, 4>> tetrahedra = {
       {2, 0, 4, 6}, {1, 2, 4, 6}, {3, 1, 4, 6}, {0, 3, 4, 6},
@@ -34,8 +34,8 @@ int main() {
   // Inside its star a vertex goes wherever it is asked to.
   print(complex.move_vertex(center, Point(.25, .25, .25)));
 
-  // It stays strictly inside of it: however close it comes to the facet x + y + z = 1, no tetrahedron
-  // becomes flat.
+  // It stays strictly inside of it: however close it comes to the facet x + y + z = 1, no
+  // tetrahedron becomes flat.
   print(complex.move_vertex(center, Point(2, 2, 2)));
 
   // The question can be asked without moving anything.
@@ -45,8 +45,8 @@ int main() {
     std::cout << "at " << q << (complex.is_positive_star(center, star, q) ? ": valid" : ": invalid")
               << std::endl;
 
-  // A vertex of the boundary of a domain that is no box has nowhere to go: its admissible destination
-  // is where it is.
+  // A vertex of the boundary of a domain that is no box has nowhere to go: its admissible
+  // destination is where it is.
   std::cout << "admissible destination: "
             << complex.admissible_destination(vertices[0], Point(3, 0, 0)) << std::endl;
 

@@ -38,8 +38,8 @@ int main() {
       if (CGAL::orientation(points[t[0]], points[t[1]], points[t[2]], points[t[3]]) < 0)
         std::swap(t[2], t[3]);
       tetrahedra.push_back(t);
-      labels.push_back(label_at(
-          CGAL::centroid(points[t[0]], points[t[1]], points[t[2]], points[t[3]])));
+      labels.push_back(
+          label_at(CGAL::centroid(points[t[0]], points[t[1]], points[t[2]], points[t[3]])));
     } while (std::next_permutation(axes.begin(), axes.end()));
   }
 

@@ -43,10 +43,10 @@ int main() {
   std::array<Cavity::Index, 4> corners;
   for (int k = 0; k < 4; ++k)
     corners[k] = cavity.add(c->vertex(k));
-  const Cavity::Index inserted = cavity.add(
-      CGAL::centroid(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point(),
-                     c->vertex(3)->point()),
-      CGAL::Boundary_class::inside);
+  const Cavity::Index inserted =
+      cavity.add(CGAL::centroid(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point(),
+                                c->vertex(3)->point()),
+                 CGAL::Boundary_class::inside);
   for (int k = 0; k < 4; ++k) {
     std::array<Cavity::Index, 4> tetrahedron = corners;
     tetrahedron[k] = inserted;

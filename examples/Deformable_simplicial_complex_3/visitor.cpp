@@ -16,8 +16,9 @@ using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
 using Vertex_handle = Complex::Vertex_handle;
 
-// Keeps a temperature for each vertex while vertices come and go. Handles are compared by the creation
-// of their vertices and not by addresses, so that the order in the map is the same in each run.
+// Keeps a temperature for each vertex while vertices come and go. Handles are compared by the
+// creation of their vertices and not by addresses, so that the order in the map is the same in each
+// run.
 struct Temperatures : public CGAL::Deformation_visitor_3
 {
   std::map<Vertex_handle, double> temperature;

@@ -1,0 +1,80 @@
+/*!
+\ingroup PkgDeformableSimplicialComplex3Concepts
+\cgalConcept
+
+The vertex of a `CGAL::Deformable_simplicial_complex_3`: besides a point it keeps what the complex wants to
+know about the vertex without looking at the cells around it. Each value is what the last call of its
+setter made it; setters are called by the complex only. Copies have equal values, time stamps
+included.
+
+\cgalRefines `TriangulationVertexBase_3`
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Deformable_simplicial_complex_vertex_base_3<Traits\, Vb>}
+\cgalHasModelsEnd
+*/
+class DeformableSimplicialComplexVertexBase_3
+{
+public:
+  /// `DeformableSimplicialComplexTraits_3::Point_3`
+  typedef unspecified_type Point;
+
+  /// `CGAL::Tag_true`: the container of the vertices numbers them in the order of their creation.
+  typedef CGAL::Tag_true Has_timestamp;
+
+  /// \name Order of Creation
+  /// @{
+
+  /// the number in the order of creation; `std::size_t(-1)` for a simplex outside a container.
+  std::size_t time_stamp() const;
+
+  /// sets `time_stamp()`.
+  void set_time_stamp(std::size_t stamp);
+
+  /// @}
+
+  /// \name Place in the Complex
+  /// @{
+
+  /// whether a facet between two labels is incident; false for a new vertex.
+  bool is_interface() const;
+
+  /// sets `is_interface()`.
+  void set_interface(bool is_interface);
+
+  /// the sides of the domain on which the vertex lies, see `CGAL::Boundary_class`; 0 for a new vertex.
+  std::uint8_t boundary_class() const;
+
+  /// sets `boundary_class()`.
+  void set_boundary_class(std::uint8_t boundary_class);
+
+  /// @}
+  /// \name Destination
+  /// @{
+
+  /// whether the vertex is on its way to somewhere; false for a new vertex.
+  bool has_destination() const;
+
+  /// where to. \pre `has_destination()`
+  const Point& destination() const;
+
+  /// From now on, `has_destination()` is true.
+  void set_destination(const Point& destination);
+
+  /// From now on, `has_destination()` is false.
+  void clear_destination();
+
+  /// @}
+  /// \name Numbering
+  /// An index into some list of vertices, for whoever makes one. Others may have overwritten it: the
+  /// vertex is in a list only if the list has it at this index.
+  /// @{
+
+  /// the index.
+  std::uint32_t scratch_index() const;
+
+  /// sets `scratch_index()`.
+  void set_scratch_index(std::uint32_t index);
+
+  /// @}
+};

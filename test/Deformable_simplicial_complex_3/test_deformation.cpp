@@ -1,0 +1,391 @@
+#include "mesh_helpers.h"
+
+#include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/advect_interface_3.h>
+#include <CGAL/deform_interface_3.h>
+#include <CGAL/interface_flows_3.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace {
+
+using CGAL::Deformable_simplicial_complexes::Invalid_destination_error;
+using mesh_helpers::interface_triangles;
+using small_meshes::Complex;
+using small_meshes::grid;
+using small_meshes::make_complex;
+using small_meshes::Point;
+using Position = Complex::Approximate_point_3;
+using Vector = Complex::Approximate_vector_3;
+using Report = CGAL::Deformation_report<Complex>;
+using Vertex_handle = Complex::Vertex_handle;
+using Cell_handle = Complex::Cell_handle;
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Two cubes of side 1/2 whose centers are one apart, in grids of 8^3 cubes.
+int two_cubes(const Point& p) {
+  return (std::max)({std::abs(std::abs(p.x()) - .5), std::abs(p.y()), std::abs(p.z())}) < .25;
+}
+
+// The cube [-1/2,1/2]^3 cut into four phases that meet in a line.
+int four_phases_in_cube(const Point& p) {
+  return small_meshes::cube(p) == 0 ? 0 : 1 + small_meshes::four_phases(p);
+}
+
+// What a report says about the complex is true.
+void expect_true(const Report& report, const Complex& dsc) {
+  EXPECT_TRUE(dsc.is_valid());
+  EXPECT_EQ(report.complete, report.unfinished.empty());
+  for (const auto& change : report.labels) {
+    EXPECT_EQ(change.volume_after, dsc.volume(change.label));
+    EXPECT_EQ(change.after, dsc.number_of_components(change.label));
+    EXPECT_EQ(change.before + change.split + change.appeared,
+              change.after + change.merged + change.vanished);
+  }
+  for (int label : dsc.labels())
+    EXPECT_EQ(std::count_if(report.labels.begin(), report.labels.end(),
+                            [&](const auto& change) { return change.label == label; }),
+              1);
+  for (Vertex_handle v : dsc.vertices())
+    EXPECT_FALSE(v->has_destination());
+}
+
+// Deforms by displacements that depend on the position.
+template <class Displacement, class... NamedParameters>
+Report deform(Complex& dsc, const Displacement& displacement, const NamedParameters&... np) {
+  const auto report = CGAL::deform_interface(
+      dsc,
+      [&](Vertex_handle v) {
+        return mesh_helpers::exact_point(dsc, dsc.position(v) + displacement(dsc.position(v)));
+      },
+      np...);
+  expect_true(report, dsc);
+  return report;
+}
+
+std::vector<Position> positions(const Complex& dsc, const std::vector<Vertex_handle>& vertices) {
+  std::vector<Position> result;
+  for (Vertex_handle v : vertices)
+    result.push_back(dsc.position(v));
+  return result;
+}
+
+double largest_distance(const std::vector<Position>& p, const std::vector<Position>& q) {
+  double squared = 0;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    squared = (std::max)(squared, (p[i] - q[i]).squared_length());
+  return std::sqrt(squared);
+}
+
+} // namespace
+
+// Rigid motions
+
+// All the way around an axis: neither the vertices nor the triangles of the interface change.
+TEST(Deformation, ball_rotates_without_remeshing) {
+  Complex dsc = make_complex(grid(6, small_meshes::ball));
+  const auto vertices = dsc.interface_vertices();
+  const auto before = positions(dsc, vertices);
+  const double volume = dsc.volume(1), area = dsc.area(1);
+  const std::size_t triangles = dsc.interface_facets().size();
+  const CGAL::Rigid_rotation_3 rotation({0, 0, 0}, {1, 2, 3}, CGAL_PI / 180);
+  for (int angle = 0; angle < 360; angle += 20) {
+    const Report report = CGAL::advect_interface(dsc, rotation, angle, 20);
+    expect_true(report, dsc);
+    EXPECT_TRUE(report.complete);
+    EXPECT_EQ(report.relabeled, 0u);
+    ASSERT_EQ(dsc.interface_vertices(), vertices);
+    EXPECT_NEAR(dsc.volume(1), volume, 1e-12);
+  }
+  EXPECT_LT(largest_distance(positions(dsc, vertices), before), 1e-12);
+  EXPECT_NEAR(dsc.area(1), area, 1e-12);
+  EXPECT_EQ(dsc.interface_facets().size(), triangles);
+}
+
+TEST(Deformation, cube_moves_to_the_side_and_back) {
+  Complex dsc = make_complex(grid(4, small_meshes::cube));
+  const auto triangles = interface_triangles(dsc);
+  for (double step : {.125, .125, -.25, -.25, .25}) {
+    const Report report = deform(dsc, [&](const Position&) { return Vector(step, step / 2, 0); });
+    EXPECT_TRUE(report.complete);
+    EXPECT_NEAR(dsc.volume(1), 1, 1e-12);
+    EXPECT_NEAR(dsc.area(1), 6, 1e-12);
+  }
+  EXPECT_TRUE(interface_triangles(dsc) == triangles);
+}
+
+// Triple lines and points, where four phases meet each other and the outside.
+TEST(Deformation, four_phases_rotate) {
+  Complex dsc = make_complex(grid(4, four_phases_in_cube));
+  const auto labels = dsc.labels();
+  const CGAL::Rigid_rotation_3 rotation({0, 0, 0}, {0, 0, 1}, CGAL_PI / 180);
+  for (int step = 0; step < 6; ++step) {
+    const Report report = CGAL::advect_interface(dsc, rotation, 15 * step, 15);
+    expect_true(report, dsc);
+    EXPECT_TRUE(report.complete);
+    ASSERT_EQ(dsc.labels(), labels);
+    for (int label : {1, 2, 3, 4}) {
+      EXPECT_NEAR(dsc.volume(label), .25, 1e-12);
+      EXPECT_EQ(dsc.number_of_components(label), 1u);
+      EXPECT_EQ(dsc.euler_characteristic(label), 2);
+    }
+    EXPECT_NEAR(dsc.area(1, 4), 0, 1e-12);
+    EXPECT_NEAR(dsc.area(1, 2), .5, 1e-12);
+    EXPECT_NEAR(dsc.area(1, 3), .5, 1e-12);
+  }
+}
+
+// Nothing to do, and what cannot be done
+
+TEST(Deformation, to_where_everything_is_changes_nothing) {
+  Complex dsc = mesh_helpers::jittered_grid(4, small_meshes::two_boxes, .4, 1);
+  const auto state = dsc.state();
+  const Report report = deform(dsc, [](const Position&) { return Vector(0, 0, 0); });
+  EXPECT_TRUE(report.complete);
+  EXPECT_EQ(report.passes, 0u);
+  EXPECT_TRUE(dsc.state() == state);
+  Complex empty;
+  EXPECT_TRUE(deform(empty, [](const Position&) { return Vector(1, 0, 0); }).complete);
+}
+
+TEST(Deformation, destinations_that_are_no_points_are_refused) {
+  Complex dsc = make_complex(grid(4, small_meshes::cube));
+  const auto vertices = dsc.interface_vertices();
+  const auto state = dsc.state();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (double bad : {nan, infinity, -infinity})
+    for (int axis = 0; axis < 3; ++axis)
+      try {
+        CGAL::deform_interface(dsc, [&](Vertex_handle v) {
+          const bool is_good = v != vertices[3] && v != vertices[20];
+          return is_good ? Point(.1, .2, .3)
+                         : Point(axis == 0 ? bad : 0, axis == 1 ? bad : 0, axis == 2 ? bad : 0);
+        });
+        ADD_FAILURE() << "accepted";
+      } catch (const Invalid_destination_error& e) {
+        EXPECT_EQ(e.vertices(), (std::vector<std::size_t>{3, 20}));
+        EXPECT_TRUE(dsc.state() == state);
+      }
+  EXPECT_THROW(CGAL::advect_interface(
+                   dsc, [&](const Position&, double) { return Vector(nan, 0, 0); }, 0, 1),
+               Invalid_destination_error);
+  EXPECT_TRUE(dsc.state() == state);
+  for (Vertex_handle v : dsc.vertices())
+    EXPECT_FALSE(v->has_destination());
+}
+
+TEST(Deformation, ends_within_the_passes_asked_for) {
+  for (unsigned passes : {0u, 1u, 3u}) {
+    Complex dsc = make_complex(grid(4, small_meshes::cube));
+    const auto state = dsc.state();
+    // far out of the domain
+    const Report report = deform(
+        dsc, [](const Position& p) { return 9 * (p - CGAL::ORIGIN); },
+        parameters::maximum_number_of_passes(passes));
+    EXPECT_LE(report.passes, passes);
+    EXPECT_FALSE(report.complete);
+    EXPECT_EQ(dsc.state() == state, passes == 0);
+  }
+}
+
+TEST(Deformation, tells_how_far_vertices_stayed) {
+  Complex dsc = make_complex(grid(4, small_meshes::cube));
+  const Report report = deform(
+      dsc, [](const Position& p) { return 9 * (p - CGAL::ORIGIN); },
+      parameters::maximum_number_of_passes(0u));
+  const auto vertices = dsc.interface_vertices();
+  ASSERT_EQ(report.unfinished.size(), vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    EXPECT_EQ(report.unfinished[i].vertex, vertices[i]);
+    EXPECT_NEAR(report.unfinished[i].distance,
+                9 * std::sqrt((dsc.position(vertices[i]) - CGAL::ORIGIN).squared_length()), 1e-12);
+  }
+}
+
+// Finite coordinates are accepted, even if their squares are not finite.
+TEST(Deformation, survives_destinations_at_the_end_of_the_numbers) {
+  for (double huge : {1e100, 1e200, 1e308}) {
+    Complex dsc = make_complex(grid(4, small_meshes::cube));
+    const Report report = deform(
+        dsc, [&](const Position& p) { return p.y() > 0 ? Vector(huge, 0, 0) : Vector(0, .1, 0); },
+        parameters::maximum_number_of_passes(3u));
+    EXPECT_LE(report.passes, 3u);
+  }
+}
+
+TEST(Deformation, stays_in_the_box) {
+  Complex dsc = make_complex(grid(4, small_meshes::four_phases));
+  const Report report = deform(dsc, [](const Position& p) {
+    return Vector(.1 - .2 * p.x() * p.y(), .1, p.z() + .5); // pulls at the top
+  });
+  for (Vertex_handle v : dsc.vertices())
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_LE(std::abs(dsc.position(v)[axis]), 1);
+      if (CGAL::Boundary_class::fixes(v->boundary_class(), axis)) {
+        EXPECT_EQ(std::abs(dsc.position(v)[axis]), 1);
+      }
+    }
+  double sum = 0;
+  for (int label : dsc.labels())
+    sum += dsc.volume(label);
+  EXPECT_NEAR(sum, 8, 1e-12);
+  EXPECT_LE(report.passes, 20u);
+}
+
+// The interface may slide along the box.
+TEST(Deformation, moves_along_the_sides_of_the_box) {
+  Complex dsc = make_complex(grid(4, [](const Point& p) { return p.x() < 0 ? 1 : 0; }));
+  for (int step = 0; step < 4; ++step)
+    EXPECT_TRUE(deform(dsc, [](const Position&) { return Vector(.1, 0, 0); }).complete);
+  EXPECT_NEAR(dsc.volume(1), 4 * 1.4, 1e-12);
+  EXPECT_NEAR(dsc.area(1), 4, 1e-12);
+}
+
+// Changes of topology
+
+namespace {
+
+// Sums the changes of components of label 1 over the steps in which all moves towards x = 0.
+CGAL::Component_change collide(Complex& dsc, int steps, double step) {
+  CGAL::Component_change sum;
+  for (int i = 0; i < steps; ++i) {
+    const Report report =
+        deform(dsc, [&](const Position& p) { return Vector(p.x() > 0 ? -step : step, 0, 0); });
+    for (const auto& change : report.labels)
+      if (change.label == 1) {
+        sum.merged += change.merged;
+        sum.split += change.split;
+        sum.vanished += change.vanished;
+        sum.appeared += change.appeared;
+      }
+  }
+  return sum;
+}
+
+} // namespace
+
+TEST(Deformation, two_cubes_merge) {
+  Complex dsc = make_complex(grid(8, two_cubes));
+  EXPECT_EQ(dsc.number_of_components(1), 2u);
+  const auto changes = collide(dsc, 4, .08);
+  EXPECT_EQ(changes.merged, 1u);
+  EXPECT_EQ(changes.split, 0u);
+  EXPECT_EQ(changes.vanished, 0u);
+  EXPECT_EQ(changes.appeared, 0u);
+  EXPECT_EQ(dsc.number_of_components(1), 1u);
+  EXPECT_EQ(dsc.number_of_components(0), 1u);
+}
+
+TEST(Deformation, two_balls_merge) {
+  Complex dsc = make_complex(grid(10, small_meshes::two_balls));
+  EXPECT_EQ(dsc.number_of_components(1), 2u);
+  const auto changes = collide(dsc, 4, .1);
+  EXPECT_EQ(changes.merged, 1u);
+  EXPECT_EQ(dsc.number_of_components(1), 1u);
+  EXPECT_EQ(dsc.euler_characteristic(1), 2);
+}
+
+// Visitors
+
+namespace {
+
+struct Counting_visitor : public CGAL::Deformation_visitor_3
+{
+  void after_split(Vertex_handle, Vertex_handle, Vertex_handle) { ++split; }
+  void before_collapse(Vertex_handle removed, Vertex_handle kept) {
+    EXPECT_NE(removed, kept);
+    ++collapsed;
+  }
+  void after_flip(const std::vector<Cell_handle>& cells) {
+    EXPECT_GE(cells.size(), 2u);
+    ++flipped;
+  }
+  void after_relabel(Cell_handle cell, int before) {
+    EXPECT_NE(cell->label(), before);
+    ++relabeled;
+  }
+  bool go_further(unsigned pass) {
+    EXPECT_EQ(pass, ++passes);
+    return pass <= maximum_number_of_passes;
+  }
+  std::size_t split = 0, collapsed = 0, flipped = 0, relabeled = 0;
+  unsigned passes = 0, maximum_number_of_passes = 1000;
+};
+
+Vector swirl(const Position& p) {
+  return .35 * Vector(std::sin(5 * p.y()), std::cos(4 * p.z()), std::sin(6 * p.x()));
+}
+
+} // namespace
+
+TEST(Deformation, visitor_sees_what_the_report_counts) {
+  Complex dsc = mesh_helpers::jittered_grid(6, small_meshes::two_boxes, .3, 2);
+  std::size_t changes = 0;
+  for (int step = 0; step < 3; ++step) {
+    Counting_visitor visitor;
+    const Report report = deform(dsc, swirl, parameters::visitor(std::ref(visitor)));
+    EXPECT_EQ(report.split, visitor.split);
+    EXPECT_EQ(report.collapsed, visitor.collapsed);
+    EXPECT_EQ(report.flipped, visitor.flipped);
+    EXPECT_EQ(report.relabeled, visitor.relabeled);
+    EXPECT_EQ(report.passes, visitor.passes);
+    changes += report.flipped + report.collapsed;
+  }
+  EXPECT_GT(changes, 10u);
+}
+
+TEST(Deformation, visitor_can_end_it) {
+  for (unsigned passes : {0u, 1u, 2u}) {
+    Complex dsc = make_complex(grid(4, small_meshes::cube));
+    const auto state = dsc.state();
+    Counting_visitor visitor;
+    visitor.maximum_number_of_passes = passes;
+    const Report report = deform(
+        dsc, [](const Position& p) { return 3 * (p - CGAL::ORIGIN); },
+        parameters::visitor(std::ref(visitor)));
+    EXPECT_EQ(report.passes, passes);
+    EXPECT_FALSE(report.complete);
+    EXPECT_EQ(dsc.state() == state, passes == 0);
+  }
+}
+
+TEST(Deformation, exception_of_the_visitor_leaves_a_valid_complex) {
+  struct Throwing_visitor : public CGAL::Deformation_visitor_3
+  {
+    void after_flip(const std::vector<Cell_handle>&) { throw std::runtime_error("no"); }
+  };
+  Complex dsc = mesh_helpers::jittered_grid(6, small_meshes::two_boxes, .3, 2);
+  Throwing_visitor visitor;
+  EXPECT_THROW(CGAL::deform_interface(
+                   dsc,
+                   [&](Vertex_handle v) {
+                     return mesh_helpers::exact_point(dsc,
+                                                      dsc.position(v) + swirl(dsc.position(v)));
+                   },
+                   parameters::visitor(std::ref(visitor))),
+               std::runtime_error);
+  EXPECT_TRUE(dsc.is_valid());
+  deform(dsc, swirl); // the next one does not remember
+}
+
+TEST(Deformation, is_deterministic) {
+  const auto run = [] {
+    Complex dsc = mesh_helpers::jittered_grid(6, small_meshes::two_boxes, .3, 2);
+    deform(dsc, swirl);
+    deform(dsc, swirl);
+    return dsc.state();
+  };
+  EXPECT_TRUE(run() == run());
+}
