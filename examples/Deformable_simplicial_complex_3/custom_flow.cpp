@@ -2,7 +2,6 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/advect_interface_3.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/subdivision_method_3.h>
@@ -45,18 +44,10 @@ struct Area_decrease
   }
 };
 
-int main(int argc, char* argv[]) {
+int main() {
   Mesh surface;
-  if (argc > 1) {
-    if (!CGAL::IO::read_polygon_mesh(argv[1], surface)) {
-      std::cerr << "cannot read " << argv[1] << std::endl;
-      return EXIT_FAILURE;
-    }
-  } else {
-    CGAL::make_icosahedron(surface, Complex::Point_3(0, 0, 0), 1.);
-    CGAL::Subdivision_method_3::Loop_subdivision(surface,
-                                                 CGAL::parameters::number_of_iterations(2));
-  }
+  CGAL::make_icosahedron(surface, Complex::Point_3(0, 0, 0), 1.);
+  CGAL::Subdivision_method_3::Loop_subdivision(surface, CGAL::parameters::number_of_iterations(2));
   Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
       surface, CGAL::Tetgen_tetrahedralizer_3(),
       CGAL::Deformable_simplicial_complexes::parameters::normalize(true));

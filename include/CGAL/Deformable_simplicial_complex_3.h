@@ -160,7 +160,8 @@ public:
   /// The cells around v, infinite ones included, in `star` (cleared first), v->cell() first.
   void star(Vertex_handle v, std::vector<Cell_handle>& star) const;
 
-  /// The coordinates the user sees: input and output files, volumes and areas in reports.
+  /// The coordinates that the user sees in files, see `Normalization`. Everything else, volumes and
+  /// areas included, is in the coordinates of the complex.
   const Normalization& normalization() const { return m_normalization; }
   void set_normalization(const Normalization& n) { m_normalization = n; }
   Approximate_point_3 user_position(Vertex_handle v) const
@@ -246,12 +247,13 @@ public:
   of a segment means positive between, as volumes are linear in one vertex.
 
   \param q finite coordinates; a vertex on a side of the domain goes to `admissible_destination()`.
-  \return the part of the way that v went, in [0, 1]; 1 means it is at q, exactly. At 0 its coordinates
-          are what they were, bit for bit.
+  \param margin the part of the way to the flat position that v keeps clear of it, in (0, 1).
+  \return the part of the way to its admissible destination that v went, in [0, 1]; 1 means it is
+          there, exactly. At 0 its coordinates are what they were, bit for bit.
 
   Linear in the star of v.
   */
-  double move_vertex(Vertex_handle v, const Point_3& q);
+  double move_vertex(Vertex_handle v, const Point_3& q, double margin = 1. / 1024);
 
   /// Puts v at p. \pre `star` is the star of v and `is_positive_star(v, star, p)`
   void set_point(Vertex_handle v, const std::vector<Cell_handle>& star, const Point_3& p);

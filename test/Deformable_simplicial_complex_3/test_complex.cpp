@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -285,6 +286,22 @@ TEST(Interface, edges_and_vertices_are_those_of_its_facets) {
   EXPECT_EQ(dsc.interface_vertices().size(), 45u);
   EXPECT_NEAR(dsc.mean_interface_edge(), .5 * (2 + std::sqrt(2.)) / 3, tolerance);
   EXPECT_EQ(dsc.minimum_interface_edge(), .5);
+}
+
+TEST(Interface, labels_are_any_numbers) {
+  static constexpr int smallest = std::numeric_limits<int>::min(),
+                       largest = std::numeric_limits<int>::max();
+  const auto label = [](const Point& p) {
+    return small_meshes::cube(p) == 0 ? -7 : p.x() < 0 ? smallest : largest;
+  };
+  const Complex dsc = make_complex(grid(4, label));
+  EXPECT_TRUE(dsc.is_valid());
+  EXPECT_EQ(dsc.labels(), (std::vector<int>{smallest, -7, largest}));
+  EXPECT_EQ(dsc.interface_facets().size(), 56u);
+  EXPECT_EQ(dsc.interface_facets(smallest, largest).size(), 8u);
+  EXPECT_NEAR(dsc.volume(-7), 7, tolerance);
+  EXPECT_NEAR(dsc.area(-7, smallest), 3, 1e-12);
+  EXPECT_EQ(dsc.number_of_components(largest), 1u);
 }
 
 // Measures

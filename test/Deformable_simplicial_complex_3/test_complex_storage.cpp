@@ -312,6 +312,15 @@ TEST(Is_valid, sees_what_was_tampered_with) {
   }
 }
 
+// Vertices of a side that is no plane would change the domain when they move along it.
+TEST(Is_valid, sees_sides_that_are_no_planes) {
+  const Complex dsc = make_complex(grid(2, small_meshes::uniform));
+  for (Vertex_handle v : dsc.vertices())
+    if (dsc.is_boundary(v))
+      v->set_boundary_class(1); // x minimum, also for those at x = 1
+  EXPECT_FALSE(dsc.is_valid());
+}
+
 // Without cells
 
 TEST(Empty_complex, state_can_be_restored) {

@@ -91,16 +91,23 @@ public:
     update_unfinished();
   }
 
-  // Algorithm 2 for those that could not go all the way together.
+  // Algorithm 2 for those that could not go all the way together. Where a cell is flat enough to be
+  // relabeled, coming still nearer would gain nothing.
   void move_one_by_one()
   {
-    for (Vertex_handle v : m_unfinished)
-      if (m_complex.move_vertex(v, v->destination()) > 0) {
-        m_complex.star(v, m_star);
-        for (Cell_handle c : m_star)
-          if (!m_complex.is_infinite(c))
-            touch(c);
-      }
+    static constexpr double margin = .25; // a cell that need not be thin yet can still be improved
+    for (Vertex_handle v : m_unfinished) {
+      m_complex.star(v, m_star);
+      const bool is_at_contact = std::any_of(m_star.begin(), m_star.end(), [&](Cell_handle c) {
+        return !m_complex.is_infinite(c) && c->quality() < m_relabeling_threshold;
+      });
+      if (is_at_contact && !m_complex.is_positive_star(v, m_star, v->destination()))
+        continue;
+      m_complex.move_vertex(v, v->destination(), margin);
+      for (Cell_handle c : m_star)
+        if (!m_complex.is_infinite(c))
+          touch(c);
+    }
     update_unfinished();
   }
 

@@ -40,8 +40,6 @@ public:
 
   const Improvement_report& report() const { return m_report; }
 
-  static constexpr double degenerate_cosine = .999; // of the angle that makes a facet degenerate
-
   // Improves the cells below the threshold, then those that arose from them, and so on.
   void improve(Cells cells, unsigned rounds)
   {
@@ -54,8 +52,7 @@ public:
         if (!m_complex.is_alive(c, item.time_stamp) || !is_bad(c))
           continue;
         if (!(reconnect(c, touched) || smooth(c, touched) || collapse(c, touched) ||
-              split(c, touched) ||
-              remove_degenerate_facet(c, degenerate_cosine, touched)))
+              split(c, touched)))
           m_complex.set_exhausted(c);
       }
       std::swap(cells, touched);

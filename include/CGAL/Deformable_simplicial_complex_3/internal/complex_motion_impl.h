@@ -61,7 +61,7 @@ bool CGAL_DSC_CLASS::is_positive_star(Vertex_handle v, const std::vector<Cell_ha
 }
 
 CGAL_DSC_TEMPLATE
-double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point_3& destination)
+double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point_3& destination, double margin)
 {
   const Point_3 q = admissible_destination(v, destination);
   if (q == v->point())
@@ -82,7 +82,7 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point_3& destination)
     if (is_infinite(c))
       continue;
     const auto f = facet_vertices(Facet(c, c->index(v)));
-    link.push_back({f[0]->point(), f[2]->point(), f[1]->point()});
+    link.push_back({f[0]->point(), f[1]->point(), f[2]->point()});
     const Approximate_point_3 a = approximate(link.back()[0]), b = approximate(link.back()[1]),
                               d = approximate(link.back()[2]);
     const double here = volume(position(v), a, b, d), there = volume(approximate(q), a, b, d);
@@ -91,11 +91,10 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point_3& destination)
   }
   way = (std::min)(way, geom_traits().link_intersection_3_object()(v->point(), q, link).parameter);
 
-  // Stay a little off the flat position; rounding may still ask for more distance.
+  // Rounding may ask for more distance than the margin.
   const Approximate_point_3 from = position(v), to = approximate(q);
-  static constexpr double backoff = 1 - 1. / 1024;
   static constexpr double negligible = 1e-12;
-  for (way *= backoff; way > negligible; way /= 2) {
+  for (way *= 1 - margin; way > negligible; way /= 2) {
     const Point_3 p = geom_traits().construct_exact_point_3_object()(from + way * (to - from));
     if (is_positive_star(v, m_star, p)) {
       if (p == v->point())

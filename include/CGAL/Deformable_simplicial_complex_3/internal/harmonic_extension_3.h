@@ -113,7 +113,7 @@ harmonic_extension(const Complex& complex, const std::vector<typename Complex::V
   Eigen::MatrixX3d solution(n, 3);
   for_each_index(3, [&](std::size_t axis) {
     Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver(matrix);
-    solver.setTolerance(1e-3);
+    solver.setTolerance(1e-2);
     solver.setMaxIterations(200);
     solution.col(axis) = solver.solve(right.col(axis));
   });

@@ -5,7 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_STAR_UNION_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_STAR_UNION_H
 
-#include <algorithm>
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -72,9 +73,13 @@ sorted_star_union(const Complex& complex,
   std::vector<std::pair<std::size_t, Cell_handle>> stamped;
   for (Cell_handle c : star_union(complex, vertices))
     stamped.emplace_back(c->time_stamp(), c);
-  std::sort(stamped.begin(), stamped.end(),
-            [](const auto& a, const auto& b) { return a.first < b.first; });
+  using Item = std::pair<std::size_t, Cell_handle>;
+  boost::sort::spreadsort::integer_sort(
+      stamped.begin(), stamped.end(),
+      [](const Item& item, unsigned shift) { return item.first >> shift; },
+      [](const Item& a, const Item& b) { return a.first < b.first; });
   std::vector<Cell_handle> result;
+  result.reserve(stamped.size());
   for (const auto& item : stamped)
     result.push_back(item.second);
   return result;
