@@ -102,6 +102,7 @@ private:
     using Cell_handle = typename Triangulation::Cell_handle;
     // New numbers begin above the old ones; cells that were never numbered have number 0.
     const Number first = (std::max)(Number(1), Number(m_labels.size()));
+    const std::vector<int> labels_before = std::move(m_labels);
     m_labels.clear();
     std::vector<Origin> origins;
     std::vector<Cell_handle> front;
@@ -112,7 +113,10 @@ private:
       m_labels.push_back(seed->label());
       const auto visit = [&](Cell_handle c) {
         const Origin origin(c->component(), component);
-        if (origins.empty() || origins.back() != origin)
+        // A cell that changed its label without a neighbor to join comes from no component of it.
+        const bool has_origin = origin.first < labels_before.size() &&
+                                labels_before[origin.first] == c->label();
+        if (has_origin && (origins.empty() || origins.back() != origin))
           origins.push_back(origin);
         c->set_component(first + component);
         front.push_back(c);

@@ -81,6 +81,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
     for (size_type v : e.vertices())
       if (v != 0)
         who.push_back(vertex_order[v - 1]);
+    std::sort(where.begin(), where.end());
     throw Invalid_tetrahedra_error(e.what(), where, who);
   }
   internal::check_ball(points, tetrahedra, geom_traits());
