@@ -288,6 +288,13 @@ public:
   /// Sets or forgets where an interface vertex is to go.
   void set_destination(Vertex_handle v, const Point_3& q) { v->set_destination(q); }
   void clear_destination(Vertex_handle v) { v->clear_destination(); }
+  /// Where v is to be in the end: its destination, or where it is if it has none.
+  Approximate_point_3 final_position(Vertex_handle v) const
+  {
+    return v->has_destination()
+               ? geom_traits().construct_approximate_point_3_object()(v->destination())
+               : position(v);
+  }
 
   /// @}
 

@@ -213,7 +213,7 @@ TEST(Assign, refuses_domains_that_are_no_ball) {
   refuse([&](const Point& p) { return infinity_norm(p.x(), p.y(), 0) > third; });
 }
 
-TEST(Assign, DISABLED_names_the_edge_or_vertex_where_the_domain_is_pinched) {
+TEST(Assign, names_the_edge_or_vertex_where_the_domain_is_pinched) {
   Labelled_mesh mesh = corner_tetrahedron();
   mesh.points.insert(mesh.points.end(), {Point(0, -1, 0), Point(0, 0, -1), Point(-1, 0, 0)});
   mesh.tetrahedra.push_back({0, 4, 5, 1}); // shares the edge from 0 to 1

@@ -134,7 +134,7 @@ TEST(Complex_storage, restored_states_continue_to_the_same_bits) {
   EXPECT_TRUE(continuation(restored) == continuation(dsc));
 }
 
-TEST(Complex_storage, DISABLED_impossible_states_are_refused) {
+TEST(Complex_storage, impossible_states_are_refused) {
   const auto state = make_complex(grid(2, small_meshes::four_phases)).state();
   Complex dsc = make_bars();
   const auto before = dsc.state();
@@ -313,7 +313,7 @@ TEST(Is_valid, sees_what_was_tampered_with) {
 }
 
 // Vertices of a side that is no plane would change the domain when they move along it.
-TEST(Is_valid, DISABLED_sees_sides_that_are_no_planes) {
+TEST(Is_valid, sees_sides_that_are_no_planes) {
   const Complex dsc = make_complex(grid(2, small_meshes::uniform));
   for (Vertex_handle v : dsc.vertices())
     if (dsc.is_boundary(v))
@@ -323,7 +323,7 @@ TEST(Is_valid, DISABLED_sees_sides_that_are_no_planes) {
 
 // Without cells
 
-TEST(Empty_complex, DISABLED_state_can_be_restored) {
+TEST(Empty_complex, state_can_be_restored) {
   const Complex empty;
   EXPECT_TRUE(empty.is_valid());
   Complex dsc = make_bars();
@@ -331,7 +331,7 @@ TEST(Empty_complex, DISABLED_state_can_be_restored) {
   EXPECT_EQ(dsc.number_of_cells(), 0u);
 }
 
-TEST(Empty_complex, DISABLED_storage_can_be_sorted) {
+TEST(Empty_complex, storage_can_be_sorted) {
   Complex dsc;
   ASSERT_NO_THROW(dsc.sort_storage());
   EXPECT_TRUE(dsc.is_valid());

@@ -157,7 +157,7 @@ TEST(Improve_mesh, keeps_degenerate_facets_of_the_interface) {
 }
 
 // Without interface there is no length that an edge could be long by.
-TEST(Improve_mesh, DISABLED_without_interface_makes_nothing_worse) {
+TEST(Improve_mesh, without_interface_makes_nothing_worse) {
   Complex dsc = make_complex(grid_with_thin_middle(small_meshes::uniform, .2));
   const std::size_t before = dsc.number_of_cells();
   improve(dsc, parameters::quality_threshold(.9));

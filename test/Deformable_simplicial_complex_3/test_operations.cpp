@@ -248,7 +248,7 @@ TEST(Multi_face_removal, is_best_of_all_sets_of_facets) {
 
 // A cavity stays good while nothing changes: other proposals and looks at the complex may come
 // between.
-TEST(Cavity, DISABLED_survives_everything_that_does_not_change_the_complex) {
+TEST(Cavity, survives_everything_that_does_not_change_the_complex) {
   Random random(9);
   Labelled_mesh mesh;
   Complex dsc;

@@ -49,8 +49,7 @@ public:
     std::vector<std::size_t> refused;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       destinations.push_back(destination(vertices[i]));
-      const auto q = approximate(destinations.back());
-      if (!std::isfinite(q.x()) || !std::isfinite(q.y()) || !std::isfinite(q.z()))
+      if (!is_finite(approximate(destinations.back())))
         refused.push_back(i);
     }
     if (!refused.empty())
@@ -80,11 +79,13 @@ public:
     std::vector<Point_3> targets;
     for (Vertex_handle v : m_unfinished)
       targets.push_back(v->destination());
-    for (std::size_t i = 0; i < free.size(); ++i)
-      if (solution[i] != Vector(0, 0, 0)) {
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      const auto target = m_complex.position(free[i]) + solution[i];
+      if (target != m_complex.position(free[i]) && is_finite(target)) {
         vertices.push_back(free[i]);
-        targets.push_back(exact(m_complex.position(free[i]) + solution[i]));
+        targets.push_back(exact(target));
       }
+    }
     Simultaneous_motion_3<Complex> motion(m_complex, vertices, targets, m_for_each_index);
     for (Cell_handle c : motion.run())
       touch(c);
@@ -131,8 +132,7 @@ public:
       for (Cell_handle c : m_star)
         if (!m_complex.is_infinite(c)) {
           cells.push(c);
-          if (!m_complex.is_positive_star(v, {c}, v->destination()))
-            relabel_if_trapped(c, swept);
+          relabel_if_trapped(c, swept);
         }
     }
     cells.sort();
@@ -175,10 +175,14 @@ public:
   }
 
 private:
+  static bool is_finite(const typename Complex::Approximate_point_3& p)
+  {
+    return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+  }
+
   Vector remaining(Vertex_handle v) const
   {
-    return m_complex.geom_traits().construct_approximate_point_3_object()(v->destination()) -
-           m_complex.position(v);
+    return m_complex.final_position(v) - m_complex.position(v);
   }
 
   // How far around its source a motion is felt: the farther it goes, the more space must give way.
@@ -199,11 +203,20 @@ private:
     return sum;
   }
 
+  // The quality of a cell with the interface in place.
+  double final_quality(Cell_handle c) const
+  {
+    const auto end = [&](int i) { return m_complex.final_position(c->vertex(i)); };
+    return m_complex.quality_measure()(end(0), end(1), end(2), end(3));
+  }
+
+  // A cell that is flat only on the way is left alone.
   void relabel_if_trapped(Cell_handle c, double threshold)
   {
     const auto before = c->label();
     auto label = before;
-    if (!propose_relabeling(m_complex, c, threshold, label))
+    if (!propose_relabeling(m_complex, c, threshold, label) ||
+        !(final_quality(c) < m_relabeling_threshold))
       return;
     m_complex.relabel(c, label);
     m_visitor.after_relabel(c, before);

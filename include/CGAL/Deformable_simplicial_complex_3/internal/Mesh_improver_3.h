@@ -17,7 +17,9 @@
 #include <CGAL/Deformable_simplicial_complex_3/vertex_smoothing_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -70,11 +72,11 @@ public:
   bool reconnect(Cell_handle c, Cells& touched)
   {
     for (int i = 0; i < 4; ++i)
-      if (propose_multi_face_removal(m_complex, c, i, m_cavity))
+      if (propose_multi_face_removal(m_complex, c, i, m_cavity) && !covers_interface())
         return flip(touched);
     for (int i = 0; i < 4; ++i)
       for (int j = i + 1; j < 4; ++j)
-        if (propose_edge_removal(m_complex, c, i, j, m_cavity))
+        if (propose_edge_removal(m_complex, c, i, j, m_cavity) && !covers_interface())
           return flip(touched);
     return false;
   }
@@ -126,7 +128,7 @@ public:
     const Vertex_handle v = c->vertex(a), w = c->vertex(b);
     const double split_length = 4 * m_complex.mean_interface_edge();
     const auto is_tied = [&](Vertex_handle u) { return u->is_interface() || m_complex.is_boundary(u); };
-    if (longest < split_length * split_length || !is_tied(v) || !is_tied(w) ||
+    if (!(split_length > 0) || longest < split_length * split_length || !is_tied(v) || !is_tied(w) ||
         m_complex.is_interface(typename Complex::Edge(c, a, b)) ||
         !propose_edge_split(m_complex, c, a, b, .5, m_cavity))
       return false;
@@ -175,11 +177,46 @@ public:
   }
 
 private:
+  // Whether a planned tetrahedron, with the interface in place, lies flat on two neighboring facets of
+  // it: it would be in the way until it is relabeled, and the interface would change where it need not.
+  bool covers_interface() const
+  {
+    static constexpr double flat = 1e-9; // up to rounding
+    const auto& vertices = m_cavity.vertices();
+    return std::any_of(
+        m_cavity.tetrahedra().begin(), m_cavity.tetrahedra().end(), [&](const auto& t) {
+          const auto vertex = [&](int i) { return vertices[t.vertices[i]].handle; };
+          const auto end = [&](int i) { return m_complex.final_position(vertex(i)); };
+          for (int i = 0; i < 4; ++i)
+            if (!vertex(i)->is_interface())
+              return false;
+          return std::abs(m_complex.quality_measure()(end(0), end(1), end(2), end(3))) < flat &&
+                 number_of_interface_facets({vertex(0), vertex(1), vertex(2), vertex(3)}) > 1;
+        });
+  }
+
+  // How many facets of a planned tetrahedron are on the interface.
+  int number_of_interface_facets(const std::array<Vertex_handle, 4>& vertices) const
+  {
+    int result = 0;
+    for (Cell_handle c : m_cavity.removed())
+      for (int i = 0; i < 4; ++i) {
+        const std::pair<Cell_handle, int> facet(c, i);
+        if (!m_complex.is_interface(facet))
+          continue;
+        const auto corners = m_complex.facet_vertices(facet);
+        result += std::all_of(corners.begin(), corners.end(), [&](Vertex_handle v) {
+          return std::find(vertices.begin(), vertices.end(), v) != vertices.end();
+        });
+      }
+    return result;
+  }
+
   // Collapses vertex i of a cell into vertex j if that makes the cell's surroundings better.
   bool collapse_edge(Cell_handle c, int i, int j, Cells& touched)
   {
     const double better = 1.1 * c->quality();
-    if (!propose_edge_collapse(m_complex, c, i, j, better, m_cavity))
+    if (!propose_edge_collapse(m_complex, c, i, j, better, m_cavity) || covers_interface())
       return false;
     m_visitor.before_collapse(c->vertex(i), c->vertex(j));
     m_complex.replace(m_cavity);

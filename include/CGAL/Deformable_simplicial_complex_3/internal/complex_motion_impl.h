@@ -224,6 +224,8 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity)
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::sew(Cavity& cavity)
 {
+  for (std::size_t i = 0; i < cavity.m_vertices.size(); ++i)
+    cavity.m_vertices[i].handle->set_scratch_index(std::uint32_t(i));
   m_half_facets.clear();
   const auto add = [&](std::array<std::uint32_t, 3> key, Cell_handle c, int i) {
     std::sort(key.begin(), key.end());
@@ -235,8 +237,8 @@ void CGAL_DSC_CLASS::sew(Cavity& cavity)
     for (int i = 0; i < 4; ++i) {
       const Cell_handle outside = c->neighbor(i);
       if (!outside->tds_data().is_in_conflict())
-        add({cavity.add(c->vertex((i + 1) % 4)), cavity.add(c->vertex((i + 2) % 4)),
-             cavity.add(c->vertex((i + 3) % 4))},
+        add({c->vertex((i + 1) % 4)->scratch_index(), c->vertex((i + 2) % 4)->scratch_index(),
+             c->vertex((i + 3) % 4)->scratch_index()},
             outside, outside->index(c));
     }
   for (std::size_t t = 0; t < cavity.tetrahedra().size(); ++t) {
