@@ -315,6 +315,8 @@ private:
   void initialize_caches();
   void initialize_boundary_classes();
   void initialize_edge_lengths();
+  bool is_on_side(const Facet& f) const;
+  void create_items(const State& state);
   void check_stars(const std::vector<Vertex_handle>& vertices) const;
   bool report(bool ok, const char* what, bool verbose) const;
 

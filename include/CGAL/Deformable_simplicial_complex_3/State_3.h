@@ -5,7 +5,10 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_STATE_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_STATE_3_H
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <tuple>
 #include <vector>
@@ -74,10 +77,34 @@ template <class State> auto members(State& state) {
 
 // Whether the arrays that run parallel have the same size.
 inline bool has_consistent_sizes(const Deformable_simplicial_complex_state_3& state) {
+  const std::size_t infinite = state.cells.empty() ? 0 : 1;
   return state.boundary_classes.size() == state.points.size() &&
-         state.vertex_cells.size() == state.points.size() + 1 &&
+         state.vertex_cells.size() == state.points.size() + infinite &&
          state.cell_labels.size() == state.cells.size() &&
          state.exhausted_qualities.size() == state.cells.size();
+}
+
+// Whether the arrays fit together, all coordinates are finite, and no cell has a vertex twice.
+inline bool is_consistent(const Deformable_simplicial_complex_state_3& state) {
+  if (!has_consistent_sizes(state))
+    return false;
+  const auto is_cell = [&](std::array<std::uint32_t, 4> c) {
+    std::sort(c.begin(), c.end());
+    return c[3] <= state.points.size() && std::adjacent_find(c.begin(), c.end()) == c.end();
+  };
+  const auto is_finite = [](const std::array<double, 3>& p) {
+    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  };
+  const auto is_cell_of = [&](std::size_t v) {
+    const std::size_t c = state.vertex_cells[v];
+    return c < state.cells.size() &&
+           std::find(state.cells[c].begin(), state.cells[c].end(), v) != state.cells[c].end();
+  };
+  bool result = std::all_of(state.cells.begin(), state.cells.end(), is_cell) &&
+                std::all_of(state.points.begin(), state.points.end(), is_finite);
+  for (std::size_t v = 0; result && v < state.vertex_cells.size(); ++v)
+    result = is_cell_of(v);
+  return result;
 }
 
 } // namespace internal

@@ -181,7 +181,6 @@ private:
   // it: it would be in the way until it is relabeled, and the interface would change where it need not.
   bool covers_interface() const
   {
-    static constexpr double flat = 1e-9; // up to rounding
     const auto& vertices = m_cavity.vertices();
     return std::any_of(
         m_cavity.tetrahedra().begin(), m_cavity.tetrahedra().end(), [&](const auto& t) {
@@ -245,6 +244,8 @@ private:
     if (!m_complex.is_infinite(c) && is_bad(c))
       touched.push(c);
   }
+
+  static constexpr double flat = 1e-9; // a quality that is zero up to rounding
 
   Complex& m_complex;
   Visitor& m_visitor;

@@ -25,6 +25,13 @@ struct Cell_facet
   std::array<std::size_t, 3> vertices; // sorted
   std::size_t cell;
   int index;
+  bool is_even; // the permutation (opposite vertex, sorted vertices) of the cell's vertices
+
+  // Whether two cells of the same orientation lie on different sides of the facet they share.
+  bool fits(const Cell_facet& other) const
+  {
+    return vertices == other.vertices && is_even != other.is_even;
+  }
 };
 
 // All facets of the cells, equal ones next to each other, those of earlier cells first. A bucket for each
@@ -38,8 +45,9 @@ inline std::vector<Cell_facet> sorted_facets(const std::vector<Cell_vertices>& c
     for (int i = 0; i < 4; ++i) {
       std::array<std::size_t, 3> f = {cells[c][(i + 1) % 4], cells[c][(i + 2) % 4],
                                       cells[c][(i + 3) % 4]};
+      const bool is_even = (i % 2 == 0) == ((f[0] < f[1]) == ((f[0] < f[2]) == (f[1] < f[2])));
       std::sort(f.begin(), f.end());
-      unsorted.push_back({f, c, i});
+      unsorted.push_back({f, c, i, is_even});
       if (bucket_ends.size() < f[0] + 2)
         bucket_ends.resize(f[0] + 2, 0);
       ++bucket_ends[f[0] + 1];
@@ -60,7 +68,8 @@ inline std::vector<Cell_facet> sorted_facets(const std::vector<Cell_vertices>& c
   return facets;
 }
 
-// Adds the infinite cells that close the boundary of finite, positively oriented ones.
+// Adds the infinite cells that close the boundary of finite, positively oriented ones. Throws
+// Invalid_tetrahedra_error where cells are no neighbors on different sides of the facet they share.
 inline void append_infinite_cells(std::vector<Cell_vertices>& cells) {
   const std::vector<Cell_facet> facets = sorted_facets(cells);
   for(std::size_t i = 0; i < facets.size();) {
@@ -71,6 +80,9 @@ inline void append_infinite_cells(std::vector<Cell_vertices>& cells) {
       throw Invalid_tetrahedra_error("more than two tetrahedra share a facet; give a mesh in which "
                                      "each facet has one or two",
                                      {facets[i].cell, facets[i + 1].cell, facets[i + 2].cell}, {});
+    if(j - i == 2 && !facets[i].fits(facets[i + 1]))
+      throw Invalid_tetrahedra_error("two tetrahedra overlap: remesh where they are",
+                                     {facets[i].cell, facets[i + 1].cell});
     if(j - i == 1) {
       // Replacing the opposite vertex mirrors the cell: swapping two vertices turns it back.
       Cell_vertices infinite = cells[facets[i].cell];
@@ -90,7 +102,7 @@ template <class Triangulation> void prepare_for_cells(Triangulation& triangulati
 }
 
 // Fills an empty data structure with vertices and cells and makes the cells neighbors.
-// `vertices[0]` exists already. Throws if a facet does not have exactly two cells.
+// `vertices[0]` exists already. Throws if a facet does not have exactly two cells, one on each side.
 template <class Tds>
 std::vector<typename Tds::Cell_handle>
 create_cells(Tds& tds, const std::vector<typename Tds::Vertex_handle>& vertices,
@@ -105,7 +117,7 @@ create_cells(Tds& tds, const std::vector<typename Tds::Vertex_handle>& vertices,
   }
   const std::vector<Cell_facet> facets = sorted_facets(cells);
   for(std::size_t i = 0; i < facets.size(); i += 2) {
-    if(i + 1 == facets.size() || facets[i].vertices != facets[i + 1].vertices ||
+    if(i + 1 == facets.size() || !facets[i].fits(facets[i + 1]) ||
        (i + 2 < facets.size() && facets[i].vertices == facets[i + 2].vertices))
       throw Invalid_tetrahedra_error(
           "the boundary of the tetrahedra is no closed 2-manifold; give a "

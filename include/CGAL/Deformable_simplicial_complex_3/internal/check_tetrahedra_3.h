@@ -62,35 +62,20 @@ void orient_tetrahedra(const std::vector<typename Traits::Point_3>& points,
                                    std::move(offenders));
 }
 
-// Throws Invalid_tetrahedra_error if two tetrahedra are on the same side of a common facet, or if
-// the boundary, supposed that it is a connected 2-manifold, is no sphere. n log n.
-template <class Traits>
-void check_ball(const std::vector<typename Traits::Point_3>& points,
-                const std::vector<std::array<std::size_t, 4>>& tetrahedra, const Traits& traits) {
-  const auto side = [&](const Cell_facet& f) {
-    return traits.orientation_3_object()(points[f.vertices[0]], points[f.vertices[1]],
-                                         points[f.vertices[2]],
-                                         points[tetrahedra[f.cell][f.index]]);
-  };
+// Throws Invalid_tetrahedra_error if the boundary, given by the infinite ones among the cells and
+// supposed that it is a connected 2-manifold, is no sphere.
+inline void check_boundary(const std::vector<Cell_vertices>& cells) {
   std::vector<std::size_t> vertices;
   std::size_t number_of_facets = 0;
-  const std::vector<Cell_facet> facets = sorted_facets(tetrahedra);
-  for (auto f = facets.begin(); f != facets.end(); ++f) {
-    const auto g = f + 1;
-    if (g != facets.end() && f->vertices == g->vertices) {
-      if (side(*f) == side(*g))
-        throw Invalid_tetrahedra_error("two tetrahedra overlap: remesh where they are",
-                                       {f->cell, g->cell});
-      f = g;
-    } else {
+  for (const Cell_vertices& c : cells)
+    if (std::find(c.begin(), c.end(), 0) != c.end()) {
       ++number_of_facets;
-      vertices.insert(vertices.end(), f->vertices.begin(), f->vertices.end());
+      vertices.insert(vertices.end(), c.begin(), c.end());
     }
-  }
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  // Three edges for two facets: V - E + F = V - F / 2.
-  if (2 * vertices.size() != number_of_facets + 4)
+  // Three edges for two facets: V - E + F = V - F / 2. The infinite vertex counts here, too.
+  if (2 * (vertices.size() - 1) != number_of_facets + 4)
     throw Invalid_tetrahedra_error("the boundary of the tetrahedra is no sphere: give a mesh whose "
                                    "domain is a ball");
 }

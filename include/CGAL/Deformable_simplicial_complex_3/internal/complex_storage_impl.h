@@ -71,6 +71,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
     for (size_type i = 0; i < cell_order.size(); ++i)
       cell_handles[i]->set_label(labels[cell_order[i]]);
     result.check_stars(handles);
+    internal::check_boundary(cells);
   }
   catch (const Invalid_tetrahedra_error& e) {
     // Translate indices along the curve to those of the caller.
@@ -84,7 +85,6 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
     std::sort(where.begin(), where.end());
     throw Invalid_tetrahedra_error(e.what(), where, who);
   }
-  internal::check_ball(points, tetrahedra, geom_traits());
   result.initialize_boundary_classes();
   result.initialize_caches();
   result.initialize_edge_lengths();
@@ -100,6 +100,8 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::sort_storage()
 {
+  if (number_of_cells() == 0)
+    return;
   const State before = state();
   std::vector<Approximate_point_3> positions, barycenters;
   for (const auto& p : before.points)
@@ -142,6 +144,14 @@ CGAL_DSC_TEMPLATE
 auto CGAL_DSC_CLASS::state() const -> State
 {
   State result;
+  result.mean_interface_edge = m_mean_interface_edge;
+  result.minimum_interface_edge = m_minimum_interface_edge;
+  const Approximate_vector_3& t = m_normalization.translation;
+  result.normalization_translation = {t.x(), t.y(), t.z()};
+  result.normalization_scale = m_normalization.scale;
+  if (number_of_cells() == 0)
+    return result;
+
   const auto order = Deformable_simplicial_complexes::internal::Less_time_stamp();
   std::vector<Cell_handle> cells;
   for (Cell_handle c : m_triangulation.all_cell_handles())
@@ -167,11 +177,6 @@ auto CGAL_DSC_CLASS::state() const -> State
     result.cell_labels.push_back(c->label());
     result.exhausted_qualities.push_back(c->exhausted_quality());
   }
-  result.mean_interface_edge = m_mean_interface_edge;
-  result.minimum_interface_edge = m_minimum_interface_edge;
-  const Approximate_vector_3& t = m_normalization.translation;
-  result.normalization_translation = {t.x(), t.y(), t.z()};
-  result.normalization_scale = m_normalization.scale;
   return result;
 }
 
@@ -179,27 +184,29 @@ CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::restore(const State& state)
 {
   using Deformable_simplicial_complexes::Invalid_tetrahedra_error;
-  namespace internal = Deformable_simplicial_complexes::internal;
-  const size_type n = state.points.size(), m = state.cells.size();
-  bool fits = state.boundary_classes.size() == n && state.vertex_cells.size() == n + 1 &&
-              state.cell_labels.size() == m && state.exhausted_qualities.size() == m;
-  for (const auto& c : state.cells)
-    fits = fits && std::all_of(c.begin(), c.end(), [&](std::uint32_t v) { return v <= n; });
-  for (size_type v = 0; fits && v <= n; ++v) {
-    const size_type c = state.vertex_cells[v];
-    fits = c < m && std::count(state.cells[c].begin(), state.cells[c].end(), v) == 1;
-  }
-  for (const auto& p : state.points)
-    fits = fits && std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-  if (!fits)
+  if (!Deformable_simplicial_complexes::internal::is_consistent(state))
     throw Invalid_tetrahedra_error("the arrays of the state do not fit together");
-
   Deformable_simplicial_complex_3 result(geom_traits(), m_quality_measure);
-  internal::prepare_for_cells(result.m_triangulation);
-  std::vector<Vertex_handle> vertices(1, result.m_triangulation.infinite_vertex());
-  for (size_type i = 0; i < n; ++i) {
+  const auto& t = state.normalization_translation;
+  result.m_normalization = {Approximate_vector_3(t[0], t[1], t[2]), state.normalization_scale};
+  result.m_mean_interface_edge = state.mean_interface_edge;
+  result.m_minimum_interface_edge = state.minimum_interface_edge;
+  if (!state.cells.empty())
+    result.create_items(state);
+  if (!result.is_valid())
+    throw Invalid_tetrahedra_error("the state is none of a valid complex");
+  swap(result);
+}
+
+CGAL_DSC_TEMPLATE
+void CGAL_DSC_CLASS::create_items(const State& state)
+{
+  namespace internal = Deformable_simplicial_complexes::internal;
+  internal::prepare_for_cells(m_triangulation);
+  std::vector<Vertex_handle> vertices(1, m_triangulation.infinite_vertex());
+  for (size_type i = 0; i < state.points.size(); ++i) {
     const auto& p = state.points[i];
-    vertices.push_back(result.m_triangulation.tds().create_vertex());
+    vertices.push_back(m_triangulation.tds().create_vertex());
     vertices.back()->set_point(geom_traits().construct_exact_point_3_object()(
         Approximate_point_3(p[0], p[1], p[2])));
     vertices.back()->set_boundary_class(state.boundary_classes[i]);
@@ -207,22 +214,16 @@ void CGAL_DSC_CLASS::restore(const State& state)
   std::vector<Vertex_indices> indices;
   for (const auto& c : state.cells)
     indices.push_back({c[0], c[1], c[2], c[3]});
-  const auto cells = internal::create_cells(result.m_triangulation.tds(), vertices, indices);
-  for (size_type i = 0; i < m; ++i) {
+  const auto cells = internal::create_cells(m_triangulation.tds(), vertices, indices);
+  for (size_type i = 0; i < cells.size(); ++i) {
     cells[i]->set_label(state.cell_labels[i]);
     cells[i]->set_exhausted_quality(state.exhausted_qualities[i]);
   }
-  for (size_type v = 0; v <= n; ++v)
+  for (size_type v = 0; v < vertices.size(); ++v)
     vertices[v]->set_cell(cells[state.vertex_cells[v]]);
-  result.check_stars(vertices);
-  result.initialize_caches();
-  result.m_mean_interface_edge = state.mean_interface_edge;
-  result.m_minimum_interface_edge = state.minimum_interface_edge;
-  const auto& t = state.normalization_translation;
-  result.m_normalization = {Approximate_vector_3(t[0], t[1], t[2]), state.normalization_scale};
-  if (!result.is_valid())
-    throw Invalid_tetrahedra_error("the state is none of a valid complex");
-  swap(result);
+  check_stars(vertices);
+  internal::check_boundary(indices);
+  initialize_caches();
 }
 
 // A vertex whose cells are not all connected through facets would pinch the domain.
@@ -235,14 +236,19 @@ void CGAL_DSC_CLASS::check_stars(const std::vector<Vertex_handle>& vertices) con
   for (Cell_handle c : m_triangulation.all_cell_handles())
     for (int i = 0; i < 4; ++i)
       ++degrees[c->vertex(i)->scratch_index()];
-  for (size_type i = 0; i < vertices.size(); ++i) {
+  const auto is_connected = [&](size_type i) {
     star(vertices[i], m_star);
-    if (m_star.size() != degrees[i])
+    return m_star.size() == degrees[i];
+  };
+  for (size_type i = 1; i < vertices.size(); ++i)
+    if (!is_connected(i))
       throw Deformable_simplicial_complexes::Invalid_tetrahedra_error(
           "the tetrahedra around a vertex are not connected through facets; give a mesh whose domain "
           "is a ball",
           {}, {i});
-  }
+  if (!is_connected(0))
+    throw Deformable_simplicial_complexes::Invalid_tetrahedra_error(
+        "the boundary of the tetrahedra is not connected; give a mesh whose domain is a ball");
 }
 
 // Everything that follows from points, cells and labels.
@@ -361,15 +367,27 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const
       return false;
   }
 
-  // Whatever its vertices may do, a boundary facet stays on its side.
   star(m_triangulation.infinite_vertex(), cells);
-  for (Cell_handle c : cells) {
-    const auto v = facet_vertices(Facet(c, c->index(m_triangulation.infinite_vertex())));
-    if (!report((v[0]->boundary_class() & v[1]->boundary_class() & v[2]->boundary_class()) != 0,
-                "a boundary facet lies on no side of the domain", verbose))
-      return false;
-  }
-  return true;
+  return std::all_of(cells.begin(), cells.end(), [&](Cell_handle c) {
+    return report(is_on_side(Facet(c, c->index(m_triangulation.infinite_vertex()))),
+                  "a boundary facet lies on no side of the domain", verbose);
+  });
+}
+
+// Whether a boundary facet stays in its plane whatever its vertices may do.
+CGAL_DSC_TEMPLATE
+bool CGAL_DSC_CLASS::is_on_side(const Facet& f) const
+{
+  const auto v = facet_vertices(f);
+  const auto sides =
+      v[0]->boundary_class() & v[1]->boundary_class() & v[2]->boundary_class();
+  if ((sides & Boundary_class::fixed) != 0)
+    return true;
+  for (int axis = 0; axis < 3; ++axis)
+    if ((sides >> (2 * axis) & 3) != 0 && position(v[0])[axis] == position(v[1])[axis] &&
+        position(v[0])[axis] == position(v[2])[axis])
+      return true;
+  return false;
 }
 
 } // namespace CGAL
