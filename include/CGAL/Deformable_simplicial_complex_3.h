@@ -60,50 +60,70 @@ template <class Traits_ = Deformable_simplicial_complex_traits_3<>, class Tds_ =
 class Deformable_simplicial_complex_3
 {
 public:
+  /// model of `DeformableSimplicialComplexTraits_3`
   using Geom_traits = Traits_;
+  /// model of `TetrahedronQualityMeasure_3`
   using Quality_measure = QualityMeasure_;
+  /// `Tds_`, or for `Default` one of the vertices and cells of this package
   using Triangulation_data_structure = typename Default::Get<
       Tds_, Triangulation_data_structure_3<Deformable_simplicial_complex_vertex_base_3<Traits_>,
                                            Deformable_simplicial_complex_cell_base_3<Traits_>>>::type;
+  /// The triangulation that stores the complex.
   using Triangulation = Triangulation_3<Geom_traits, Triangulation_data_structure>;
+  /// A position as it is stored and as predicates see it.
   using Point_3 = typename Geom_traits::Point_3;
+  /// A position with coordinates of type `double`, to measure with.
   using Approximate_point_3 = typename Geom_traits::Approximate_point_3;
+  /// The difference of two such positions.
   using Approximate_vector_3 = typename Geom_traits::Approximate_vector_3;
+  /// Refers to a model of `DeformableSimplicialComplexVertexBase_3`; handles compare by time stamp.
   using Vertex_handle = typename Triangulation::Vertex_handle;
+  /// Refers to a model of `DeformableSimplicialComplexCellBase_3`; handles compare by time stamp.
   using Cell_handle = typename Triangulation::Cell_handle;
+  /// A cell and the index of the vertex opposite to the facet.
   using Facet = typename Triangulation::Facet;
+  /// A cell and the indices of the ends of the edge.
   using Edge = typename Triangulation::Edge;
+  /// What `replace()` commits.
   using Cavity = Cavity_3<Deformable_simplicial_complex_3>;
+  /// What `state()` returns and `restore()` takes.
   using State = Deformable_simplicial_complex_state_3;
+  /// The name of a phase: any integer, and 0 for the outside where there is one.
   using Label = int;
+  /// Numbers of simplices, indices and time stamps.
   using size_type = std::size_t;
 
   /// user coordinates = translation + scale * coordinates of the complex
   struct Normalization
   {
-    Approximate_vector_3 translation = Approximate_vector_3(0, 0, 0);
-    double scale = 1;
+    Approximate_vector_3 translation = Approximate_vector_3(0, 0, 0); ///< where the origin of the complex is
+    double scale = 1; ///< length for the user of a unit of length of the complex
   };
 
   /// \name Creation
   /// @{
 
+  /// An empty complex.
   explicit Deformable_simplicial_complex_3(const Geom_traits& traits = Geom_traits(),
                                            const Quality_measure& quality = Quality_measure());
+  /// A copy with the same time stamps, so that it behaves like the original.
   Deformable_simplicial_complex_3(const Deformable_simplicial_complex_3&) = default;
+  /// Takes over the content of `other`, which becomes empty. Handles stay valid. Constant time.
   Deformable_simplicial_complex_3(Deformable_simplicial_complex_3&& other)
       : Deformable_simplicial_complex_3()
   {
     swap(other);
   }
-  /// Copy and move; the time stamps are copied, so that a copy behaves like the original.
+  /// Copies or moves, as the constructors do.
   Deformable_simplicial_complex_3& operator=(Deformable_simplicial_complex_3 other)
   {
     swap(other);
     return *this;
   }
 
+  /// Exchanges the content of two complexes. Handles stay valid. Constant time.
   void swap(Deformable_simplicial_complex_3& other);
+  /// Empties the complex, which keeps its traits and its quality measure. Handles are invalidated.
   void clear() { *this = Deformable_simplicial_complex_3(geom_traits(), m_quality_measure); }
 
   /*!
@@ -136,9 +156,13 @@ public:
   /// \name Access
   /// @{
 
+  /// The triangulation that stores the complex, to look at.
   const Triangulation& triangulation() const { return m_triangulation; }
+  /// The geometric traits object.
   const Geom_traits& geom_traits() const { return m_triangulation.geom_traits(); }
+  /// The quality measure.
   const Quality_measure& quality_measure() const { return m_quality_measure; }
+  /// Number of finite vertices. Constant time.
   size_type number_of_vertices() const { return m_triangulation.number_of_vertices(); }
   /// Number of finite cells. Constant time in the number of cells.
   size_type number_of_cells() const;
@@ -151,8 +175,11 @@ public:
     return m_triangulation.tds().cells().is_used(c) && c->time_stamp() == time_stamp;
   }
 
+  /// Whether v is the infinite vertex, which lies outside the domain.
   bool is_infinite(Vertex_handle v) const { return v == m_triangulation.infinite_vertex(); }
+  /// Whether the infinite vertex is one of the vertices of c.
   bool is_infinite(Cell_handle c) const { return m_triangulation.is_infinite(c); }
+  /// Where v is, in the coordinates of the complex. \pre v is finite
   Approximate_point_3 position(Vertex_handle v) const
   {
     return geom_traits().construct_approximate_point_3_object()(v->point());
@@ -163,7 +190,9 @@ public:
   /// The coordinates that the user sees in files, see `Normalization`. Everything else, volumes and
   /// areas included, is in the coordinates of the complex.
   const Normalization& normalization() const { return m_normalization; }
+  /// Sets `normalization()`. Nothing moves.
   void set_normalization(const Normalization& n) { m_normalization = n; }
+  /// Where v is, in the coordinates of the user. \pre v is finite
   Approximate_point_3 user_position(Vertex_handle v) const
   {
     return CGAL::ORIGIN + (m_normalization.translation +
@@ -174,7 +203,9 @@ public:
   /// \name Labels, interface and boundary
   /// @{
 
+  /// The phase that fills c; 0 for infinite cells, where it means nothing.
   Label label(Cell_handle c) const { return c->label(); }
+  /// The cached quality of c, 1 at best up to rounding; 1 for infinite cells.
   double quality(Cell_handle c) const { return c->quality(); }
   std::vector<Label> labels() const; ///< the labels of cells, increasing
 
@@ -184,7 +215,9 @@ public:
     const Cell_handle a = f.first, b = a->neighbor(f.second);
     return a->label() != b->label() && !is_infinite(a) && !is_infinite(b);
   }
+  /// Whether a facet of the interface contains the edge. Linear in the number of cells around it.
   bool is_interface(const Edge& e) const;
+  /// Whether a facet of the interface contains v. Constant time.
   bool is_interface(Vertex_handle v) const { return v->is_interface(); }
 
   /// Whether a facet of the boundary of the domain is incident.
@@ -203,8 +236,9 @@ public:
     return {f.first->vertex(i[0]), f.first->vertex(i[1]), f.first->vertex(i[2])};
   }
 
-  /// Lengths of the edges of the interface when the complex was built.
+  /// Mean length of the edges of the interface when the complex was built; 0 without an interface.
   double mean_interface_edge() const { return m_mean_interface_edge; }
+  /// The smallest length of such an edge; 0 without an interface.
   double minimum_interface_edge() const { return m_minimum_interface_edge; }
 
   /// @}
@@ -214,16 +248,18 @@ public:
   double volume(Label label) const { return m_totals.volume(label); } ///< constant time
   size_type number_of_cells(Label label) const { return m_totals.cells(label); } ///< constant time
   double area(Label label) const; ///< of the label's interface, without the boundary of the domain
-  double area(Label a, Label b) const;
+  double area(Label a, Label b) const; ///< of the interface between two labels
   /// V - E + F of the label's interface: 2 for a ball.
   int euler_characteristic(Label label) const;
-  /// Connected components through facets. Linear if the topology may have changed, else constant.
+  /// Connected components through facets. Linear if the topology may have changed, else in the number
+  /// of components.
   size_type number_of_components(Label label) const
   {
     return m_components.number_of_components(m_triangulation, label);
   }
 
   /// What became of the components of each label since the last call, by increasing label.
+  /// `deform_interface()` takes them too, when it begins and when it ends.
   /// Linear if the topology may have changed, else in the number of components.
   std::vector<Component_change> take_component_changes()
   {
@@ -285,8 +321,9 @@ public:
   /// Remembers that improving c was tried in vain.
   void set_exhausted(Cell_handle c) { c->set_exhausted_quality(float(c->quality())); }
 
-  /// Sets or forgets where an interface vertex is to go.
+  /// Sets where an interface vertex is to go, in the coordinates of the complex.
   void set_destination(Vertex_handle v, const Point_3& q) { v->set_destination(q); }
+  /// Forgets where v is to go.
   void clear_destination(Vertex_handle v) { v->clear_destination(); }
   /// Where v is to be in the end: its destination, or where it is if it has none.
   Approximate_point_3 final_position(Vertex_handle v) const

@@ -29,33 +29,40 @@ template <class Traits, class Cb = Triangulation_cell_base_3<Traits>>
 class Deformable_simplicial_complex_cell_base_3 : public Cb
 {
 public:
-  using Has_timestamp = Tag_true;
+  using Has_timestamp = Tag_true; ///< makes the container of the cells number them
 
+  /// The cell of another triangulation data structure.
   template <class Tds2> struct Rebind_TDS
   {
-    using Cb2 = typename Cb::template Rebind_TDS<Tds2>::Other;
-    using Other = Deformable_simplicial_complex_cell_base_3<Traits, Cb2>;
+    using Cb2 = typename Cb::template Rebind_TDS<Tds2>::Other; ///< `Cb` for `Tds2`
+    using Other = Deformable_simplicial_complex_cell_base_3<Traits, Cb2>; ///< the same for `Tds2`
   };
 
   using Cb::Cb;
 
+  /// The number in the order of creation; `std::size_t(-1)` for a cell outside a container.
   std::size_t time_stamp() const { return m_time_stamp; }
+  /// Sets `time_stamp()`.
   void set_time_stamp(std::size_t stamp) { m_time_stamp = stamp; }
 
   /// The phase that fills the cell; 0 for infinite cells, where it means nothing.
   int label() const { return m_label; }
+  /// Sets `label()`.
   void set_label(int label) { m_label = label; }
 
   /// Quality by the measure of the complex, as of the last change of the cell.
   double quality() const { return m_quality; }
+  /// Sets `quality()`.
   void set_quality(double quality) { m_quality = quality; }
 
   /// Identifies the connected component of the label.
   std::uint32_t component() const { return m_component; }
+  /// Sets `component()`.
   void set_component(std::uint32_t component) { m_component = component; }
 
   /// Quality at which improving the cell was last tried in vain; above 1 if it never was.
   float exhausted_quality() const { return m_exhausted_quality; }
+  /// Sets `exhausted_quality()`.
   void set_exhausted_quality(float quality) { m_exhausted_quality = quality; }
 
 private:

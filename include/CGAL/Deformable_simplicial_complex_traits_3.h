@@ -15,6 +15,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgDeformableSimplicialComplex3Ref
 /// Where a ray leaves the star of its source, see
 /// `DeformableSimplicialComplexTraits_3::Link_intersection_3`.
 struct Star_exit_3
@@ -39,16 +40,17 @@ template <class Kernel_ = Exact_predicates_inexact_constructions_kernel>
 class Deformable_simplicial_complex_traits_3 : public Kernel_
 {
 public:
-  using Kernel = Kernel_;
-  using Point_3 = typename Kernel::Point_3;
+  using Kernel = Kernel_; ///< the kernel whose predicates decide
+  using Point_3 = typename Kernel::Point_3; ///< the points that predicates see
 
-  using Approximate_kernel = Simple_cartesian<double>;
-  using Approximate_point_3 = Approximate_kernel::Point_3;
-  using Approximate_vector_3 = Approximate_kernel::Vector_3;
+  using Approximate_kernel = Simple_cartesian<double>; ///< the kernel that measures
+  using Approximate_point_3 = Approximate_kernel::Point_3; ///< the points that are measured
+  using Approximate_vector_3 = Approximate_kernel::Vector_3; ///< the differences of those points
 
   /// The nearest point with double coordinates.
   struct Construct_approximate_point_3
   {
+    /// returns p with coordinates converted by `to_double()`.
     Approximate_point_3 operator()(const Point_3& p) const
     {
       return {to_double(p.x()), to_double(p.y()), to_double(p.z())};
@@ -58,6 +60,7 @@ public:
   /// The exact point that has these double coordinates.
   struct Construct_exact_point_3
   {
+    /// returns p with the same coordinates.
     Point_3 operator()(const Approximate_point_3& p) const { return Point_3(p.x(), p.y(), p.z()); }
   };
 
@@ -65,6 +68,7 @@ public:
   /// up to rounding.
   struct Compute_approximate_volume_3
   {
+    /// returns the signed volume of pqrs.
     double operator()(const Approximate_point_3& p, const Approximate_point_3& q,
                       const Approximate_point_3& r, const Approximate_point_3& s) const
     {
@@ -75,6 +79,7 @@ public:
   /// Squared length of a segment.
   struct Compute_approximate_squared_length_3
   {
+    /// returns the squared distance of p and q.
     double operator()(const Approximate_point_3& p, const Approximate_point_3& q) const
     {
       return (q - p).squared_length();
@@ -92,6 +97,7 @@ public:
   class Link_intersection_3
   {
   public:
+    /// constructs the function object, with a copy of the traits that it decides with.
     explicit Link_intersection_3(const Deformable_simplicial_complex_traits_3& traits)
         : m_traits(traits)
     {
@@ -136,13 +142,18 @@ public:
     Deformable_simplicial_complex_traits_3 m_traits;
   };
 
+  /// returns a function object.
   Construct_approximate_point_3 construct_approximate_point_3_object() const { return {}; }
+  /// returns a function object.
   Construct_exact_point_3 construct_exact_point_3_object() const { return {}; }
+  /// returns a function object.
   Compute_approximate_volume_3 compute_approximate_volume_3_object() const { return {}; }
+  /// returns a function object.
   Compute_approximate_squared_length_3 compute_approximate_squared_length_3_object() const
   {
     return {};
   }
+  /// returns a function object.
   Link_intersection_3 link_intersection_3_object() const { return Link_intersection_3(*this); }
 };
 

@@ -29,41 +29,50 @@ template <class Traits, class Vb = Triangulation_vertex_base_3<Traits>>
 class Deformable_simplicial_complex_vertex_base_3 : public Vb
 {
 public:
-  using Cell_handle = typename Vb::Cell_handle;
-  using Point = typename Vb::Point;
-  using Has_timestamp = Tag_true;
+  using Cell_handle = typename Vb::Cell_handle; ///< handle of a cell of the triangulation data structure
+  using Point = typename Vb::Point; ///< `DeformableSimplicialComplexTraits_3::Point_3`
+  using Has_timestamp = Tag_true; ///< makes the container of the vertices number them
 
+  /// The vertex of another triangulation data structure.
   template <class Tds2> struct Rebind_TDS
   {
-    using Vb2 = typename Vb::template Rebind_TDS<Tds2>::Other;
-    using Other = Deformable_simplicial_complex_vertex_base_3<Traits, Vb2>;
+    using Vb2 = typename Vb::template Rebind_TDS<Tds2>::Other; ///< `Vb` for `Tds2`
+    using Other = Deformable_simplicial_complex_vertex_base_3<Traits, Vb2>; ///< the same for `Tds2`
   };
 
   using Vb::Vb;
 
+  /// The number in the order of creation; `std::size_t(-1)` for a vertex outside a container.
   std::size_t time_stamp() const { return m_time_stamp; }
+  /// Sets `time_stamp()`.
   void set_time_stamp(std::size_t stamp) { m_time_stamp = stamp; }
 
   /// Whether a facet between two labels is incident.
   bool is_interface() const { return m_is_interface; }
+  /// Sets `is_interface()`.
   void set_interface(bool is_interface) { m_is_interface = is_interface; }
 
   /// The sides of the domain that hold the vertex, see `Boundary_class`; 0 in the inside.
   std::uint8_t boundary_class() const { return m_boundary_class; }
+  /// Sets `boundary_class()`.
   void set_boundary_class(std::uint8_t boundary_class) { m_boundary_class = boundary_class; }
 
   /// Where the vertex is to go in the current deformation; meaningful while `has_destination()`.
   const Point& destination() const { return m_destination; }
+  /// Whether the vertex is on its way to somewhere.
   bool has_destination() const { return m_has_destination; }
+  /// Sets `destination()`; `has_destination()` is true afterwards.
   void set_destination(const Point& destination)
   {
     m_destination = destination;
     m_has_destination = true;
   }
+  /// `has_destination()` is false afterwards.
   void clear_destination() { m_has_destination = false; }
 
   /// A place in whatever list an algorithm numbers vertices by; the list must confirm it.
   std::uint32_t scratch_index() const { return m_scratch_index; }
+  /// Sets `scratch_index()`.
   void set_scratch_index(std::uint32_t index) { m_scratch_index = index; }
 
 private:

@@ -48,8 +48,11 @@ public:
       double radius_edge_ratio = 2.5, double minimum_dihedral_angle = 10,
       double maximum_volume = std::numeric_limits<double>::infinity());
 
+  /// The upper bound of circumradius divided by shortest edge; infinity if there is none.
   double radius_edge_ratio() const { return m_radius_edge_ratio; }
+  /// The lower bound of dihedral angles, in degrees.
   double minimum_dihedral_angle() const { return m_minimum_dihedral_angle; }
+  /// The upper bound of the volume of a tetrahedron; infinity if there is none.
   double maximum_volume() const { return m_maximum_volume; }
 
   /*!

@@ -20,7 +20,8 @@ good on the way (Algorithm 1 of the paper). Parts of the interface that meet may
 
 Each pass moves all vertices at once as far as no cell inverts, carrying the free vertices around along
 with a harmonic extension of the motion; then the vertices that were held back, one by one (Algorithm 2);
-then relabels cells flattened between two parts of the interface, and improves what became bad.
+then relabels cells flattened between two parts of the interface, removes what is in the way of vertices
+that have not arrived, and improves what became bad.
 
 \param dsc the complex
 \param destination a function object: `Point_3 destination(Vertex_handle v)`, asked once for each vertex
@@ -38,7 +39,8 @@ then relabels cells flattened between two parts of the interface, and improves w
     \cgalParamType{`double`} \cgalParamDefault{0.2}
   \cgalParamNEnd
   \cgalParamNBegin{relabeling_threshold}
-    \cgalParamDescription{quality below which a cell trapped by the interface may join the other phase}
+    \cgalParamDescription{quality below which a cell trapped by the interface may join the other phase,
+                          if it is no better with the interface at its destinations}
     \cgalParamType{`double`} \cgalParamDefault{0.01, the paper's}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_threads}

@@ -37,9 +37,9 @@ Across an edge of only two triangles the orientation is always coherent.
 */
 template <class Complex> struct Interface_surface_3
 {
-  using Point_3 = typename Complex::Approximate_point_3;
-  using Vertex_handle = typename Complex::Vertex_handle;
-  using Label = typename Complex::Label;
+  using Point_3 = typename Complex::Approximate_point_3; ///< has coordinates of type `double`
+  using Vertex_handle = typename Complex::Vertex_handle; ///< vertex of the complex
+  using Label = typename Complex::Label;                 ///< name of a phase
 
   /// the points in user coordinates, by increasing time stamp of their vertices
   std::vector<Point_3> points;

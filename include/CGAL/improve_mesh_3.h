@@ -15,9 +15,9 @@ namespace CGAL {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Improves the tetrahedra of a complex by reconnection, smoothing, collapses and splits, each done only if
-it raises the worst quality where it acts (Algorithm 3 of the paper). The interface stays as it is, bit
-for bit.
+Improves the tetrahedra of a complex by reconnection, smoothing and collapses, each done only if it
+raises the worst quality where it acts, and by splits of long edges (Algorithm 3 of the paper). The
+interface stays as it is, bit for bit.
 
 \param dsc the complex. \param np named parameters:
 

@@ -24,8 +24,8 @@ and not velocities, so that it is integrated exactly, whatever the scheme.
 class Rigid_rotation_3
 {
 public:
-  using Point_3 = Simple_cartesian<double>::Point_3;
-  using Vector_3 = Simple_cartesian<double>::Vector_3;
+  using Point_3 = Simple_cartesian<double>::Point_3; ///< in the coordinates of the complex
+  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< in the coordinates of the complex
 
   /// \param center a point of the axis. \param axis its direction, not zero, of any length.
   /// \param angular_velocity radians per unit of time, counterclockwise seen against the axis.
@@ -63,6 +63,8 @@ struct Normal_offset_3
 {
   double speed; ///< length per unit of time, in the coordinates of the complex
 
+  /// computes the velocities of vertices at positions, as `InterfaceVelocity_3` says. Linear in the
+  /// size of the interface.
   template <class Complex>
   void operator()(const Interface_snapshot_3<Complex>& interface_,
                   const std::vector<typename Complex::Approximate_point_3>& positions, double /*t*/,

@@ -13,9 +13,6 @@ surfaces that become the interface, and a box around them.
 class ConstrainedTetrahedralizer_3
 {
 public:
-  /// The type of the result, such as `CGAL::Tetrahedralization_3`.
-  typedef unspecified_type Tetrahedralization;
-
   /*!
   Tetrahedralizes the space inside the triangles that can be seen from outside. Points may be added
   in that space, but not on triangles.
@@ -24,7 +21,7 @@ public:
   \param triangles indices into `points`, in any orientation. They form closed surfaces that do not
          meet, one of which encloses the others.
 
-  \return an object with the members of `CGAL::Tetrahedralization_3`:
+  \return an object of any type with the members of `CGAL::Tetrahedralization_3`:
   - `points`, a random access range of `std::array<double, 3>`, begins with the input points in
     their order, the coordinates being the same bit for bit; each point is a corner of a tetrahedron;
   - `tetrahedra`, a `std::vector<std::array<std::size_t, 4>>` of indices into these points, contains
@@ -33,6 +30,6 @@ public:
 
   \throws CGAL::Deformable_simplicial_complexes::Tetrahedralization_error if this is not possible
   */
-  Tetrahedralization operator()(const std::vector<std::array<double, 3>>& points,
-                                const std::vector<std::array<std::size_t, 3>>& triangles) const;
+  unspecified_type operator()(const std::vector<std::array<double, 3>>& points,
+                              const std::vector<std::array<std::size_t, 3>>& triangles) const;
 };

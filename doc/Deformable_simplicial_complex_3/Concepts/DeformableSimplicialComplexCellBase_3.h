@@ -6,7 +6,7 @@ The cell of a `CGAL::Deformable_simplicial_complex_3`, with a label and what the
 is what the last call of its setter made it; setters are called by the complex only. Copies have
 equal values, time stamps included.
 
-\cgalRefines `TriangulationCellBase_3`
+\cgalRefines `TriangulationDSCellBase_3`
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Deformable_simplicial_complex_cell_base_3<Traits\, Cb>}

@@ -62,11 +62,10 @@ public:
   /*!
   A function object that tells where a ray leaves the star of its source, with
 
-  `template <class Facets> CGAL::Star_exit_3 operator()(const Point_3& p, const Point_3& q, const Facets& facets) const`
+  `CGAL::Star_exit_3 operator()(const Point_3& p, const Point_3& q, const std::vector<std::array<Point_3, 3>>& facets) const`
 
-  where `p` is the source of the ray, `q != p` a point on it, and `facets` a range, such as
-  `std::vector<std::array<Point_3, 3>>`, of the link of `p`: triples of points `a`, `b`, `c` with
-  `(p, a, b, c)` positively oriented. The star fills all directions around `p`, each but once; if `p`
+  where `p` is the source of the ray, `q != p` a point on it, and `facets` is the link of `p`: triples
+  of points `a`, `b`, `c` with `(p, a, b, c)` positively oriented. The star fills all directions around `p`, each but once; if `p`
   lies on the boundary of the domain, some directions are missing.
 
   The result consists of

@@ -7,7 +7,7 @@ know about the vertex without looking at the cells around it. Each value is what
 setter made it; setters are called by the complex only. Copies have equal values, time stamps
 included.
 
-\cgalRefines `TriangulationVertexBase_3`
+\cgalRefines `TriangulationDSVertexBase_3`
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Deformable_simplicial_complex_vertex_base_3<Traits\, Vb>}
@@ -21,6 +21,17 @@ public:
 
   /// `CGAL::Tag_true`: the container of the vertices numbers them in the order of their creation.
   typedef CGAL::Tag_true Has_timestamp;
+
+  /// \name Point
+  /// @{
+
+  /// the position of the vertex; it means nothing for the infinite one.
+  const Point& point() const;
+
+  /// sets `point()`.
+  void set_point(const Point& p);
+
+  /// @}
 
   /// \name Order of Creation
   /// @{

@@ -10,7 +10,8 @@ The functions are called in an order that does not depend on the number of threa
 time. None of them may change the complex. If one throws, the exception reaches the caller, and the
 complex is valid.
 
-A visitor need not be copied if it is passed by `std::ref()`. Deriving from
+`Complex` stands for the type of the complex; a visitor need not define it, and its functions may be
+templates. A visitor need not be copied if it is passed by `std::ref()`. Deriving from
 `CGAL::Deformation_visitor_3` saves writing the functions of no interest.
 
 \cgalHasModelsBegin
@@ -20,24 +21,18 @@ A visitor need not be copied if it is passed by `std::ref()`. Deriving from
 class DeformationVisitor_3
 {
 public:
-  /// `Complex::Vertex_handle` of the complex that is deformed.
-  typedef unspecified_type Vertex_handle;
-
-  /// `Complex::Cell_handle` of the complex that is deformed.
-  typedef unspecified_type Cell_handle;
-
   /// `v` was created on the edge between `a` and `b`, which it replaced by two.
-  void after_split(Vertex_handle v, Vertex_handle a, Vertex_handle b);
+  void after_split(Complex::Vertex_handle v, Complex::Vertex_handle a, Complex::Vertex_handle b);
 
   /// `removed` is about to disappear into `kept`, which stays where it is. Both are still there.
-  void before_collapse(Vertex_handle removed, Vertex_handle kept);
+  void before_collapse(Complex::Vertex_handle removed, Complex::Vertex_handle kept);
 
   /// `cells` have replaced other cells of the same vertices: an edge, facets, or an edge of the
   /// interface was removed.
-  void after_flip(const std::vector<Cell_handle>& cells);
+  void after_flip(const std::vector<Complex::Cell_handle>& cells);
 
-  /// `cell` had the label `before` and has another one now.
-  void after_relabel(Cell_handle cell, int before);
+  /// `cell` had the label `before` and has another one now. Not called by `CGAL::improve_mesh()`.
+  void after_relabel(Complex::Cell_handle cell, int before);
 
   /// is asked before each pass of a deformation, the first one being 1; `false` ends the deformation,
   /// which is then reported as incomplete. Not asked by `CGAL::improve_mesh()`.

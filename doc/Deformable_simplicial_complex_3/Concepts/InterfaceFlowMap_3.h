@@ -3,7 +3,8 @@
 \cgalConcept
 
 A motion of space that is known in closed form, so that `CGAL::advect_interface()` need not integrate it:
-whatever the integration scheme, vertices are sent to where the map says.
+whatever the integration scheme, vertices are sent to where the map says. `Complex` stands for the type of
+the complex; a map need not define it.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Rigid_rotation_3}
@@ -12,10 +13,8 @@ whatever the integration scheme, vertices are sent to where the map says.
 class InterfaceFlowMap_3
 {
 public:
-  /// `Complex::Approximate_point_3` of the complex that is moved.
-  typedef unspecified_type Approximate_point_3;
-
   /// returns where that is at the time `t + dt` which is at `p` at the time `t`, in the coordinates of
   /// the complex. `dt` may be negative.
-  Approximate_point_3 operator()(const Approximate_point_3& p, double t, double dt) const;
+  Complex::Approximate_point_3 operator()(const Complex::Approximate_point_3& p, double t,
+                                          double dt) const;
 };

@@ -4,7 +4,8 @@
 
 A velocity that depends on the whole interface, such as motion along its normals or by its curvature.
 `CGAL::advect_interface()` asks for the velocities of all vertices at once, one or more times for each
-step of time, as its integration scheme demands.
+step of time, as its integration scheme demands. `Complex` stands for the type of the complex; a velocity
+need not define it, and its function may be a template.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Normal_offset_3}
@@ -16,7 +17,6 @@ public:
   /*!
   computes the velocities of the vertices of an interface.
 
-  \tparam Complex an instance of `CGAL::Deformable_simplicial_complex_3`
   \param snapshot the vertices and triangles of the interface
   \param positions where to take the vertices to be, in the order of `snapshot.vertices`, in the
          coordinates of the complex. They differ from where the vertices are in the middle of a step.
@@ -24,8 +24,7 @@ public:
   \param velocities is empty and is to become as long as `positions`: length per unit of time, in the
          coordinates of the complex. Values that are not finite make `CGAL::advect_interface()` throw.
   */
-  template <class Complex>
   void operator()(const CGAL::Interface_snapshot_3<Complex>& snapshot,
-                  const std::vector<typename Complex::Approximate_point_3>& positions, double t,
-                  std::vector<typename Complex::Approximate_vector_3>& velocities) const;
+                  const std::vector<Complex::Approximate_point_3>& positions, double t,
+                  std::vector<Complex::Approximate_vector_3>& velocities) const;
 };

@@ -19,9 +19,9 @@ edge, three at a corner; the vertex moves within all of them. A domain that is n
 */
 struct Boundary_class
 {
-  using Bits = std::uint8_t;
-  static constexpr Bits inside = 0;
-  static constexpr Bits fixed = 64;
+  using Bits = std::uint8_t; ///< a set of sides
+  static constexpr Bits inside = 0; ///< on no side
+  static constexpr Bits fixed = 64; ///< on the boundary of a domain that is no box: may not move
 
   /// Whether motion along an axis (0, 1, 2) leaves the sides.
   static bool fixes(Bits sides, int axis)

@@ -32,27 +32,30 @@ all finite ones are positive, they fill exactly the same space: no further geome
 template <class Complex> class Cavity_3
 {
 public:
-  using Vertex_handle = typename Complex::Vertex_handle;
-  using Cell_handle = typename Complex::Cell_handle;
-  using Point_3 = typename Complex::Point_3;
-  using Approximate_point_3 = typename Complex::Approximate_point_3;
-  using Index = std::uint32_t;
+  using Vertex_handle = typename Complex::Vertex_handle; ///< vertex of the complex
+  using Cell_handle = typename Complex::Cell_handle; ///< cell of the complex
+  using Point_3 = typename Complex::Point_3; ///< as in the complex
+  using Approximate_point_3 = typename Complex::Approximate_point_3; ///< as in the complex
+  using Index = std::uint32_t; ///< index of a vertex within the cavity, into `vertices()`
 
+  /// A vertex of the complex, or one to be created.
   struct Vertex
   {
     Vertex_handle handle; ///< null while the vertex is yet to be created
-    Point_3 point;
-    Approximate_point_3 position;
-    std::uint8_t boundary_class;
+    Point_3 point; ///< where it is or is to be created
+    Approximate_point_3 position; ///< the same, with coordinates of type `double`
+    std::uint8_t boundary_class; ///< see `Boundary_class`
   };
 
+  /// A tetrahedron to be created.
   struct Tetrahedron
   {
-    std::array<Index, 4> vertices;
+    std::array<Index, 4> vertices; ///< infinite ones may be among them
     Cell_handle parent; ///< the removed cell whose label and component it inherits
     double quality;     ///< infinity if a vertex is infinite
   };
 
+  /// An empty cavity in a complex, which must outlive it.
   explicit Cavity_3(const Complex& complex) : m_complex(&complex) {}
 
   /// Empties the cavity and keeps its memory.
@@ -134,9 +137,13 @@ public:
   /// Worst quality of the planned tetrahedra; infinity if there is none.
   double quality_after() const { return m_quality_after; }
 
+  /// The vertices of the cavity by their indices.
   const std::vector<Vertex>& vertices() const { return m_vertices; }
+  /// The cells to be removed, infinite ones included; no longer there after a commit.
   const std::vector<Cell_handle>& removed() const { return m_removed; }
+  /// The tetrahedra to be created, in the order of the calls of `create()`.
   const std::vector<Tetrahedron>& tetrahedra() const { return m_tetrahedra; }
+  /// The vertex to be removed, null if there is none.
   Vertex_handle vanishing_vertex() const { return m_vanishing_vertex; }
 
   /// The cells that a commit made, parallel to `tetrahedra()`; empty before.

@@ -15,7 +15,7 @@ How the connected components of a label changed between two looks at them.
 */
 struct Component_change
 {
-  int label = 0;
+  int label = 0;            ///< whose components these are
   std::size_t before = 0;   ///< number of components then
   std::size_t after = 0;    ///< number of components now
   std::size_t merged = 0;   ///< sum over the components of now: those they come from, minus one

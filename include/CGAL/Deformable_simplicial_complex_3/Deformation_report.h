@@ -20,22 +20,32 @@ What a deformation did: nothing is silently lost.
 */
 template <class Complex> struct Deformation_report
 {
+  /// A vertex that fell short of its destination.
   struct Unfinished_vertex
   {
-    typename Complex::Vertex_handle vertex;
+    typename Complex::Vertex_handle vertex; ///< on the interface
     double distance; ///< from where it is to its destination
   };
 
+  /// What became of a label: its components, and its volume in the coordinates of the complex.
   struct Label_change : public Component_change
   {
-    double volume_before = 0;
-    double volume_after = 0;
+    double volume_before = 0; ///< 0 if the label was not there
+    double volume_after = 0; ///< 0 if the label is gone
   };
 
   bool complete = true;                      ///< whether `unfinished` is empty
   std::vector<Unfinished_vertex> unfinished; ///< by time stamp
   unsigned passes = 0;                       ///< executions of the main loop of Algorithm 1
-  std::size_t split = 0, collapsed = 0, flipped = 0, smoothed = 0; ///< see `Improvement_report`
+  /// \var split
+  /// edges split
+  /// \var collapsed
+  /// edges collapsed, on the interface or off it
+  /// \var flipped
+  /// edges, sets of facets, and edges of the interface removed
+  /// \var smoothed
+  /// vertices smoothed
+  std::size_t split = 0, collapsed = 0, flipped = 0, smoothed = 0;
   std::size_t relabeled = 0;                                       ///< cells that changed their label
   std::vector<Label_change> labels; ///< one for each label of before or after, increasing
 };

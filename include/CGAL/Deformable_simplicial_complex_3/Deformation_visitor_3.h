@@ -24,7 +24,8 @@ struct Deformation_visitor_3
   /// `removed` is about to disappear into `kept`; both are still there.
   template <class Vertex_handle> void before_collapse(Vertex_handle /*removed*/, Vertex_handle /*kept*/) {}
 
-  /// `cells` have replaced others of the same label by an edge or multi-face removal.
+  /// `cells` have replaced others of the same vertices: an edge, facets, or an edge of the interface
+  /// was removed.
   template <class Cells> void after_flip(const Cells& /*cells*/) {}
 
   /// `cell` had the label `before`.

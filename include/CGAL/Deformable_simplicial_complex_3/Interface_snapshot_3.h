@@ -22,6 +22,7 @@ integrator asks for velocities at positions that the vertices never take.
 */
 template <class Complex> struct Interface_snapshot_3
 {
+  /// A facet of the interface; its vertices are indices into `Interface_snapshot_3::vertices`.
   struct Triangle
   {
     std::array<std::size_t, 3> vertices; ///< counterclockwise seen from the front
@@ -30,7 +31,7 @@ template <class Complex> struct Interface_snapshot_3
   };
 
   std::vector<typename Complex::Vertex_handle> vertices; ///< by increasing time stamp
-  std::vector<Triangle> triangles;
+  std::vector<Triangle> triangles;                       ///< in the order of `interface_facets()`
 
   /// Takes the snapshot. n log n in the size of the interface, plus a pass over the cells.
   explicit Interface_snapshot_3(const Complex& complex) : vertices(complex.interface_vertices())

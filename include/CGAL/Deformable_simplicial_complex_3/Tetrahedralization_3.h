@@ -19,7 +19,7 @@ points that were added, and positively oriented tetrahedra of these points.
 */
 struct Tetrahedralization_3
 {
-  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<double, 3>> points;          ///< the input points come first
   std::vector<std::array<std::size_t, 4>> tetrahedra; ///< indices into `points`
 };
 

@@ -17,9 +17,11 @@ namespace Deformable_simplicial_complexes {
 
 namespace internal_np {
 
+/// \cond SKIP_IN_MANUAL
 #define CGAL_add_named_parameter(X, Y, Z) enum X { Y };
 #include <CGAL/Deformable_simplicial_complex_3/named_parameter_list.h>
 #undef CGAL_add_named_parameter
+/// \endcond
 
 // Those of CGAL's own parameters that the package understands keep CGAL's tags.
 using CGAL::internal_np::number_of_iterations_t;
@@ -27,9 +29,11 @@ using CGAL::internal_np::visitor_t;
 
 } // namespace internal_np
 
+/// \cond SKIP_IN_MANUAL
 #define CGAL_DSC_SHARED_PARAMETERS                                                                 \
   CGAL_add_named_parameter(number_of_iterations_t, number_of_iterations, number_of_iterations)     \
   CGAL_add_named_parameter(visitor_t, visitor, visitor)
+/// \endcond
 
 /// A chain of named parameters: CGAL's class with the functions of this package.
 template <class T, class Tag, class Base = CGAL::internal_np::No_property>
@@ -37,6 +41,7 @@ struct Named_parameters : public Named_function_parameters<T, Tag, Base>
 {
   using Named_function_parameters<T, Tag, Base>::Named_function_parameters;
 
+/// \cond SKIP_IN_MANUAL
 #define CGAL_add_named_parameter(X, Y, Z)                                                          \
   template <class K>                                                                               \
   Named_parameters<K, internal_np::X, Named_parameters> Z(const K& value) const                    \
@@ -46,20 +51,24 @@ struct Named_parameters : public Named_function_parameters<T, Tag, Base>
 #include <CGAL/Deformable_simplicial_complex_3/named_parameter_list.h>
   CGAL_DSC_SHARED_PARAMETERS
 #undef CGAL_add_named_parameter
+/// \endcond
 };
 
 namespace parameters {
 
+/// The type of an empty chain.
 using Default_named_parameters = Named_parameters<bool, CGAL::internal_np::all_default_t>;
 
 /// An empty chain: every parameter has its default value.
 inline Default_named_parameters default_values() { return {}; }
 
+/// \cond SKIP_IN_MANUAL
 #define CGAL_add_named_parameter(X, Y, Z)                                                          \
   template <class K> Named_parameters<K, internal_np::X> Z(const K& value) { return {value}; }
 #include <CGAL/Deformable_simplicial_complex_3/named_parameter_list.h>
 CGAL_DSC_SHARED_PARAMETERS
 #undef CGAL_add_named_parameter
+/// \endcond
 
 } // namespace parameters
 

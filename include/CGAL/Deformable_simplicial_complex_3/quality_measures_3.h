@@ -52,6 +52,8 @@ after Parthasarathy et al. Penalises slivers and needles alike and is smooth.
 */
 struct Volume_length_ratio_3
 {
+  /// returns the quality of pqrs. \pre the points are not all equal
+  /// \tparam Point a point of a kernel whose coordinates are of type `double`
   template <class Point>
   double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const
   {
@@ -71,6 +73,8 @@ large angles, blind to the lengths of edges.
 */
 struct Minimum_sine_3
 {
+  /// returns the quality of pqrs. \pre the points are not all on a line
+  /// \tparam Point a point of a kernel whose coordinates are of type `double`
   template <class Point>
   double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const
   {
@@ -95,6 +99,8 @@ Three times the radius of the inscribed over that of the circumscribed sphere.
 */
 struct Radius_ratio_3
 {
+  /// returns the quality of pqrs.
+  /// \tparam Point a point of a kernel whose coordinates are of type `double`
   template <class Point>
   double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const
   {
