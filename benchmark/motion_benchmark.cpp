@@ -91,15 +91,18 @@ private:
 class Steps
 {
 public:
-  explicit Steps(double sweep_seconds) : m_sweep_seconds(sweep_seconds) {}
+  /// Before the first motion: the complex as it is built is what sweeps are taken of.
+  explicit Steps(const Complex& complex) : m_initial(complex), m_cells(m_initial.cells()) {}
 
   /// Takes one step, of which only the motion is timed. More may be added to what is returned.
   template <class Flow> Json& take(Complex& complex, const Flow& flow) {
+    const double sweep = sweep_seconds(m_initial, m_cells);
     const double start = processor_seconds();
     const auto report = CGAL::advect_interface(complex, flow, double(m_steps.size()), 1.);
     const double seconds = processor_seconds() - start;
     m_steps.push_back({{"seconds", seconds},
-                       {"sweeps", seconds / m_sweep_seconds},
+                       {"sweep_milliseconds", 1000 * sweep},
+                       {"sweeps", seconds / sweep},
                        {"incomplete", report.complete ? 0 : 1},
                        {"unfinished_vertices", report.unfinished.size()},
                        {"passes", report.passes},
@@ -130,7 +133,8 @@ public:
   const Json& json() const { return m_steps; }
 
 private:
-  double m_sweep_seconds;
+  Complex m_initial;
+  std::vector<Complex::Cell_handle> m_cells;
   Json m_steps = Json::array();
 };
 
@@ -197,12 +201,12 @@ int run(const std::string& mode, const std::string& input, std::size_t triangles
   Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
       {std::move(surface)}, CGAL::Tetgen_tetrahedralizer_3(), parameters::normalize(true));
   complex.sort_storage();
-  const double seconds = sweep_seconds(complex);
   result["tetrahedra"] = complex.number_of_cells();
-  result["sweep_milliseconds"] = 1000 * seconds;
 
-  Steps steps(seconds);
-  result.update(mode == "rotation" ? rotate(complex, steps) : offset(complex, steps));
+  Steps steps(complex);
+  const Json motion = mode == "rotation" ? rotate(complex, steps) : offset(complex, steps);
+  result["sweep_milliseconds"] = steps.mean("sweep_milliseconds");
+  result.update(motion);
   result["sweeps_mean"] = steps.mean("sweeps");
   result["sweeps_maximum"] = steps.maximum("sweeps");
 

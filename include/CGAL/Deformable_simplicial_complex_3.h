@@ -169,6 +169,11 @@ public:
   std::vector<Vertex_handle> vertices() const; ///< finite vertices by increasing time stamp
   std::vector<Cell_handle> cells() const;      ///< finite cells by increasing time stamp
 
+  /// Whether the vertex that v pointed to when it had this time stamp still exists.
+  bool is_alive(Vertex_handle v, size_type time_stamp) const
+  {
+    return m_triangulation.tds().vertices().is_used(v) && v->time_stamp() == time_stamp;
+  }
   /// Whether the cell that c pointed to when it had this time stamp still exists.
   bool is_alive(Cell_handle c, size_type time_stamp) const
   {

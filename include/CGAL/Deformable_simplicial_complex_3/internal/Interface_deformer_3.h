@@ -55,9 +55,11 @@ public:
     if (!refused.empty())
       throw Invalid_destination_error(
           "a destination is not a finite point; check the velocities and the time step", refused);
-    for (std::size_t i = 0; i < vertices.size(); ++i)
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
       m_complex.set_destination(vertices[i],
                                 m_complex.admissible_destination(vertices[i], destinations[i]));
+      m_items.push_back({vertices[i], vertices[i]->time_stamp()});
+    }
     update_unfinished();
   }
 
@@ -175,6 +177,12 @@ public:
   }
 
 private:
+  struct Item
+  {
+    Vertex_handle vertex;
+    std::size_t time_stamp; // the vertex may have been removed
+  };
+
   static bool is_finite(const typename Complex::Approximate_point_3& p)
   {
     return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
@@ -229,20 +237,22 @@ private:
       m_touched.push(c);
   }
 
-  // Vertices may have been created and removed: look for those that still have a way to go.
+  // Keeps those that still have a way to go.
   void update_unfinished()
   {
+    const auto is_done = [&](const Item& item) {
+      const Vertex_handle v = item.vertex;
+      if (!m_complex.is_alive(v, item.time_stamp))
+        return true;
+      if (v->is_interface() && v->point() != v->destination())
+        return false;
+      m_complex.clear_destination(v);
+      return true;
+    };
+    m_items.erase(std::remove_if(m_items.begin(), m_items.end(), is_done), m_items.end());
     m_unfinished.clear();
-    for (Vertex_handle v : m_complex.triangulation().finite_vertex_handles()) {
-      if (!v->has_destination())
-        continue;
-      if (!v->is_interface() || v->point() == v->destination())
-        m_complex.clear_destination(v);
-      else
-        m_unfinished.push_back(v);
-    }
-    std::sort(m_unfinished.begin(), m_unfinished.end(),
-              [](Vertex_handle a, Vertex_handle b) { return a->time_stamp() < b->time_stamp(); });
+    for (const Item& item : m_items)
+      m_unfinished.push_back(item.vertex);
   }
 
   typename Report::Label_change& label_change(typename Complex::Label label)
@@ -262,7 +272,8 @@ private:
   Mesh_improver_3<Complex, Visitor> m_improver;
   double m_relabeling_threshold;
   For_each_index m_for_each_index;
-  std::vector<Vertex_handle> m_unfinished;
+  std::vector<Item> m_items;
+  std::vector<Vertex_handle> m_unfinished; // the vertices of the items
   Work_list<Cell_handle> m_touched;
   std::vector<Cell_handle> m_star;
   double m_last_distance = std::numeric_limits<double>::infinity();

@@ -8,9 +8,14 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
 
+#include <CGAL/Origin.h>
+#include <CGAL/enum.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -18,8 +23,8 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-Moves vertices towards their targets all at once, as far as no cell inverts. Where a cell would, its
-moving vertices are held back: each goes half of its way, then a quarter, and so on. So that a vertex
+Moves vertices towards their targets all at once, as far as no cell inverts. Where a cell would, its free
+vertices look for a better place among their neighbors; if there is none, its moving vertices are held back: each goes half of its way, then a quarter, and so on. So that a vertex
 held back does not shear the cells around it, its neighbors get ahead of it by a part of the edge between
 them at the most, theirs again, and so on; farther away nothing is held back.
 
@@ -37,8 +42,8 @@ public:
   Simultaneous_motion_3(Complex& complex, const std::vector<Vertex_handle>& vertices,
                         const std::vector<Point_3>& targets,
                         const For_each_index& for_each_index)
-      : m_complex(complex), m_for_each_index(for_each_index), m_vertices(vertices), m_targets(targets), m_proposal(targets),
-        m_way(vertices.size(), 1.)
+      : m_complex(complex), m_for_each_index(for_each_index), m_vertices(vertices), m_targets(targets),
+        m_proposal(targets), m_way(vertices.size(), 1.)
   {
     number_vertices(vertices);
     m_cells = star_union(complex, vertices);
@@ -49,8 +54,9 @@ public:
   const std::vector<Cell_handle>& run()
   {
     std::vector<Cell_handle> unchecked = m_cells, star;
+    untangle(bad_cells(unchecked));
     while (!unchecked.empty()) {
-      const std::vector<std::uint32_t> held = hold_back(unchecked);
+      const std::vector<std::uint32_t> held = hold_back(bad_cells(unchecked));
       unchecked.clear();
       for (std::uint32_t i : held) {
         m_complex.star(m_vertices[i], star);
@@ -69,29 +75,113 @@ private:
 
   bool is_positive(Cell_handle c) const
   {
-    const auto point = [&](int i) -> const Point_3& {
-      const Vertex_handle v = c->vertex(i);
-      return is_numbered(v, m_vertices) ? m_proposal[v->scratch_index()] : v->point();
-    };
+    const auto point = [&](int i) -> const Point_3& { return proposed_point(c->vertex(i)); };
     return m_complex.geom_traits().orientation_3_object()(point(0), point(1), point(2), point(3)) ==
            POSITIVE;
   }
 
-  // Holds back the vertices of cells that would not be positive, and those around. Returns all of them.
-  std::vector<std::uint32_t> hold_back(const std::vector<Cell_handle>& cells)
+  // Those that would not be positive.
+  std::vector<Cell_handle> bad_cells(const std::vector<Cell_handle>& cells) const
   {
     std::vector<char> is_bad(cells.size());
     m_for_each_index(cells.size(), [&](std::size_t i) { is_bad[i] = !is_positive(cells[i]); });
-    std::vector<std::uint32_t> held;
-    for (std::size_t k = 0; k < cells.size(); ++k)
-      if (is_bad[k])
-        for (int i = 0; i < 4; ++i) {
-          const Vertex_handle v = cells[k]->vertex(i);
-          if (is_numbered(v, m_vertices) && m_way[v->scratch_index()] > 0)
-            held.push_back(v->scratch_index());
+    std::vector<Cell_handle> result;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (is_bad[i])
+        result.push_back(cells[i]);
+    return result;
+  }
+
+  // The moving vertices of cells for which a condition on the number holds, by number.
+  template <class Condition>
+  std::vector<std::uint32_t> vertices_of(const std::vector<Cell_handle>& cells,
+                                         const Condition& condition) const
+  {
+    std::vector<std::uint32_t> result;
+    for (Cell_handle c : cells)
+      for (int i = 0; i < 4; ++i) {
+        const Vertex_handle v = c->vertex(i);
+        if (is_numbered(v, m_vertices) && condition(v->scratch_index()))
+          result.push_back(v->scratch_index());
+      }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  // Lets the free vertices of cells look for better targets.
+  void untangle(std::vector<Cell_handle> cells)
+  {
+    static constexpr int rounds = 3;
+    const auto is_free = [&](std::uint32_t i) { return !m_vertices[i]->is_interface(); };
+    for (int round = 0; round < rounds && !cells.empty(); ++round) {
+      for (std::uint32_t i : vertices_of(cells, is_free))
+        relocate(i);
+      cells = bad_cells(cells);
+    }
+  }
+
+  // Proposes two other targets to a free vertex, and takes what is better for its star: going along with
+  // the interface around, and the mean of the neighbors.
+  void relocate(std::uint32_t i)
+  {
+    const Vertex_handle v = m_vertices[i];
+    std::vector<Cell_handle> star;
+    m_complex.star(v, star);
+    Vector motion(0, 0, 0), mean(0, 0, 0);
+    int moving = 0;
+    for (Cell_handle c : star)
+      for (int j = 0; j < 4; ++j) {
+        const Vertex_handle w = c->vertex(j);
+        if (w == v)
+          continue;
+        mean = mean + (proposed_position(w) - CGAL::ORIGIN) / double(3 * star.size());
+        if (w->is_interface()) {
+          motion = motion + (proposed_position(w) - m_complex.position(w));
+          ++moving;
         }
-    std::sort(held.begin(), held.end());
-    held.erase(std::unique(held.begin(), held.end()), held.end());
+      }
+    if (moving > 0)
+      propose(i, star, m_complex.position(v) + motion / moving);
+    propose(i, star, CGAL::ORIGIN + mean);
+  }
+
+  void propose(std::uint32_t i, const std::vector<Cell_handle>& star,
+               const typename Complex::Approximate_point_3& target)
+  {
+    const double before = worst_quality(star);
+    m_proposal[i] = m_complex.geom_traits().construct_exact_point_3_object()(target);
+    if (worst_quality(star) > before)
+      m_targets[i] = m_proposal[i];
+    else
+      m_proposal[i] = m_targets[i];
+  }
+
+  double worst_quality(const std::vector<Cell_handle>& star) const
+  {
+    double worst = std::numeric_limits<double>::infinity();
+    for (Cell_handle c : star)
+      worst = (std::min)(worst, m_complex.quality_measure()(
+                                    proposed_position(c->vertex(0)), proposed_position(c->vertex(1)),
+                                    proposed_position(c->vertex(2)), proposed_position(c->vertex(3))));
+    return worst;
+  }
+
+  const Point_3& proposed_point(Vertex_handle v) const
+  {
+    return is_numbered(v, m_vertices) ? m_proposal[v->scratch_index()] : v->point();
+  }
+
+  typename Complex::Approximate_point_3 proposed_position(Vertex_handle v) const
+  {
+    return m_complex.geom_traits().construct_approximate_point_3_object()(proposed_point(v));
+  }
+
+  // Holds back the moving vertices of cells, and those around. Returns all of them.
+  std::vector<std::uint32_t> hold_back(const std::vector<Cell_handle>& cells)
+  {
+    std::vector<std::uint32_t> held =
+        vertices_of(cells, [&](std::uint32_t i) { return m_way[i] > 0; });
     for (std::uint32_t i : held)
       set_way(i, m_way[i] / 2);
 
@@ -139,7 +229,7 @@ private:
   Complex& m_complex;
   const For_each_index& m_for_each_index;
   const std::vector<Vertex_handle>& m_vertices;
-  const std::vector<Point_3>& m_targets;
+  std::vector<Point_3> m_targets;
   std::vector<Cell_handle> m_cells;
   std::vector<Point_3> m_proposal;
   std::vector<double> m_way; // the part of the way that each vertex goes
