@@ -132,9 +132,9 @@ public:
   \param points vertices; each must be used. \param tetrahedra index quadruples, positively oriented.
   \param labels one label for each tetrahedron.
   \return the vertices in the order of `points`
-  \throws Invalid_tetrahedra_error if sizes or indices do not fit, a vertex is unused, a tetrahedron is
-          not positive, or the tetrahedra do not form a ball. The complex is then unchanged.
-  \pre coordinates are finite
+  \throws Invalid_tetrahedra_error if sizes or indices do not fit, coordinates are not finite, a vertex
+          is unused, a tetrahedron is not positive, or the tetrahedra do not form a ball. The complex is
+          then unchanged.
 
   n log n in the number of tetrahedra.
   */
@@ -358,7 +358,8 @@ private:
   void initialize_boundary_classes();
   void initialize_edge_lengths();
   bool is_on_side(const Facet& f) const;
-  void create_items(const State& state);
+  void rebuild(const State& state, const std::vector<Point_3>& points);
+  void create_items(const State& state, const std::vector<Point_3>& points);
   void check_stars(const std::vector<Vertex_handle>& vertices) const;
   bool report(bool ok, const char* what, bool verbose) const;
 

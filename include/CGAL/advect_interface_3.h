@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Integration_scheme.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/deform_interface_3.h>
 
 #include <type_traits>
@@ -31,7 +32,9 @@ velocities_at(const Interface_snapshot_3<Complex>& interface_,
       result.push_back(velocity(p, t));
   } else {
     velocity(interface_, positions, t, result);
-    CGAL_postcondition(result.size() == positions.size());
+    if (result.size() != positions.size())
+      throw Invalid_destination_error(
+          "a velocity must be given for each vertex of the interface, no more and no fewer", {});
   }
   return result;
 }

@@ -66,11 +66,10 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
   namespace tags = Deformable_simplicial_complexes::internal_np;
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using parameters::get_parameter_reference;
 
-  Deformation_visitor_3 default_visitor;
-  auto&& visitor =
-      choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
+  auto given_visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor),
+                                        Deformation_visitor_3());
+  auto& visitor = Deformable_simplicial_complexes::internal::unwrap(given_visitor);
   const unsigned maximum_number_of_passes =
       choose_parameter(get_parameter(np, tags::maximum_number_of_passes), 20u);
   const double quality_threshold = choose_parameter(get_parameter(np, tags::quality_threshold), .2);

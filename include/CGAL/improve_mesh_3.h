@@ -48,11 +48,10 @@ Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedP
   namespace tags = Deformable_simplicial_complexes::internal_np;
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using parameters::get_parameter_reference;
 
-  Deformation_visitor_3 default_visitor;
-  auto&& visitor =
-      choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
+  auto given_visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor),
+                                        Deformation_visitor_3());
+  auto& visitor = Deformable_simplicial_complexes::internal::unwrap(given_visitor);
   const double threshold = choose_parameter(get_parameter(np, tags::quality_threshold), .3);
   const unsigned rounds =
       choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 10u);

@@ -47,7 +47,7 @@ std::string numbered(const char* format, unsigned step) {
 
 } // namespace
 
-Output_folder::Output_folder(const std::string& path)
+Output_folder::Output_folder(const std::string& path, const std::string& resume)
     : m_path(path), m_volume(file("volume.pvd")), m_interface(file("interface.pvd")) {
   std::error_code error;
   fs::create_directories(path, error);
@@ -55,6 +55,9 @@ Output_folder::Output_folder(const std::string& path)
     throw Input_error("cannot create the folder '" + path +
                       "'; check that no file has its name and that its place may be written to");
   require_writable(checkpoint());
+  if (fs::exists(checkpoint(), error) && !fs::equivalent(checkpoint(), resume, error))
+    throw Input_error("the folder '" + path + "' holds the results of another run; choose another "
+                      "folder, or continue that run with --resume " + checkpoint());
 }
 
 void Output_folder::keep_until(double time) {

@@ -60,7 +60,7 @@ int execute(const Run_options& options) {
     require_writable(options.report);
   std::optional<Output_folder> folder;
   if (!options.output.empty())
-    folder.emplace(options.output);
+    folder.emplace(options.output, options.resume);
 
   Run_position position;
   Tracked_complex complex = start(options, position);
@@ -89,14 +89,14 @@ int execute(const Run_options& options) {
     unfinished += outcome.unfinished_vertices;
     seconds += outcome.seconds;
     statistics = complex.statistics();
-    report.add(position, outcome, statistics);
     if (position.step % options.every == 0)
       write_files();
+    report.add(position, outcome, statistics);
     progress.show(done);
   }
   progress.clear();
-  report.write();
   write_files();
+  report.write();
 
   const bool stopped = interrupted();
   if (stopped) {

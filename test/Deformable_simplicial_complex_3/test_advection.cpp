@@ -155,3 +155,15 @@ TEST(Flows, offset_acts_where_phases_face_the_outside) {
   EXPECT_NEAR(dsc.volume(1), dsc.volume(2), .02);
   EXPECT_GT(dsc.area(1, 2), area);
 }
+
+TEST(Advection, refuses_velocities_of_another_number_of_vertices) {
+  Complex dsc = make_complex(grid(4, small_meshes::ball));
+  const auto state = dsc.state();
+  const auto too_few = [](const auto&, const std::vector<Position>& positions, double,
+                          std::vector<Vector>& velocities) {
+    velocities.assign(positions.size() - 1, Vector(0, 0, 0));
+  };
+  EXPECT_THROW(CGAL::advect_interface(dsc, too_few, 0, .1),
+               CGAL::Deformable_simplicial_complexes::Invalid_destination_error);
+  EXPECT_TRUE(dsc.state() == state);
+}

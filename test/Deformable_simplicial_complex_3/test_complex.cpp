@@ -168,6 +168,14 @@ TEST(Assign, refuses_flat_and_inverted_tetrahedra) {
   EXPECT_EQ(sorted(refusal(mesh).vertices()), (Indices{0, 1, 2, 3}));
 }
 
+TEST(Assign, refuses_coordinates_that_are_not_finite) {
+  for (double x : {std::nan(""), HUGE_VAL}) {
+    Labelled_mesh mesh = corner_tetrahedron();
+    mesh.points[2] = Point(0, x, 0);
+    EXPECT_EQ(refusal(mesh).vertices(), Indices{2});
+  }
+}
+
 TEST(Assign, refuses_three_tetrahedra_at_a_facet) {
   Labelled_mesh mesh = grid(2, small_meshes::uniform);
   // A tetrahedron beside an inner facet of the tetrahedra 0 and 1, which share their first vertex.

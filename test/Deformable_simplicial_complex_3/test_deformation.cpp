@@ -5,6 +5,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/advect_interface_3.h>
 #include <CGAL/deform_interface_3.h>
+#include <CGAL/improve_mesh_3.h>
 #include <CGAL/interface_flows_3.h>
 
 #include <gtest/gtest.h>
@@ -407,4 +408,30 @@ TEST(Deformation, does_not_depend_on_the_number_of_threads) {
 
 TEST(Deformation, continues_from_a_state_to_the_same_bits) {
   EXPECT_TRUE(deformed(1) == deformed(1, true));
+}
+
+TEST(Deformation, visitor_may_be_given_by_value) {
+  Complex dsc = make_complex(grid(4, small_meshes::cube));
+  Counting_visitor visitor;
+  visitor.maximum_number_of_passes = 0;
+  const Report report = deform(dsc, swirl, parameters::visitor(visitor));
+  EXPECT_EQ(report.passes, 0u);
+  EXPECT_EQ(CGAL::improve_mesh(dsc, parameters::visitor(visitor)).split, 0u);
+}
+
+namespace {
+
+struct Throwing_visitor : public CGAL::Deformation_visitor_3
+{
+  bool go_further(unsigned pass) { return pass < 2 ? true : throw pass; }
+};
+
+} // namespace
+
+TEST(Deformation, leaves_no_destinations_when_a_visitor_throws) {
+  Complex dsc = mesh_helpers::jittered_grid(6, small_meshes::two_boxes, .3, 2);
+  EXPECT_THROW(deform(dsc, swirl, parameters::visitor(Throwing_visitor())), unsigned);
+  EXPECT_TRUE(dsc.is_valid());
+  for (Vertex_handle v : dsc.vertices())
+    EXPECT_FALSE(v->has_destination());
 }

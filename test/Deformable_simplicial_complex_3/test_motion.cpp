@@ -235,3 +235,17 @@ TEST(Set_points, moves_vertices_together_that_could_not_move_alone) {
   for (std::size_t i = 0; i < vertices.size(); ++i)
     EXPECT_EQ(vertices[i]->point(), points[i]);
 }
+
+// How far away the destination is does not matter where the way ends early.
+TEST(Move_vertex, comes_to_the_link_from_any_distance) {
+  for (double far : {1e3, 1e13, 1e300}) {
+    Complex dsc = make_complex(box_with_center());
+    Vertex_handle center;
+    for (Vertex_handle v : dsc.vertices())
+      if (!dsc.is_boundary(v))
+        center = v;
+    dsc.move_vertex(center, Point(far, 0, 0));
+    EXPECT_GT(dsc.position(center).x(), .9) << far;
+    EXPECT_TRUE(dsc.is_valid());
+  }
+}

@@ -286,3 +286,37 @@ TEST(Multi_face_removal, leaves_interface_and_boundary_alone) {
   EXPECT_GT(accepted, 20);
   EXPECT_TRUE(dsc.state() == state);
 }
+
+// Two apices over a disc of rings of triangles: each facet can be reached in very many ways.
+TEST(Multi_face_removal, looks_at_each_facet_once) {
+  static constexpr std::size_t sectors = 32, rings = 3;
+  std::vector<Point> points = {Point(0, 0, 1), Point(0, 0, -1), Point(0, 0, 0)};
+  for (std::size_t ring = 1; ring <= rings; ++ring)
+    for (std::size_t s = 0; s < sectors; ++s) {
+      const double angle = 2 * CGAL_PI * double(s) / sectors;
+      points.emplace_back(double(ring) * std::cos(angle), double(ring) * std::sin(angle), 0);
+    }
+  const auto index = [](std::size_t ring, std::size_t s) {
+    return ring == 0 ? 2 : 3 + (ring - 1) * sectors + s % sectors;
+  };
+  std::vector<std::array<std::size_t, 4>> tetrahedra;
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+    tetrahedra.push_back({a, b, c, 0});
+    tetrahedra.push_back({a, c, b, 1});
+  };
+  for (std::size_t s = 0; s < sectors; ++s) {
+    add(2, index(1, s), index(1, s + 1));
+    for (std::size_t ring = 1; ring < rings; ++ring) {
+      add(index(ring, s), index(ring + 1, s), index(ring + 1, s + 1));
+      add(index(ring, s), index(ring + 1, s + 1), index(ring, s + 1));
+    }
+  }
+  Complex dsc;
+  dsc.assign(points, tetrahedra, std::vector<int>(tetrahedra.size(), 0));
+  Cavity cavity(dsc);
+  std::size_t proposals = 0;
+  for (Cell_handle c : dsc.cells())
+    for (int i = 0; i < 4; ++i)
+      proposals += propose_multi_face_removal(dsc, c, i, cavity);
+  EXPECT_LE(proposals, 4 * dsc.number_of_cells());
+}

@@ -142,3 +142,24 @@ TEST(Optimal_position, comes_near_the_optimum) {
     EXPECT_GT(after - before, .8 * (best - before)) << seed << ' ' << before << ' ' << best;
   }
 }
+
+// A cell may be positive and its quality zero or less by rounding.
+TEST(Optimal_position, survives_cells_flat_up_to_rounding) {
+  for (const Point& p : {Point(.58, .31, .11), Point(.09, .33, .58)}) {
+    Complex dsc;
+    const auto v = dsc.assign({Point(1, 0, 0), Point(-1, 0, 0), Point(0, 1, 0), Point(0, -1, 0),
+                               Point(0, 0, 1), Point(0, 0, -1), Point(0, 0, 0)},
+                              {{2, 0, 4, 6}, {1, 2, 4, 6}, {3, 1, 4, 6}, {0, 3, 4, 6},
+                               {0, 2, 5, 6}, {2, 1, 5, 6}, {1, 3, 5, 6}, {3, 0, 5, 6}},
+                              std::vector<int>(8, 0));
+    ASSERT_EQ(dsc.move_vertex(v[6], p), 1);
+    ASSERT_LE(mesh_helpers::minimum_quality(dsc), 0);
+    std::vector<Cell_handle> star;
+    dsc.star(v[6], star);
+    Point target;
+    ASSERT_TRUE(CGAL::propose_optimal_position(dsc, v[6], star, target));
+    dsc.set_point(v[6], star, target);
+    EXPECT_TRUE(dsc.is_valid());
+    EXPECT_GT(mesh_helpers::minimum_quality(dsc), 0);
+  }
+}

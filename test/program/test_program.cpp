@@ -393,9 +393,22 @@ TEST_F(Program, does_not_keep_moments_that_are_undone) {
   const std::string motion = "rotate --axis 0,0,1 --angle 7 ";
   expect_success(motion + "octahedron.off --steps 1 --output short");
   expect_success(motion + "octahedron.off --steps 3 --output long");
-  expect_success(motion + "--resume short/checkpoint.dsc --steps 1 --output long");
+  fs::copy_file(path("short/checkpoint.dsc"), path("long/checkpoint.dsc"),
+                fs::copy_options::overwrite_existing);
+  expect_success(motion + "--resume long/checkpoint.dsc --steps 1 --output long");
   EXPECT_EQ(contents(path("long/volume.pvd")).find("volume_000003"), std::string::npos);
   EXPECT_NE(contents(path("long/volume.pvd")).find("volume_000002"), std::string::npos);
+}
+
+TEST_F(Program, keeps_the_results_of_other_runs) {
+  const std::string motion = "rotate --axis 0,0,1 --angle 7 --steps 1 --output ";
+  expect_success(motion + "out octahedron.off");
+  expect_success(motion + "other octahedron.off");
+  const std::string before = contents(path("out/checkpoint.dsc"));
+  expect_error(motion + "out octahedron.off", 1);
+  expect_error(motion + "out --resume other/checkpoint.dsc", 1);
+  EXPECT_TRUE(contents(path("out/checkpoint.dsc")) == before);
+  expect_success(motion + "out --resume out/checkpoint.dsc");
 }
 
 TEST_F(Program, finishes_the_step_when_interrupted) {
@@ -413,6 +426,7 @@ TEST_F(Program, finishes_the_step_when_interrupted) {
     EXPECT_EQ(run(arguments + " --quiet --output out", prefix).exit_code, 130);
     EXPECT_FALSE(fs::exists(path("dsc_interrupted.dsc")));
     EXPECT_EQ(info("out/checkpoint.dsc", "step"), report("r.json").at("steps").back().at("step"));
+    fs::remove_all(path("out"));
   }
 }
 

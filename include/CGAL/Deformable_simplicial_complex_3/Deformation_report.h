@@ -36,6 +36,8 @@ template <class Complex> struct Deformation_report
 
   bool complete = true;                      ///< whether `unfinished` is empty
   std::vector<Unfinished_vertex> unfinished; ///< by time stamp
+  /// vertices that were removed or left the interface, by a merge or a collapse, before they arrived
+  std::size_t vanished = 0;
   unsigned passes = 0;                       ///< executions of the main loop of Algorithm 1
   /// \var split
   /// edges split

@@ -86,7 +86,9 @@ inline bool has_consistent_sizes(const Deformable_simplicial_complex_state_3& st
 
 // Whether the arrays fit together, all coordinates are finite, and no cell has a vertex twice.
 inline bool is_consistent(const Deformable_simplicial_complex_state_3& state) {
-  if (!has_consistent_sizes(state))
+  if (!has_consistent_sizes(state) || state.cells.size() >= std::uint32_t(-1) ||
+      !(state.normalization_scale > 0) || !std::isfinite(state.normalization_scale) ||
+      !(state.mean_interface_edge >= 0) || !(state.minimum_interface_edge >= 0))
     return false;
   const auto is_cell = [&](std::array<std::uint32_t, 4> c) {
     std::sort(c.begin(), c.end());
@@ -100,7 +102,8 @@ inline bool is_consistent(const Deformable_simplicial_complex_state_3& state) {
     return c < state.cells.size() &&
            std::find(state.cells[c].begin(), state.cells[c].end(), v) != state.cells[c].end();
   };
-  bool result = std::all_of(state.cells.begin(), state.cells.end(), is_cell) &&
+  bool result = is_finite(state.normalization_translation) &&
+                std::all_of(state.cells.begin(), state.cells.end(), is_cell) &&
                 std::all_of(state.points.begin(), state.points.end(), is_finite);
   for (std::size_t v = 0; result && v < state.vertex_cells.size(); ++v)
     result = is_cell_of(v);

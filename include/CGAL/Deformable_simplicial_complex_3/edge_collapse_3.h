@@ -9,7 +9,9 @@
 #include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 #include <vector>
 

@@ -49,6 +49,7 @@ public:
   bool grow(const std::array<Vertex_handle, 3>& first)
   {
     m_sheets.push_back(m_first);
+    m_tried.push_back(m_first);
     double after = infinity, before = worst(m_first);
     for (int k = 0; k < 3; ++k) {
       const Outcome outcome = across(m_first, {first[k], first[(k + 1) % 3]});
@@ -88,9 +89,10 @@ private:
     const double quality = new_quality(e);
     Sheet g;
     Vertex_handle apex;
-    if (m_sheets.size() < maximum_number_of_sheets && find_neighbor(f, e, g, apex)) {
+    if (m_tried.size() < maximum_number_of_sheets && find_neighbor(f, e, g, apex)) {
       const std::size_t sheets = m_sheets.size(), edges = m_boundary.size();
       m_sheets.push_back(g);
+      m_tried.push_back(g);
       const Outcome left = across(g, {e.source, apex});
       const Outcome right = across(g, {apex, e.target});
       const Outcome both = {(std::min)(left.after, right.after),
@@ -122,7 +124,7 @@ private:
     const auto is_used = [&](const Sheet& s) {
       return s.below == g.below || s.above == g.above || s.below == g.above || s.above == g.below;
     };
-    return std::none_of(m_sheets.begin(), m_sheets.end(), is_used);
+    return std::none_of(m_tried.begin(), m_tried.end(), is_used);
   }
 
   const Complex& m_complex;
@@ -131,6 +133,7 @@ private:
   Vertex_handle m_b;
   Sheet m_first;
   Small_vector<Sheet> m_sheets;
+  Small_vector<Sheet> m_tried; // each once, or the search would be exponential
   Small_vector<Directed_edge> m_boundary;
 };
 

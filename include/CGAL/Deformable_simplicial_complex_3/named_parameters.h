@@ -7,6 +7,8 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <functional>
+
 /// \file
 /// Named parameters of the package. They chain like CGAL's:
 /// `deform_interface(dsc, destination, parameters::maximum_number_of_passes(20).visitor(v))`
@@ -71,6 +73,14 @@ CGAL_DSC_SHARED_PARAMETERS
 /// \endcond
 
 } // namespace parameters
+
+namespace internal {
+
+// What a parameter given by value or by reference stands for.
+template <class T> T& unwrap(T& value) { return value; }
+template <class T> T& unwrap(std::reference_wrapper<T>& value) { return value.get(); }
+
+} // namespace internal
 
 #undef CGAL_DSC_SHARED_PARAMETERS
 

@@ -87,6 +87,8 @@ struct Minimum_sine_3
     for (int i = 0; i < 6; ++i) {
       const double areas = std::sqrt(n[facets[i][0]].squared_length() *
                                      n[facets[i][1]].squared_length());
+      if (areas == 0)
+        return 0;
       minimum = (std::min)(minimum, t.six_volumes * std::sqrt(e[i].squared_length()) / areas);
     }
     return minimum * 3 / std::sqrt(8.);

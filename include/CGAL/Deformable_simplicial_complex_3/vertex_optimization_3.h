@@ -122,19 +122,20 @@ private:
       f.value = value(f, m_position);
       before = (std::min)(before, f.value);
     }
-    // Those that are much better than the worst will not become the worst in one step.
-    static constexpr double relevant = 2, active = 1.05;
+    // Those that are much better than the worst will not become the worst in one step. The worst may
+    // be zero or less by rounding.
+    const double relevant = before + std::abs(before), active = before + .05 * std::abs(before);
     for (Function& f : m_functions)
-      if (f.value < relevant * before)
+      if (f.value <= relevant)
         differentiate(f);
-    const Vector d = steepest_ascent(active * before);
+    const Vector d = steepest_ascent(active);
     const double rate = d.squared_length();
     if (!(std::sqrt(rate) * m_length > 1e-3))
       return false;
     // As far as another function becomes the worst, by linear prediction.
     double way = .5 * m_length / std::sqrt(rate);
     for (const Function& f : m_functions) {
-      if (!(f.value < relevant * before))
+      if (!(f.value <= relevant))
         continue;
       const double slope = f.gradient * d;
       if (slope < rate && f.value > before)
@@ -145,7 +146,7 @@ private:
       const double after = worst(p, before);
       if (after > before) {
         m_position = p;
-        return after > 1.02 * before;
+        return after > before + .02 * std::abs(before);
       }
     }
     return false;

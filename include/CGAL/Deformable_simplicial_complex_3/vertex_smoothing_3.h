@@ -5,7 +5,10 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_VERTEX_SMOOTHING_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_VERTEX_SMOOTHING_3_H
 
+#include <CGAL/Origin.h>
+
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <vector>
 

@@ -30,7 +30,7 @@ namespace internal {
 // CRC-32 of the payload in four bytes each, the size of the payload in eight. The payload is the
 // metadata and the members of the state; what has variable length comes after its number of
 // elements in eight bytes.
-constexpr char checkpoint_magic[] = "\211DSC3\r\n\032"; // damaged by any conversion of text
+inline constexpr char checkpoint_magic[] = "\211DSC3\r\n\032"; // damaged by any conversion of text
 constexpr std::size_t checkpoint_magic_size = sizeof(checkpoint_magic) - 1;
 constexpr std::uint32_t checkpoint_version = 1;
 constexpr std::size_t checkpoint_header_size = 24;

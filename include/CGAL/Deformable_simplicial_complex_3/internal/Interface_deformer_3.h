@@ -35,10 +35,18 @@ public:
       : m_complex(complex), m_visitor(visitor), m_improver(complex, visitor, quality_threshold),
         m_relabeling_threshold(relabeling_threshold), m_for_each_index(for_each_index)
   {
-    for (auto label : complex.labels())
-      label_change(label).volume_before = complex.volume(label);
-    complex.take_component_changes();
   }
+
+  // No destination survives the deformation, even if a visitor ends it by an exception.
+  ~Interface_deformer_3()
+  {
+    for (const Item& item : m_items)
+      if (m_complex.is_alive(item.vertex, item.time_stamp))
+        m_complex.clear_destination(item.vertex);
+  }
+
+  Interface_deformer_3(const Interface_deformer_3&) = delete;
+  Interface_deformer_3& operator=(const Interface_deformer_3&) = delete;
 
   // Nothing is changed if a destination is refused.
   template <class Destination> void set_destinations(const Destination& destination)
@@ -55,6 +63,9 @@ public:
     if (!refused.empty())
       throw Invalid_destination_error(
           "a destination is not a finite point; check the velocities and the time step", refused);
+    for (auto label : m_complex.labels())
+      label_change(label).volume_before = m_complex.volume(label);
+    m_complex.take_component_changes();
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       m_complex.set_destination(vertices[i],
                                 m_complex.admissible_destination(vertices[i], destinations[i]));
@@ -158,10 +169,9 @@ public:
   {
     Report report;
     report.passes = passes;
-    for (Vertex_handle v : m_unfinished) {
+    for (Vertex_handle v : m_unfinished)
       report.unfinished.push_back({v, std::sqrt(remaining(v).squared_length())});
-      m_complex.clear_destination(v);
-    }
+    report.vanished = m_vanished;
     report.complete = report.unfinished.empty();
     report.split = m_improver.report().split;
     report.collapsed = m_improver.report().collapsed;
@@ -242,10 +252,15 @@ private:
   {
     const auto is_done = [&](const Item& item) {
       const Vertex_handle v = item.vertex;
-      if (!m_complex.is_alive(v, item.time_stamp))
+      if (!m_complex.is_alive(v, item.time_stamp)) {
+        ++m_vanished;
         return true;
-      if (v->is_interface() && v->point() != v->destination())
-        return false;
+      }
+      if (v->point() != v->destination()) {
+        if (v->is_interface())
+          return false;
+        ++m_vanished;
+      }
       m_complex.clear_destination(v);
       return true;
     };
@@ -278,7 +293,7 @@ private:
   std::vector<Cell_handle> m_star;
   double m_last_distance = std::numeric_limits<double>::infinity();
   unsigned m_idle_passes = 0;
-  std::size_t m_relabeled = 0;
+  std::size_t m_relabeled = 0, m_vanished = 0;
   std::vector<typename Report::Label_change> m_labels;
 };
 

@@ -66,7 +66,7 @@ public:
   {
     static constexpr double same = .1;
     return c->quality() < m_threshold &&
-           std::abs(c->quality() - c->exhausted_quality()) > same * c->quality();
+           std::abs(c->quality() - c->exhausted_quality()) > same * std::abs(c->quality());
   }
 
   bool reconnect(Cell_handle c, Cells& touched)

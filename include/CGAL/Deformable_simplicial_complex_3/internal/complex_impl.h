@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COMPLEX_IMPL_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COMPLEX_IMPL_H
 
-// Member functions of Deformable_simplicial_complex_3: access, labels, motion, change of the mesh.
+// Member functions of Deformable_simplicial_complex_3: access, labels, interface, measures.
 // Included by its header only.
 
 #define CGAL_DSC_TEMPLATE template <class Tr, class Tds, class Qm>

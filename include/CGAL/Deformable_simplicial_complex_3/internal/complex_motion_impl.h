@@ -40,6 +40,9 @@ auto CGAL_DSC_CLASS::admissible_destination(Vertex_handle v, const Point_3& q) c
     return q;
   const auto approximate = geom_traits().construct_approximate_point_3_object();
   const Approximate_point_3 from = approximate(v->point()), to = approximate(q);
+  if (Boundary_class::fixes(v->boundary_class(), 0) && Boundary_class::fixes(v->boundary_class(), 1) &&
+      Boundary_class::fixes(v->boundary_class(), 2))
+    return v->point();
   const auto coordinate = [&](int axis) {
     return Boundary_class::fixes(v->boundary_class(), axis) ? from[axis] : to[axis];
   };
@@ -72,9 +75,7 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point_3& destination, 
     return 1;
   }
 
-  // The ray leaves the star through one facet of the link. Where the star is not convex, a cell may
-  // become flat before: its volume is linear along the ray.
-  std::vector<std::array<Point_3, 3>> link;
+  // The first cell to become flat: volumes are linear along the ray.
   double way = 1;
   const auto volume = geom_traits().compute_approximate_volume_3_object();
   const auto approximate = geom_traits().construct_approximate_point_3_object();
@@ -82,19 +83,17 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point_3& destination, 
     if (is_infinite(c))
       continue;
     const auto f = facet_vertices(Facet(c, c->index(v)));
-    link.push_back({f[0]->point(), f[1]->point(), f[2]->point()});
-    const Approximate_point_3 a = approximate(link.back()[0]), b = approximate(link.back()[1]),
-                              d = approximate(link.back()[2]);
+    const Approximate_point_3 a = position(f[0]), b = position(f[1]), d = position(f[2]);
     const double here = volume(position(v), a, b, d), there = volume(approximate(q), a, b, d);
     if (there < here)
       way = (std::min)(way, here / (here - there));
   }
-  way = (std::min)(way, geom_traits().link_intersection_3_object()(v->point(), q, link).parameter);
 
   // Rounding may ask for more distance than the margin.
   const Approximate_point_3 from = position(v), to = approximate(q);
-  static constexpr double negligible = 1e-12;
-  for (way *= 1 - margin; way > negligible; way /= 2) {
+  static constexpr int maximum_number_of_halvings = 40;
+  way *= 1 - margin;
+  for (int i = 0; i < maximum_number_of_halvings && way > 0; ++i, way /= 2) {
     const Point_3 p = geom_traits().construct_exact_point_3_object()(from + way * (to - from));
     if (is_positive_star(v, m_star, p)) {
       if (p == v->point())

@@ -21,13 +21,21 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
     throw Invalid_tetrahedra_error("there are no tetrahedra; give at least one");
   if (labels.size() != tetrahedra.size())
     throw Invalid_tetrahedra_error("give exactly one label for each tetrahedron");
+  static constexpr size_type maximum = std::uint32_t(-1) / 8; // numbers of cells and facets have 32 bits
+  if (tetrahedra.size() > maximum)
+    throw Invalid_tetrahedra_error("there are more than 2^29 tetrahedra");
 
   Deformable_simplicial_complex_3 result(geom_traits(), m_quality_measure);
   const auto approximate = geom_traits().construct_approximate_point_3_object();
   const auto orientation = geom_traits().orientation_3_object();
   std::vector<Approximate_point_3> positions;
-  for (const Point_3& p : points)
+  for (const Point_3& p : points) {
     positions.push_back(approximate(p));
+    const auto& q = positions.back();
+    if (!std::isfinite(q.x()) || !std::isfinite(q.y()) || !std::isfinite(q.z()))
+      throw Invalid_tetrahedra_error("coordinates are no finite numbers: correct or remove the point",
+                                     {}, {positions.size() - 1});
+  }
   std::vector<bool> is_used(points.size(), false);
   std::vector<Approximate_point_3> barycenters;
   for (size_type t = 0; t < tetrahedra.size(); ++t) {
@@ -137,7 +145,11 @@ void CGAL_DSC_CLASS::sort_storage()
   }
   for (size_type v = 0; v < before.vertex_cells.size(); ++v)
     after.vertex_cells[vertex_rank[v]] = cell_rank[before.vertex_cells[v]];
-  restore(after);
+  std::vector<Point_3> points;
+  const std::vector<Vertex_handle> vertices = this->vertices();
+  for (size_type i : vertex_order)
+    points.push_back(vertices[i]->point());
+  rebuild(after, points);
 }
 
 CGAL_DSC_TEMPLATE
@@ -186,29 +198,38 @@ void CGAL_DSC_CLASS::restore(const State& state)
   using Deformable_simplicial_complexes::Invalid_tetrahedra_error;
   if (!Deformable_simplicial_complexes::internal::is_consistent(state))
     throw Invalid_tetrahedra_error("the arrays of the state do not fit together");
+  std::vector<Point_3> points;
+  for (const auto& p : state.points)
+    points.push_back(geom_traits().construct_exact_point_3_object()(
+        Approximate_point_3(p[0], p[1], p[2])));
+  rebuild(state, points);
+}
+
+// `points` are those of the state before rounding.
+CGAL_DSC_TEMPLATE
+void CGAL_DSC_CLASS::rebuild(const State& state, const std::vector<Point_3>& points)
+{
   Deformable_simplicial_complex_3 result(geom_traits(), m_quality_measure);
   const auto& t = state.normalization_translation;
   result.m_normalization = {Approximate_vector_3(t[0], t[1], t[2]), state.normalization_scale};
   result.m_mean_interface_edge = state.mean_interface_edge;
   result.m_minimum_interface_edge = state.minimum_interface_edge;
   if (!state.cells.empty())
-    result.create_items(state);
+    result.create_items(state, points);
   if (!result.is_valid())
-    throw Invalid_tetrahedra_error("the state is none of a valid complex");
+    throw Deformable_simplicial_complexes::Invalid_tetrahedra_error("the state is none of a valid complex");
   swap(result);
 }
 
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::create_items(const State& state)
+void CGAL_DSC_CLASS::create_items(const State& state, const std::vector<Point_3>& points)
 {
   namespace internal = Deformable_simplicial_complexes::internal;
   internal::prepare_for_cells(m_triangulation);
   std::vector<Vertex_handle> vertices(1, m_triangulation.infinite_vertex());
   for (size_type i = 0; i < state.points.size(); ++i) {
-    const auto& p = state.points[i];
     vertices.push_back(m_triangulation.tds().create_vertex());
-    vertices.back()->set_point(geom_traits().construct_exact_point_3_object()(
-        Approximate_point_3(p[0], p[1], p[2])));
+    vertices.back()->set_point(points[i]);
     vertices.back()->set_boundary_class(state.boundary_classes[i]);
   }
   std::vector<Vertex_indices> indices;
@@ -216,7 +237,8 @@ void CGAL_DSC_CLASS::create_items(const State& state)
     indices.push_back({c[0], c[1], c[2], c[3]});
   const auto cells = internal::create_cells(m_triangulation.tds(), vertices, indices);
   for (size_type i = 0; i < cells.size(); ++i) {
-    cells[i]->set_label(state.cell_labels[i]);
+    if (!is_infinite(cells[i]))
+      cells[i]->set_label(state.cell_labels[i]);
     cells[i]->set_exhausted_quality(state.exhausted_qualities[i]);
   }
   for (size_type v = 0; v < vertices.size(); ++v)

@@ -220,7 +220,7 @@ private:
 
   void set_way(std::uint32_t i, double way)
   {
-    m_way[i] = way < shortest_way ? 0 : way;
+    m_way[i] = way < shortest_way || !std::isfinite(displacement(i).squared_length()) ? 0 : way;
     m_proposal[i] = m_way[i] == 0 ? m_vertices[i]->point()
                                   : m_complex.geom_traits().construct_exact_point_3_object()(
                                         m_complex.position(m_vertices[i]) + m_way[i] * displacement(i));
