@@ -53,18 +53,10 @@ public:
   // vertex is held back further, and cells whose vertices all stay are positive.
   const std::vector<Cell_handle>& run()
   {
-    std::vector<Cell_handle> unchecked = m_cells, star;
+    std::vector<Cell_handle> unchecked = m_cells;
     untangle(bad_cells(unchecked));
-    while (!unchecked.empty()) {
-      const std::vector<std::uint32_t> held = hold_back(bad_cells(unchecked));
-      unchecked.clear();
-      for (std::uint32_t i : held) {
-        m_complex.star(m_vertices[i], star);
-        for (Cell_handle c : star)
-          if (!m_complex.is_infinite(c))
-            unchecked.push_back(c);
-      }
-    }
+    while (!unchecked.empty())
+      unchecked = stars(hold_back(bad_cells(unchecked)));
     m_complex.set_points(m_vertices, m_proposal, m_cells, m_for_each_index);
     return m_cells;
   }
@@ -92,6 +84,19 @@ private:
     return result;
   }
 
+  // The finite cells around vertices; some more than once.
+  std::vector<Cell_handle> stars(const std::vector<std::uint32_t>& vertices) const
+  {
+    std::vector<Cell_handle> result, star;
+    for (std::uint32_t i : vertices) {
+      m_complex.star(m_vertices[i], star);
+      for (Cell_handle c : star)
+        if (!m_complex.is_infinite(c))
+          result.push_back(c);
+    }
+    return result;
+  }
+
   // The moving vertices of cells for which a condition on the number holds, by number.
   template <class Condition>
   std::vector<std::uint32_t> vertices_of(const std::vector<Cell_handle>& cells,
@@ -109,15 +114,18 @@ private:
     return result;
   }
 
-  // Lets the free vertices of cells look for better targets.
+  // Lets the free vertices of cells look for better targets, and those around them if that is not enough.
   void untangle(std::vector<Cell_handle> cells)
   {
-    static constexpr int rounds = 3;
+    static constexpr int rounds = 4, rounds_without_neighbors = 2;
     const auto is_free = [&](std::uint32_t i) { return !m_vertices[i]->is_interface(); };
     for (int round = 0; round < rounds && !cells.empty(); ++round) {
-      for (std::uint32_t i : vertices_of(cells, is_free))
+      if (round >= rounds_without_neighbors)
+        cells = stars(vertices_of(cells, is_free));
+      const std::vector<std::uint32_t> free = vertices_of(cells, is_free);
+      for (std::uint32_t i : free)
         relocate(i);
-      cells = bad_cells(cells);
+      cells = bad_cells(stars(free));
     }
   }
 
@@ -141,29 +149,41 @@ private:
           ++moving;
         }
       }
-    if (moving > 0)
-      propose(i, star, m_complex.position(v) + motion / moving);
-    propose(i, star, CGAL::ORIGIN + mean);
+    double worst = worst_quality(star, -std::numeric_limits<double>::infinity());
+    for (double way : {.5, 1.}) {
+      if (moving > 0)
+        propose(i, star, way, m_complex.position(v) + motion / moving, worst);
+      propose(i, star, way, CGAL::ORIGIN + mean, worst);
+    }
   }
 
-  void propose(std::uint32_t i, const std::vector<Cell_handle>& star,
-               const typename Complex::Approximate_point_3& target)
+  // A part of the way from the target to another one, if the worst quality of the star rises.
+  void propose(std::uint32_t i, const std::vector<Cell_handle>& star, double way,
+               const typename Complex::Approximate_point_3& target, double& worst)
   {
-    const double before = worst_quality(star);
-    m_proposal[i] = m_complex.geom_traits().construct_exact_point_3_object()(target);
-    if (worst_quality(star) > before)
+    const auto from = proposed_position(m_vertices[i]);
+    m_proposal[i] =
+        m_complex.geom_traits().construct_exact_point_3_object()(from + way * (target - from));
+    const double after = worst_quality(star, worst);
+    if (after > worst) {
+      worst = after;
       m_targets[i] = m_proposal[i];
-    else
+    } else {
       m_proposal[i] = m_targets[i];
+    }
   }
 
-  double worst_quality(const std::vector<Cell_handle>& star) const
+  // The worst quality, or one that is not above the bound.
+  double worst_quality(const std::vector<Cell_handle>& star, double bound) const
   {
     double worst = std::numeric_limits<double>::infinity();
-    for (Cell_handle c : star)
+    for (Cell_handle c : star) {
       worst = (std::min)(worst, m_complex.quality_measure()(
                                     proposed_position(c->vertex(0)), proposed_position(c->vertex(1)),
                                     proposed_position(c->vertex(2)), proposed_position(c->vertex(3))));
+      if (!(worst > bound))
+        break;
+    }
     return worst;
   }
 
