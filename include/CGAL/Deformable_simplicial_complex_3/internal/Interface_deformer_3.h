@@ -256,7 +256,7 @@ private:
         ++m_vanished;
         return true;
       }
-      if (v->point() != v->destination()) {
+      if (!(v->point() == v->destination())) {
         if (v->is_interface())
           return false;
         ++m_vanished;
