@@ -24,10 +24,12 @@ class For_each_index
 public:
   explicit For_each_index(unsigned number_of_threads = 1) : m_number_of_threads(number_of_threads) {}
 
-  template <class Function> void operator()(std::size_t n, const Function& function) const
+  // Threads are used from `worthwhile` indices on: starting them costs about a thousand small calls.
+  template <class Function>
+  void operator()(std::size_t n, const Function& function, std::size_t worthwhile = 2000) const
   {
 #ifdef CGAL_LINKED_WITH_TBB
-    if (m_number_of_threads > 1) {
+    if (m_number_of_threads > 1 && n >= worthwhile) {
       tbb::task_arena arena(static_cast<int>(m_number_of_threads));
       arena.execute([&] {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n),
@@ -38,6 +40,8 @@ public:
       });
       return;
     }
+#else
+    static_cast<void>(worthwhile);
 #endif
     for (std::size_t i = 0; i < n; ++i)
       function(i);

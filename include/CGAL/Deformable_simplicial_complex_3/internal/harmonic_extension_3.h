@@ -111,12 +111,13 @@ harmonic_extension(const Complex& complex, const std::vector<typename Complex::V
 
   // The extension only guides: what it proposes is checked, so that a rough solution will do.
   Eigen::MatrixX3d solution(n, 3);
+  const std::size_t worthwhile = n < 100 ? 4 : 1;
   for_each_index(3, [&](std::size_t axis) {
     Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver(matrix);
     solver.setTolerance(1e-2);
     solver.setMaxIterations(200);
     solution.col(axis) = solver.solve(right.col(axis));
-  });
+  }, worthwhile);
   std::vector<Vector> result;
   for (int i = 0; i < n; ++i)
     result.emplace_back(solution(i, 0), solution(i, 1), solution(i, 2));
