@@ -61,7 +61,8 @@ inline double sweep(const Complex& complex, const std::vector<Complex::Cell_hand
 /// Processor time of a sweep over all finite tetrahedra, the unit that motions are measured in: the
 /// median of several. To be taken of a complex whose storage is sorted, right before what is
 /// measured, as machines do not keep their speed.
-inline double sweep_seconds(const Complex& complex, const std::vector<Complex::Cell_handle>& cells) {
+inline double sweep_seconds(const Complex& complex,
+                            const std::vector<Complex::Cell_handle>& cells) {
   std::array<double, 5> seconds;
   [[maybe_unused]] volatile double sum; // so that no sweep can be optimized away
   for (double& s : seconds) {

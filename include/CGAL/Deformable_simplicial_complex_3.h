@@ -43,12 +43,12 @@ A tetrahedralized domain each cell of which carries a label. The *interface* is 
 between cells of different labels; it may be non-manifold, and any number of labels may meet. The
 domain is a ball, in most cases a box whose sides are known to the complex.
 
-Invariant: every finite cell is positively oriented, decided by exact predicates. Each member function
-either keeps that and does what it says, or leaves the complex as it was.
+Invariant: every finite cell is positively oriented, decided by exact predicates. Each member
+function either keeps that and does what it says, or leaves the complex as it was.
 
-Orders never depend on addresses: lists of simplices are ordered by time stamps, that is by creation.
-Handles stay valid until their simplex is removed. Queries about stars, facets of the interface and
-components write marks into the cells: one thread at a time may use a complex.
+Orders never depend on addresses: lists of simplices are ordered by time stamps, that is by
+creation. Handles stay valid until their simplex is removed. Queries about stars, facets of the
+interface and components write marks into the cells: one thread at a time may use a complex.
 
 \tparam Traits_ model of `DeformableSimplicialComplexTraits_3`
 \tparam Tds_ a `Triangulation_data_structure_3` whose items are models of
@@ -66,8 +66,9 @@ public:
   using Quality_measure = QualityMeasure_;
   /// `Tds_`, or for `Default` one of the vertices and cells of this package
   using Triangulation_data_structure = typename Default::Get<
-      Tds_, Triangulation_data_structure_3<Deformable_simplicial_complex_vertex_base_3<Traits_>,
-                                           Deformable_simplicial_complex_cell_base_3<Traits_>>>::type;
+      Tds_,
+      Triangulation_data_structure_3<Deformable_simplicial_complex_vertex_base_3<Traits_>,
+                                     Deformable_simplicial_complex_cell_base_3<Traits_>>>::type;
   /// The triangulation that stores the complex.
   using Triangulation = Triangulation_3<Geom_traits, Triangulation_data_structure>;
   /// A position as it is stored and as predicates see it.
@@ -96,8 +97,9 @@ public:
   /// user coordinates = translation + scale * coordinates of the complex
   struct Normalization
   {
-    Approximate_vector_3 translation = Approximate_vector_3(0, 0, 0); ///< where the origin of the complex is
-    double scale = 1; ///< length for the user of a unit of length of the complex
+    Approximate_vector_3 translation =
+        Approximate_vector_3(0, 0, 0); ///< where the origin of the complex is
+    double scale = 1;                  ///< length for the user of a unit of length of the complex
   };
 
   /// \name Creation
@@ -110,13 +112,11 @@ public:
   Deformable_simplicial_complex_3(const Deformable_simplicial_complex_3&) = default;
   /// Takes over the content of `other`, which becomes empty. Handles stay valid. Constant time.
   Deformable_simplicial_complex_3(Deformable_simplicial_complex_3&& other)
-      : Deformable_simplicial_complex_3()
-  {
+      : Deformable_simplicial_complex_3() {
     swap(other);
   }
   /// Copies or moves, as the constructors do.
-  Deformable_simplicial_complex_3& operator=(Deformable_simplicial_complex_3 other)
-  {
+  Deformable_simplicial_complex_3& operator=(Deformable_simplicial_complex_3 other) {
     swap(other);
     return *this;
   }
@@ -129,12 +129,13 @@ public:
   /*!
   Replaces the complex by labelled tetrahedra. Vertices and cells are stored along a Hilbert curve.
 
-  \param points vertices; each must be used. \param tetrahedra index quadruples, positively oriented.
+  \param points vertices; each must be used.
+  \param tetrahedra index quadruples, positively oriented.
   \param labels one label for each tetrahedron.
   \return the vertices in the order of `points`
-  \throws Invalid_tetrahedra_error if sizes or indices do not fit, coordinates are not finite, a vertex
-          is unused, a tetrahedron is not positive, or the tetrahedra do not form a ball. The complex is
-          then unchanged.
+  \throws Invalid_tetrahedra_error if sizes or indices do not fit, coordinates are not finite, a
+         vertex is unused, a tetrahedron is not positive, or the tetrahedra do not form a ball. The
+         complex is then unchanged.
 
   n log n in the number of tetrahedra.
   */
@@ -142,14 +143,15 @@ public:
                                     const std::vector<std::array<size_type, 4>>& tetrahedra,
                                     const std::vector<Label>& labels);
 
-  /// Stores vertices and cells along a Hilbert curve again, as `assign()` did. Handles are invalidated.
+  /// Stores vertices and cells along a Hilbert curve again, as `assign()` did. Handles are
+  /// invalidated.
   void sort_storage();
 
   /// Everything needed to continue a computation to the same bits.
   State state() const;
 
-  /// The complex that `state()` described. \throws Invalid_tetrahedra_error if the state is none of a
-  /// valid complex; this one is then unchanged.
+  /// The complex that `state()` described. \throws Invalid_tetrahedra_error if the state is none of
+  /// a valid complex; this one is then unchanged.
   void restore(const State& state);
 
   /// @}
@@ -170,13 +172,11 @@ public:
   std::vector<Cell_handle> cells() const;      ///< finite cells by increasing time stamp
 
   /// Whether the vertex that v pointed to when it had this time stamp still exists.
-  bool is_alive(Vertex_handle v, size_type time_stamp) const
-  {
+  bool is_alive(Vertex_handle v, size_type time_stamp) const {
     return m_triangulation.tds().vertices().is_used(v) && v->time_stamp() == time_stamp;
   }
   /// Whether the cell that c pointed to when it had this time stamp still exists.
-  bool is_alive(Cell_handle c, size_type time_stamp) const
-  {
+  bool is_alive(Cell_handle c, size_type time_stamp) const {
     return m_triangulation.tds().cells().is_used(c) && c->time_stamp() == time_stamp;
   }
 
@@ -185,8 +185,7 @@ public:
   /// Whether the infinite vertex is one of the vertices of c.
   bool is_infinite(Cell_handle c) const { return m_triangulation.is_infinite(c); }
   /// Where v is, in the coordinates of the complex. \pre v is finite
-  Approximate_point_3 position(Vertex_handle v) const
-  {
+  Approximate_point_3 position(Vertex_handle v) const {
     return geom_traits().construct_approximate_point_3_object()(v->point());
   }
   /// The cells around v, infinite ones included, in `star` (cleared first), v->cell() first.
@@ -198,10 +197,9 @@ public:
   /// Sets `normalization()`. Nothing moves.
   void set_normalization(const Normalization& n) { m_normalization = n; }
   /// Where v is, in the coordinates of the user. \pre v is finite
-  Approximate_point_3 user_position(Vertex_handle v) const
-  {
-    return CGAL::ORIGIN + (m_normalization.translation +
-                           m_normalization.scale * (position(v) - CGAL::ORIGIN));
+  Approximate_point_3 user_position(Vertex_handle v) const {
+    return CGAL::ORIGIN +
+           (m_normalization.translation + m_normalization.scale * (position(v) - CGAL::ORIGIN));
   }
 
   /// @}
@@ -215,8 +213,7 @@ public:
   std::vector<Label> labels() const; ///< the labels of cells, increasing
 
   /// Whether two finite cells of different labels share the facet.
-  bool is_interface(const Facet& f) const
-  {
+  bool is_interface(const Facet& f) const {
     const Cell_handle a = f.first, b = a->neighbor(f.second);
     return a->label() != b->label() && !is_infinite(a) && !is_infinite(b);
   }
@@ -229,13 +226,13 @@ public:
   bool is_boundary(Vertex_handle v) const { return v->boundary_class() != 0; }
 
   std::vector<Vertex_handle> interface_vertices() const; ///< by increasing time stamp
-  /// The interface, each facet once, from the cell of the larger label; by the time stamp of that cell.
+  /// The interface, each facet once, from the cell of the larger label; by the time stamp of that
+  /// cell.
   std::vector<Facet> interface_facets() const;
   /// The facets between labels a and b, from the cell of the larger one.
   std::vector<Facet> interface_facets(Label a, Label b) const;
   /// The vertices of a facet, counterclockwise seen from outside the cell `f.first`.
-  std::array<Vertex_handle, 3> facet_vertices(const Facet& f) const
-  {
+  std::array<Vertex_handle, 3> facet_vertices(const Facet& f) const {
     static constexpr int opposite[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
     const int* i = opposite[f.second];
     return {f.first->vertex(i[0]), f.first->vertex(i[1]), f.first->vertex(i[2])};
@@ -250,24 +247,22 @@ public:
   /// \name Measures
   /// @{
 
-  double volume(Label label) const { return m_totals.volume(label); } ///< constant time
+  double volume(Label label) const { return m_totals.volume(label); }            ///< constant time
   size_type number_of_cells(Label label) const { return m_totals.cells(label); } ///< constant time
   double area(Label label) const; ///< of the label's interface, without the boundary of the domain
   double area(Label a, Label b) const; ///< of the interface between two labels
   /// V - E + F of the label's interface: 2 for a ball.
   int euler_characteristic(Label label) const;
-  /// Connected components through facets. Linear if the topology may have changed, else in the number
-  /// of components.
-  size_type number_of_components(Label label) const
-  {
+  /// Connected components through facets. Linear if the topology may have changed, else in the
+  /// number of components.
+  size_type number_of_components(Label label) const {
     return m_components.number_of_components(m_triangulation, label);
   }
 
   /// What became of the components of each label since the last call, by increasing label.
   /// `deform_interface()` takes them too, when it begins and when it ends.
   /// Linear if the topology may have changed, else in the number of components.
-  std::vector<Component_change> take_component_changes()
-  {
+  std::vector<Component_change> take_component_changes() {
     return m_components.take_changes(m_triangulation);
   }
 
@@ -283,9 +278,9 @@ public:
                         const Point_3& q) const;
 
   /*!
-  Moves v towards q in a straight line: to q if every incident cell is positively oriented there, else
-  almost to the first point where one would be flat (Algorithm 2 of the paper). Positive at both ends
-  of a segment means positive between, as volumes are linear in one vertex.
+  Moves v towards q in a straight line: to q if every incident cell is positively oriented there,
+  else almost to the first point where one would be flat (Algorithm 2 of the paper). Positive at
+  both ends of a segment means positive between, as volumes are linear in one vertex.
 
   \param q finite coordinates; a vertex on a side of the domain goes to `admissible_destination()`.
   \param margin the part of the way to the flat position that v keeps clear of it, in (0, 1).
@@ -311,8 +306,8 @@ public:
   /// @{
 
   /*!
-  Commits a cavity: removes its cells, creates its tetrahedra and fills in `cavity.created()` and the
-  handles of new vertices. A new vertex without destination has none.
+  Commits a cavity: removes its cells, creates its tetrahedra and fills in `cavity.created()` and
+  the handles of new vertices. A new vertex without destination has none.
   \pre the cavity was filled since the last change of the complex, `cavity.is_positive()`, and its
        tetrahedra have the boundary of its removed cells.
 
@@ -331,8 +326,7 @@ public:
   /// Forgets where v is to go.
   void clear_destination(Vertex_handle v) { v->clear_destination(); }
   /// Where v is to be in the end: its destination, or where it is if it has none.
-  Approximate_point_3 final_position(Vertex_handle v) const
-  {
+  Approximate_point_3 final_position(Vertex_handle v) const {
     return v->has_destination()
                ? geom_traits().construct_approximate_point_3_object()(v->destination())
                : position(v);

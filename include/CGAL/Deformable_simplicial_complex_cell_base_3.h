@@ -17,8 +17,8 @@ namespace CGAL {
 \ingroup PkgDeformableSimplicialComplex3Ref
 
 Cell of a deformable simplicial complex: a label, the quality cached by the complex, the connected
-component of its label that it belongs to, and a time stamp that orders cells by creation. The setters
-are for the complex; calling them from outside breaks what it caches.
+component of its label that it belongs to, and a time stamp that orders cells by creation. The
+setters are for the complex; calling them from outside breaks what it caches.
 
 \tparam Traits model of `DeformableSimplicialComplexTraits_3`
 \tparam Cb a cell base class of 3D triangulations
@@ -34,7 +34,7 @@ public:
   /// The cell of another triangulation data structure.
   template <class Tds2> struct Rebind_TDS
   {
-    using Cb2 = typename Cb::template Rebind_TDS<Tds2>::Other; ///< `Cb` for `Tds2`
+    using Cb2 = typename Cb::template Rebind_TDS<Tds2>::Other;            ///< `Cb` for `Tds2`
     using Other = Deformable_simplicial_complex_cell_base_3<Traits, Cb2>; ///< the same for `Tds2`
   };
 

@@ -40,19 +40,18 @@ template <class Kernel_ = Exact_predicates_inexact_constructions_kernel>
 class Deformable_simplicial_complex_traits_3 : public Kernel_
 {
 public:
-  using Kernel = Kernel_; ///< the kernel whose predicates decide
+  using Kernel = Kernel_;                   ///< the kernel whose predicates decide
   using Point_3 = typename Kernel::Point_3; ///< the points that predicates see
 
-  using Approximate_kernel = Simple_cartesian<double>; ///< the kernel that measures
-  using Approximate_point_3 = Approximate_kernel::Point_3; ///< the points that are measured
+  using Approximate_kernel = Simple_cartesian<double>;       ///< the kernel that measures
+  using Approximate_point_3 = Approximate_kernel::Point_3;   ///< the points that are measured
   using Approximate_vector_3 = Approximate_kernel::Vector_3; ///< the differences of those points
 
   /// The nearest point with double coordinates.
   struct Construct_approximate_point_3
   {
     /// returns p with coordinates converted by `to_double()`.
-    Approximate_point_3 operator()(const Point_3& p) const
-    {
+    Approximate_point_3 operator()(const Point_3& p) const {
       return {to_double(p.x()), to_double(p.y()), to_double(p.z())};
     }
   };
@@ -70,8 +69,7 @@ public:
   {
     /// returns the signed volume of pqrs.
     double operator()(const Approximate_point_3& p, const Approximate_point_3& q,
-                      const Approximate_point_3& r, const Approximate_point_3& s) const
-    {
+                      const Approximate_point_3& r, const Approximate_point_3& s) const {
       return cross_product(q - p, r - p) * (s - p) / 6;
     }
   };
@@ -80,8 +78,7 @@ public:
   struct Compute_approximate_squared_length_3
   {
     /// returns the squared distance of p and q.
-    double operator()(const Approximate_point_3& p, const Approximate_point_3& q) const
-    {
+    double operator()(const Approximate_point_3& p, const Approximate_point_3& q) const {
       return (q - p).squared_length();
     }
   };
@@ -90,26 +87,24 @@ public:
   The facet of the link of a vertex through which a ray leaves the star.
 
   The star is given by its link facets, each a triple (a, b, c) with (p, a, b, c) positively
-  oriented. It is star-shaped about p, so that exactly one link simplex meets the ray; which one, and
-  of what dimension, is decided by orientations alone. See section 3.1 of the paper and line 4 of its
-  Algorithm 2.
+  oriented. It is star-shaped about p, so that exactly one link simplex meets the ray; which one,
+  and of what dimension, is decided by orientations alone. See section 3.1 of the paper and line 4
+  of its Algorithm 2.
   */
   class Link_intersection_3
   {
   public:
     /// constructs the function object, with a copy of the traits that it decides with.
     explicit Link_intersection_3(const Deformable_simplicial_complex_traits_3& traits)
-        : m_traits(traits)
-    {
-    }
+        : m_traits(traits) {}
 
     /// \param p source of the ray, inside its star; \param q another point, `q != p`.
     /// \param facets range of `std::array<Point_3, 3>`. If p is on the boundary of the domain, its
-    ///        finite link is open: the facet index is `facets.size()` for a ray that points outside.
+    ///        finite link is open: the facet index is `facets.size()` for a ray that points
+    ///        outside.
     /// Linear in the number of facets.
     template <class Facets>
-    Star_exit_3 operator()(const Point_3& p, const Point_3& q, const Facets& facets) const
-    {
+    Star_exit_3 operator()(const Point_3& p, const Point_3& q, const Facets& facets) const {
       const auto orientation = m_traits.orientation_3_object();
       std::size_t index = 0;
       for (const std::array<Point_3, 3>& f : facets) {
@@ -130,8 +125,7 @@ public:
     }
 
   private:
-    double parameter(const Point_3& p, const Point_3& q, const std::array<Point_3, 3>& f) const
-    {
+    double parameter(const Point_3& p, const Point_3& q, const std::array<Point_3, 3>& f) const {
       const auto approximate = m_traits.construct_approximate_point_3_object();
       const auto volume = m_traits.compute_approximate_volume_3_object();
       const Approximate_point_3 a = approximate(f[0]), b = approximate(f[1]), c = approximate(f[2]);
@@ -149,8 +143,7 @@ public:
   /// returns a function object.
   Compute_approximate_volume_3 compute_approximate_volume_3_object() const { return {}; }
   /// returns a function object.
-  Compute_approximate_squared_length_3 compute_approximate_squared_length_3_object() const
-  {
+  Compute_approximate_squared_length_3 compute_approximate_squared_length_3_object() const {
     return {};
   }
   /// returns a function object.

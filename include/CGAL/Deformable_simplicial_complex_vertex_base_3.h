@@ -16,9 +16,9 @@ namespace CGAL {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Vertex of a deformable simplicial complex: a point, a time stamp that orders vertices by creation, and
-what the complex caches about the vertex. The setters are for the complex; calling them from outside
-breaks what it caches.
+Vertex of a deformable simplicial complex: a point, a time stamp that orders vertices by creation,
+and what the complex caches about the vertex. The setters are for the complex; calling them from
+outside breaks what it caches.
 
 \tparam Traits model of `DeformableSimplicialComplexTraits_3`
 \tparam Vb a vertex base class of 3D triangulations with points
@@ -29,14 +29,15 @@ template <class Traits, class Vb = Triangulation_vertex_base_3<Traits>>
 class Deformable_simplicial_complex_vertex_base_3 : public Vb
 {
 public:
-  using Cell_handle = typename Vb::Cell_handle; ///< handle of a cell of the triangulation data structure
+  using Cell_handle =
+      typename Vb::Cell_handle;     ///< handle of a cell of the triangulation data structure
   using Point = typename Vb::Point; ///< `DeformableSimplicialComplexTraits_3::Point_3`
-  using Has_timestamp = Tag_true; ///< makes the container of the vertices number them
+  using Has_timestamp = Tag_true;   ///< makes the container of the vertices number them
 
   /// The vertex of another triangulation data structure.
   template <class Tds2> struct Rebind_TDS
   {
-    using Vb2 = typename Vb::template Rebind_TDS<Tds2>::Other; ///< `Vb` for `Tds2`
+    using Vb2 = typename Vb::template Rebind_TDS<Tds2>::Other;              ///< `Vb` for `Tds2`
     using Other = Deformable_simplicial_complex_vertex_base_3<Traits, Vb2>; ///< the same for `Tds2`
   };
 
@@ -62,8 +63,7 @@ public:
   /// Whether the vertex is on its way to somewhere.
   bool has_destination() const { return m_has_destination; }
   /// Sets `destination()`; `has_destination()` is true afterwards.
-  void set_destination(const Point& destination)
-  {
+  void set_destination(const Point& destination) {
     m_destination = destination;
     m_has_destination = true;
   }

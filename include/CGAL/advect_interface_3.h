@@ -24,10 +24,10 @@ template <class Complex, class Velocity>
 std::vector<typename Complex::Approximate_vector_3>
 velocities_at(const Interface_snapshot_3<Complex>& interface_,
               const std::vector<typename Complex::Approximate_point_3>& positions, double t,
-              const Velocity& velocity)
-{
+              const Velocity& velocity) {
   std::vector<typename Complex::Approximate_vector_3> result;
-  if constexpr (std::is_invocable_v<const Velocity&, typename Complex::Approximate_point_3, double>) {
+  if constexpr (std::is_invocable_v<const Velocity&, typename Complex::Approximate_point_3,
+                                    double>) {
     for (const auto& p : positions)
       result.push_back(velocity(p, t));
   } else {
@@ -44,8 +44,7 @@ template <class Complex, class Velocity>
 std::vector<typename Complex::Approximate_point_3>
 integrate(const Interface_snapshot_3<Complex>& interface_,
           const std::vector<typename Complex::Approximate_point_3>& start, const Velocity& velocity,
-          double t, double dt, Integration_scheme scheme)
-{
+          double t, double dt, Integration_scheme scheme) {
   using Point = typename Complex::Approximate_point_3;
   if constexpr (std::is_invocable_v<const Velocity&, Point, double, double>) {
     std::vector<Point> result;
@@ -83,20 +82,21 @@ integrate(const Interface_snapshot_3<Complex>& interface_,
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Moves the interface with a velocity for one step of time: integrates the path of each vertex, then calls
-`deform_interface()`. The path within the step is not followed, only its end.
+Moves the interface with a velocity for one step of time: integrates the path of each vertex, then
+calls `deform_interface()`. The path within the step is not followed, only its end.
 
 \param dsc the complex
 \param velocity one of
   - a velocity field, called as `velocity(p, t)` with a position and a time: returns a vector;
-  - a flow map (model of `InterfaceFlowMap_3`), called as `velocity(p, t, dt)`: returns the position at
-    t + dt of what is at p at t; the scheme does not matter then;
-  - a function of the whole interface (model of `InterfaceVelocity_3`), called once for each evaluation
-    as `velocity(interface, positions, t, velocities)`, which fills `velocities`.
+  - a flow map (model of `InterfaceFlowMap_3`), called as `velocity(p, t, dt)`: returns the position
+at t + dt of what is at p at t; the scheme does not matter then;
+  - a function of the whole interface (model of `InterfaceVelocity_3`), called once for each
+evaluation as `velocity(interface, positions, t, velocities)`, which fills `velocities`.
   .
   Positions and vectors are of `Complex::Approximate_point_3` and `Approximate_vector_3`, in the
   coordinates of the complex.
-\param t time at the beginning of the step. \param dt its length; negative to go back.
+\param t time at the beginning of the step.
+\param dt its length; negative to go back.
 \param np named parameters: those of `deform_interface()` and
 
 \cgalNamedParamsBegin
@@ -111,12 +111,12 @@ Moves the interface with a velocity for one step of time: integrates the path of
 \throws Deformable_simplicial_complexes::Invalid_destination_error if a velocity is not finite; the
         complex is then unchanged.
 */
-template <class Complex, class Velocity,
-          class NamedParameters = Deformable_simplicial_complexes::parameters::Default_named_parameters>
+template <
+    class Complex, class Velocity,
+    class NamedParameters = Deformable_simplicial_complexes::parameters::Default_named_parameters>
 Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& velocity, double t,
                                              double dt,
-                                             const NamedParameters& np = NamedParameters())
-{
+                                             const NamedParameters& np = NamedParameters()) {
   using Deformable_simplicial_complexes::Integration_scheme;
   const Integration_scheme scheme = parameters::choose_parameter(
       parameters::get_parameter(np, Deformable_simplicial_complexes::internal_np::scheme),

@@ -15,18 +15,19 @@ namespace CGAL {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Moves the vertices of the interface to destinations, without ever inverting a cell, and keeps the mesh
-good on the way (Algorithm 1 of the paper). Parts of the interface that meet may merge or split.
+Moves the vertices of the interface to destinations, without ever inverting a cell, and keeps the
+mesh good on the way (Algorithm 1 of the paper). Parts of the interface that meet may merge or
+split.
 
-Each pass moves all vertices at once as far as no cell inverts, carrying the free vertices around along
-with a harmonic extension of the motion; then the vertices that were held back, one by one (Algorithm 2);
-then relabels cells flattened between two parts of the interface, removes what is in the way of vertices
-that have not arrived, and improves what became bad.
+Each pass moves all vertices at once as far as no cell inverts, carrying the free vertices around
+along with a harmonic extension of the motion; then the vertices that were held back, one by one
+(Algorithm 2); then relabels cells flattened between two parts of the interface, removes what is in
+the way of vertices that have not arrived, and improves what became bad.
 
 \param dsc the complex
-\param destination a function object: `Point_3 destination(Vertex_handle v)`, asked once for each vertex
-       of the interface, in the coordinates of the complex. A vertex on a side of the domain goes to the
-       nearest point of that side.
+\param destination a function object: `Point_3 destination(Vertex_handle v)`, asked once for each
+       vertex of the interface, in the coordinates of the complex. A vertex on a side of the domain
+       goes to the nearest point of that side.
 \param np named parameters:
 
 \cgalNamedParamsBegin
@@ -55,20 +56,20 @@ that have not arrived, and improves what became bad.
 \cgalNamedParamsEnd
 
 \return which vertices did not arrive and how far they stayed, what happened to labels and mesh.
-\throws Deformable_simplicial_complexes::Invalid_destination_error if a destination is not finite; the
-        complex is then unchanged. An exception of the visitor leaves a valid complex.
+\throws Deformable_simplicial_complexes::Invalid_destination_error if a destination is not finite;
+       the complex is then unchanged. An exception of the visitor leaves a valid complex.
 */
-template <class Complex, class Destination,
-          class NamedParameters = Deformable_simplicial_complexes::parameters::Default_named_parameters>
+template <
+    class Complex, class Destination,
+    class NamedParameters = Deformable_simplicial_complexes::parameters::Default_named_parameters>
 Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& destination,
-                                             const NamedParameters& np = NamedParameters())
-{
+                                             const NamedParameters& np = NamedParameters()) {
   namespace tags = Deformable_simplicial_complexes::internal_np;
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
-  auto given_visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor),
-                                        Deformation_visitor_3());
+  auto given_visitor =
+      choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Deformation_visitor_3());
   auto& visitor = Deformable_simplicial_complexes::internal::unwrap(given_visitor);
   const unsigned maximum_number_of_passes =
       choose_parameter(get_parameter(np, tags::maximum_number_of_passes), 20u);

@@ -19,7 +19,8 @@ Improves the tetrahedra of a complex by reconnection, smoothing and collapses, e
 raises the worst quality where it acts, and by splits of long edges (Algorithm 3 of the paper). The
 interface stays as it is, bit for bit.
 
-\param dsc the complex. \param np named parameters:
+\param dsc the complex.
+\param np named parameters:
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{quality_threshold}
@@ -41,16 +42,15 @@ interface stays as it is, bit for bit.
 
 A pass over the cells, then n log n in the number of cells below the threshold.
 */
-template <class Complex,
-          class NamedParameters = Deformable_simplicial_complexes::parameters::Default_named_parameters>
-Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedParameters())
-{
+template <class Complex, class NamedParameters =
+                             Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedParameters()) {
   namespace tags = Deformable_simplicial_complexes::internal_np;
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
-  auto given_visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor),
-                                        Deformation_visitor_3());
+  auto given_visitor =
+      choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Deformation_visitor_3());
   auto& visitor = Deformable_simplicial_complexes::internal::unwrap(given_visitor);
   const double threshold = choose_parameter(get_parameter(np, tags::quality_threshold), .3);
   const unsigned rounds =

@@ -16,28 +16,25 @@ namespace CGAL {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Rotation about an axis with constant angular velocity (section 4.1.1 of the paper). It gives positions
-and not velocities, so that it is integrated exactly, whatever the scheme.
+Rotation about an axis with constant angular velocity (section 4.1.1 of the paper). It gives
+positions and not velocities, so that it is integrated exactly, whatever the scheme.
 
 \cgalModels `InterfaceFlowMap_3`
 */
 class Rigid_rotation_3
 {
 public:
-  using Point_3 = Simple_cartesian<double>::Point_3; ///< in the coordinates of the complex
+  using Point_3 = Simple_cartesian<double>::Point_3;   ///< in the coordinates of the complex
   using Vector_3 = Simple_cartesian<double>::Vector_3; ///< in the coordinates of the complex
 
   /// \param center a point of the axis. \param axis its direction, not zero, of any length.
   /// \param angular_velocity radians per unit of time, counterclockwise seen against the axis.
   Rigid_rotation_3(const Point_3& center, const Vector_3& axis, double angular_velocity)
       : m_center(center), m_axis(axis / std::sqrt(axis.squared_length())),
-        m_angular_velocity(angular_velocity)
-  {
-  }
+        m_angular_velocity(angular_velocity) {}
 
   /// Where a point at p at the time t is at t + dt.
-  Point_3 operator()(const Point_3& p, double /*t*/, double dt) const
-  {
+  Point_3 operator()(const Point_3& p, double /*t*/, double dt) const {
     const double angle = m_angular_velocity * dt;
     const Vector_3 r = p - m_center, along = (m_axis * r) * m_axis, across = r - along;
     return m_center + along + std::cos(angle) * across +
@@ -53,9 +50,9 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Motion along the normals of the interface: labelled phases grow into the outside, label 0, or shrink if
-the speed is negative. The normal of a vertex is the mean of the normals of its facets that face label 0,
-weighted by their areas; vertices without such a facet stay.
+Motion along the normals of the interface: labelled phases grow into the outside, label 0, or shrink
+if the speed is negative. The normal of a vertex is the mean of the normals of its facets that face
+label 0, weighted by their areas; vertices without such a facet stay.
 
 \cgalModels `InterfaceVelocity_3`
 */
@@ -68,17 +65,16 @@ struct Normal_offset_3
   template <class Complex>
   void operator()(const Interface_snapshot_3<Complex>& interface_,
                   const std::vector<typename Complex::Approximate_point_3>& positions, double /*t*/,
-                  std::vector<typename Complex::Approximate_vector_3>& velocities) const
-  {
+                  std::vector<typename Complex::Approximate_vector_3>& velocities) const {
     using Vector = typename Complex::Approximate_vector_3;
     velocities.assign(positions.size(), Vector(0, 0, 0));
     for (const auto& triangle : interface_.triangles) {
       if (triangle.in_front != 0 && triangle.behind != 0)
         continue;
       const auto& v = triangle.vertices;
-      const Vector normal = cross_product(positions[v[1]] - positions[v[0]],
-                                          positions[v[2]] - positions[v[0]]) *
-                            (triangle.in_front == 0 ? 1. : -1.);
+      const Vector normal =
+          cross_product(positions[v[1]] - positions[v[0]], positions[v[2]] - positions[v[0]]) *
+          (triangle.in_front == 0 ? 1. : -1.);
       for (std::size_t i : v)
         velocities[i] = velocities[i] + normal;
     }

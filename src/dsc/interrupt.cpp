@@ -13,16 +13,15 @@ namespace {
 volatile std::sig_atomic_t flag = 0;
 timespec time_of_first = {};
 
-// Whoever asks twice does not want to wait for the step; but timeout(1) and some shells send the same
-// signal to the program and to its process group.
+// Whoever asks twice does not want to wait for the step; but timeout(1) and some shells send the
+// same signal to the program and to its process group.
 extern "C" void raise_flag(int signal) {
   timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);
   if (flag == 0) {
     flag = 1;
     time_of_first = now;
-  }
-  else if (now.tv_sec > time_of_first.tv_sec + 1) {
+  } else if (now.tv_sec > time_of_first.tv_sec + 1) {
     std::signal(signal, SIG_DFL);
     raise(signal);
   }

@@ -7,7 +7,8 @@
 
 namespace dsc {
 
-/// From now on the first SIGINT or SIGTERM only raises a flag; one some seconds later ends the program.
+/// From now on the first SIGINT or SIGTERM only raises a flag; one some seconds later ends the
+/// program.
 void catch_interrupts();
 
 /// Whether a signal arrived.

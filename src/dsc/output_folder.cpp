@@ -56,8 +56,10 @@ Output_folder::Output_folder(const std::string& path, const std::string& resume)
                       "'; check that no file has its name and that its place may be written to");
   require_writable(checkpoint());
   if (fs::exists(checkpoint(), error) && !fs::equivalent(checkpoint(), resume, error))
-    throw Input_error("the folder '" + path + "' holds the results of another run; choose another "
-                      "folder, or continue that run with --resume " + checkpoint());
+    throw Input_error("the folder '" + path +
+                      "' holds the results of another run; choose another "
+                      "folder, or continue that run with --resume " +
+                      checkpoint());
 }
 
 void Output_folder::keep_until(double time) {

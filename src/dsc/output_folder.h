@@ -20,8 +20,8 @@ namespace dsc {
 class Output_folder
 {
 public:
-  /// Creates the folder if need be. \throws Input_error if nothing can be written there, or if it holds
-  /// another run than that of the checkpoint `resume`
+  /// Creates the folder if need be. \throws Input_error if nothing can be written there, or if it
+  /// holds another run than that of the checkpoint `resume`
   Output_folder(const std::string& path, const std::string& resume);
 
   /// Goes on with the collections of an earlier run in this folder, up to a moment.

@@ -149,8 +149,14 @@ TEST(Optimal_position, survives_cells_flat_up_to_rounding) {
     Complex dsc;
     const auto v = dsc.assign({Point(1, 0, 0), Point(-1, 0, 0), Point(0, 1, 0), Point(0, -1, 0),
                                Point(0, 0, 1), Point(0, 0, -1), Point(0, 0, 0)},
-                              {{2, 0, 4, 6}, {1, 2, 4, 6}, {3, 1, 4, 6}, {0, 3, 4, 6},
-                               {0, 2, 5, 6}, {2, 1, 5, 6}, {1, 3, 5, 6}, {3, 0, 5, 6}},
+                              {{2, 0, 4, 6},
+                               {1, 2, 4, 6},
+                               {3, 1, 4, 6},
+                               {0, 3, 4, 6},
+                               {0, 2, 5, 6},
+                               {2, 1, 5, 6},
+                               {1, 3, 5, 6},
+                               {3, 0, 5, 6}},
                               std::vector<int>(8, 0));
     ASSERT_EQ(dsc.move_vertex(v[6], p), 1);
     ASSERT_LE(mesh_helpers::minimum_quality(dsc), 0);

@@ -15,8 +15,8 @@ int main() {
   std::vector<Point> points;
   for (int i = 0; i < 8; ++i)
     points.emplace_back(i & 1, (i >> 1) & 1, (i >> 2) & 1);
-  const std::vector<std::array<std::size_t, 4>> tetrahedra = {{0, 1, 3, 7}, {0, 5, 1, 7}, {0, 4, 5, 7},
-                                                              {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}};
+  const std::vector<std::array<std::size_t, 4>> tetrahedra = {
+      {0, 1, 3, 7}, {0, 5, 1, 7}, {0, 4, 5, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}};
 
   Complex complex;
   complex.assign(points, tetrahedra, {1, 1, 1, 0, 0, 0});

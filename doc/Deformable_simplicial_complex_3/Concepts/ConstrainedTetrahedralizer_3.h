@@ -23,7 +23,8 @@ public:
 
   \return an object of any type with the members of `CGAL::Tetrahedralization_3`:
   - `points`, a random access range of `std::array<double, 3>`, begins with the input points in
-    their order, the coordinates being the same bit for bit; each point is a corner of a tetrahedron;
+    their order, the coordinates being the same bit for bit; each point is a corner of a
+  tetrahedron;
   - `tetrahedra`, a `std::vector<std::array<std::size_t, 4>>` of indices into these points, contains
     only positively oriented tetrahedra, decided by exact arithmetic;
   - each triangle is a facet of them, and those that can be seen from outside are their boundary.

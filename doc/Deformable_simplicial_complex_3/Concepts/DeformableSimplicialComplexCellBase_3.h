@@ -2,9 +2,9 @@
 \ingroup PkgDeformableSimplicialComplex3Concepts
 \cgalConcept
 
-The cell of a `CGAL::Deformable_simplicial_complex_3`, with a label and what the complex caches. Each value
-is what the last call of its setter made it; setters are called by the complex only. Copies have
-equal values, time stamps included.
+The cell of a `CGAL::Deformable_simplicial_complex_3`, with a label and what the complex caches.
+Each value is what the last call of its setter made it; setters are called by the complex only.
+Copies have equal values, time stamps included.
 
 \cgalRefines `TriangulationDSCellBase_3`
 

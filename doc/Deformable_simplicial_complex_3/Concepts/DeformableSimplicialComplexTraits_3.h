@@ -2,11 +2,11 @@
 \ingroup PkgDeformableSimplicialComplex3Concepts
 \cgalConcept
 
-The geometry that `CGAL::Deformable_simplicial_complex_3`, the mesh operations, and the functions that
-move interfaces need. What decides is exact: orientations, and with them which facet of its star a vertex
-meets. What measures is not: volumes and qualities are computed on points with coordinates of type
-`double`. The coordinates of `Point_3` itself are never asked for, except where points come from or go
-to somewhere else: building from surfaces, and files.
+The geometry that `CGAL::Deformable_simplicial_complex_3`, the mesh operations, and the functions
+that move interfaces need. What decides is exact: orientations, and with them which facet of its
+star a vertex meets. What measures is not: volumes and qualities are computed on points with
+coordinates of type `double`. The coordinates of `Point_3` itself are never asked for, except where
+points come from or go to somewhere else: building from surfaces, and files.
 
 \cgalRefines `DefaultConstructible`, `CopyConstructible`, `Assignable`
 
@@ -32,8 +32,8 @@ public:
 
   /// @}
   /// \name Types Named by CGAL::Triangulation_3
-  /// The triangulation in which a complex is stored names these types, but nothing that is done with
-  /// a complex uses them: incomplete types will do.
+  /// The triangulation in which a complex is stored names these types, but nothing that is done
+  /// with a complex uses them: incomplete types will do.
   /// @{
 
   /// any type
@@ -54,25 +54,27 @@ public:
   /// @{
 
   /// A function object with
-  /// `CGAL::Orientation operator()(const Point_3& p, const Point_3& q, const Point_3& r, const Point_3& s) const`,
-  /// the sign of the volume of a tetrahedron, exactly. It is invariant under even permutations of the
-  /// points.
+  /// `CGAL::Orientation operator()(const Point_3& p, const Point_3& q, const Point_3& r, const
+  /// Point_3& s) const`, the sign of the volume of a tetrahedron, exactly. It is invariant under
+  /// even permutations of the points.
   typedef unspecified_type Orientation_3;
 
   /*!
   A function object that tells where a ray leaves the star of its source, with
 
-  `CGAL::Star_exit_3 operator()(const Point_3& p, const Point_3& q, const std::vector<std::array<Point_3, 3>>& facets) const`
+  `CGAL::Star_exit_3 operator()(const Point_3& p, const Point_3& q, const
+  std::vector<std::array<Point_3, 3>>& facets) const`
 
-  where `p` is the source of the ray, `q != p` a point on it, and `facets` is the link of `p`: triples
-  of points `a`, `b`, `c` with `(p, a, b, c)` positively oriented. The star fills all directions around `p`, each but once; if `p`
-  lies on the boundary of the domain, some directions are missing.
+  where `p` is the source of the ray, `q != p` a point on it, and `facets` is the link of `p`:
+  triples of points `a`, `b`, `c` with `(p, a, b, c)` positively oriented. The star fills all
+  directions around `p`, each but once; if `p` lies on the boundary of the domain, some directions
+  are missing.
 
   The result consists of
-  - `facet`, the index of the first facet that the ray meets, decided exactly, or the number of facets
-    if it meets none;
-  - `dimension`, that of the simplex in the inside of which it does: 2, 1 or 0 for a facet, an edge or a
-    vertex, decided exactly;
+  - `facet`, the index of the first facet that the ray meets, decided exactly, or the number of
+  facets if it meets none;
+  - `dimension`, that of the simplex in the inside of which it does: 2, 1 or 0 for a facet, an edge
+  or a vertex, decided exactly;
   - `parameter`, the number `t` for which `p + t (q - p)` lies in the plane of that facet, up to
     rounding; 0 if there is no such facet.
   */
@@ -82,18 +84,19 @@ public:
   /// \name Constructions
   /// @{
 
-  /// A function object with `Approximate_point_3 operator()(const Point_3& p) const`: the point with
-  /// coordinates of type `double` that is nearest to `p`, up to rounding. It is `q` again if `p` was
-  /// made from `q` by `Construct_exact_point_3`.
+  /// A function object with `Approximate_point_3 operator()(const Point_3& p) const`: the point
+  /// with coordinates of type `double` that is nearest to `p`, up to rounding. It is `q` again if
+  /// `p` was made from `q` by `Construct_exact_point_3`.
   typedef unspecified_type Construct_approximate_point_3;
 
-  /// A function object with `Point_3 operator()(const Approximate_point_3& p) const`: the point with
-  /// exactly these coordinates.
+  /// A function object with `Point_3 operator()(const Approximate_point_3& p) const`: the point
+  /// with exactly these coordinates.
   typedef unspecified_type Construct_exact_point_3;
 
   /// A function object with
-  /// `double operator()(const Approximate_point_3& p, const Approximate_point_3& q, const Approximate_point_3& r, const Approximate_point_3& s) const`,
-  /// the volume of a tetrahedron up to rounding, positive for a positively oriented one.
+  /// `double operator()(const Approximate_point_3& p, const Approximate_point_3& q, const
+  /// Approximate_point_3& r, const Approximate_point_3& s) const`, the volume of a tetrahedron up
+  /// to rounding, positive for a positively oriented one.
   typedef unspecified_type Compute_approximate_volume_3;
 
   /// @}

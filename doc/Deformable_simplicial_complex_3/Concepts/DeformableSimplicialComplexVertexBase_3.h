@@ -2,10 +2,10 @@
 \ingroup PkgDeformableSimplicialComplex3Concepts
 \cgalConcept
 
-The vertex of a `CGAL::Deformable_simplicial_complex_3`: besides a point it keeps what the complex wants to
-know about the vertex without looking at the cells around it. Each value is what the last call of its
-setter made it; setters are called by the complex only. Copies have equal values, time stamps
-included.
+The vertex of a `CGAL::Deformable_simplicial_complex_3`: besides a point it keeps what the complex
+wants to know about the vertex without looking at the cells around it. Each value is what the last
+call of its setter made it; setters are called by the complex only. Copies have equal values, time
+stamps included.
 
 \cgalRefines `TriangulationDSVertexBase_3`
 
@@ -53,7 +53,8 @@ public:
   /// sets `is_interface()`.
   void set_interface(bool is_interface);
 
-  /// the sides of the domain on which the vertex lies, see `CGAL::Boundary_class`; 0 for a new vertex.
+  /// the sides of the domain on which the vertex lies, see `CGAL::Boundary_class`; 0 for a new
+  /// vertex.
   std::uint8_t boundary_class() const;
 
   /// sets `boundary_class()`.
@@ -77,8 +78,8 @@ public:
 
   /// @}
   /// \name Numbering
-  /// An index into some list of vertices, for whoever makes one. Others may have overwritten it: the
-  /// vertex is in a list only if the list has it at this index.
+  /// An index into some list of vertices, for whoever makes one. Others may have overwritten it:
+  /// the vertex is in a list only if the list has it at this index.
   /// @{
 
   /// the index.

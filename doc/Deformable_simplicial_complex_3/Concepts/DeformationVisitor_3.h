@@ -2,13 +2,13 @@
 \ingroup PkgDeformableSimplicialComplex3Concepts
 \cgalConcept
 
-An object that is told of each change that `CGAL::deform_interface()`, `CGAL::advect_interface()` and
-`CGAL::improve_mesh()` make to the simplices of a complex, so that data attached to them can follow, and
-that may end a deformation. Motion is not told of.
+An object that is told of each change that `CGAL::deform_interface()`, `CGAL::advect_interface()`
+and `CGAL::improve_mesh()` make to the simplices of a complex, so that data attached to them can
+follow, and that may end a deformation. Motion is not told of.
 
-The functions are called in an order that does not depend on the number of threads, by one thread at a
-time. None of them may change the complex. If one throws, the exception reaches the caller, and the
-complex is valid.
+The functions are called in an order that does not depend on the number of threads, by one thread at
+a time. None of them may change the complex. If one throws, the exception reaches the caller, and
+the complex is valid.
 
 `Complex` stands for the type of the complex; a visitor need not define it, and its functions may be
 templates. A visitor need not be copied if it is passed by `std::ref()`. Deriving from
@@ -34,7 +34,7 @@ public:
   /// `cell` had the label `before` and has another one now. Not called by `CGAL::improve_mesh()`.
   void after_relabel(Complex::Cell_handle cell, int before);
 
-  /// is asked before each pass of a deformation, the first one being 1; `false` ends the deformation,
-  /// which is then reported as incomplete. Not asked by `CGAL::improve_mesh()`.
+  /// is asked before each pass of a deformation, the first one being 1; `false` ends the
+  /// deformation, which is then reported as incomplete. Not asked by `CGAL::improve_mesh()`.
   bool go_further(unsigned int pass);
 };

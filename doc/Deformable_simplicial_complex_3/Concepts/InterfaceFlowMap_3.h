@@ -2,9 +2,9 @@
 \ingroup PkgDeformableSimplicialComplex3Concepts
 \cgalConcept
 
-A motion of space that is known in closed form, so that `CGAL::advect_interface()` need not integrate it:
-whatever the integration scheme, vertices are sent to where the map says. `Complex` stands for the type of
-the complex; a map need not define it.
+A motion of space that is known in closed form, so that `CGAL::advect_interface()` need not
+integrate it: whatever the integration scheme, vertices are sent to where the map says. `Complex`
+stands for the type of the complex; a map need not define it.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Rigid_rotation_3}
@@ -13,8 +13,8 @@ the complex; a map need not define it.
 class InterfaceFlowMap_3
 {
 public:
-  /// returns where that is at the time `t + dt` which is at `p` at the time `t`, in the coordinates of
-  /// the complex. `dt` may be negative.
+  /// returns where that is at the time `t + dt` which is at `p` at the time `t`, in the coordinates
+  /// of the complex. `dt` may be negative.
   Complex::Approximate_point_3 operator()(const Complex::Approximate_point_3& p, double t,
                                           double dt) const;
 };

@@ -19,8 +19,8 @@ public:
   /*!
   returns the quality of a tetrahedron: 1 if it is regular and less if it is not, 0 if it is flat,
   below 0 if it is negatively oriented, all up to rounding. It is continuous where the volume is not
-  zero, and invariant under similarities and under even permutations of the vertices, up to rounding. It
-  depends on the arguments only: the same call returns the same bits.
+  zero, and invariant under similarities and under even permutations of the vertices, up to
+  rounding. It depends on the arguments only: the same call returns the same bits.
   */
   double operator()(const DeformableSimplicialComplexTraits_3::Approximate_point_3& p,
                     const DeformableSimplicialComplexTraits_3::Approximate_point_3& q,

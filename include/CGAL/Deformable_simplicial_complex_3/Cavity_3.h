@@ -23,44 +23,44 @@ A proposed replacement: cells to remove, tetrahedra to create in their place, an
 before and after. A mesh operation fills a cavity without touching the complex;
 `Deformable_simplicial_complex_3::replace()` then commits it whole, or it is dropped.
 
-Vertices have indices within the cavity. Infinite cells may take part; a tetrahedron with the infinite
-vertex has no orientation and no quality. If the tetrahedra have the boundary of the removed cells and
-all finite ones are positive, they fill exactly the same space: no further geometric test is needed.
+Vertices have indices within the cavity. Infinite cells may take part; a tetrahedron with the
+infinite vertex has no orientation and no quality. If the tetrahedra have the boundary of the
+removed cells and all finite ones are positive, they fill exactly the same space: no further
+geometric test is needed.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 */
 template <class Complex> class Cavity_3
 {
 public:
-  using Vertex_handle = typename Complex::Vertex_handle; ///< vertex of the complex
-  using Cell_handle = typename Complex::Cell_handle; ///< cell of the complex
-  using Point_3 = typename Complex::Point_3; ///< as in the complex
+  using Vertex_handle = typename Complex::Vertex_handle;             ///< vertex of the complex
+  using Cell_handle = typename Complex::Cell_handle;                 ///< cell of the complex
+  using Point_3 = typename Complex::Point_3;                         ///< as in the complex
   using Approximate_point_3 = typename Complex::Approximate_point_3; ///< as in the complex
   using Index = std::uint32_t; ///< index of a vertex within the cavity, into `vertices()`
 
   /// A vertex of the complex, or one to be created.
   struct Vertex
   {
-    Vertex_handle handle; ///< null while the vertex is yet to be created
-    Point_3 point; ///< where it is or is to be created
+    Vertex_handle handle;         ///< null while the vertex is yet to be created
+    Point_3 point;                ///< where it is or is to be created
     Approximate_point_3 position; ///< the same, with coordinates of type `double`
-    std::uint8_t boundary_class; ///< see `Boundary_class`
+    std::uint8_t boundary_class;  ///< see `Boundary_class`
   };
 
   /// A tetrahedron to be created.
   struct Tetrahedron
   {
     std::array<Index, 4> vertices; ///< infinite ones may be among them
-    Cell_handle parent; ///< the removed cell whose label and component it inherits
-    double quality;     ///< infinity if a vertex is infinite
+    Cell_handle parent;            ///< the removed cell whose label and component it inherits
+    double quality;                ///< infinity if a vertex is infinite
   };
 
   /// An empty cavity in a complex, which must outlive it.
   explicit Cavity_3(const Complex& complex) : m_complex(&complex) {}
 
   /// Empties the cavity and keeps its memory.
-  void clear()
-  {
+  void clear() {
     m_vertices.clear();
     m_removed.clear();
     m_tetrahedra.clear();
@@ -70,8 +70,7 @@ public:
   }
 
   /// The index of v, which becomes a vertex of the cavity if it was none.
-  Index add(Vertex_handle v)
-  {
+  Index add(Vertex_handle v) {
     const Index known = v->scratch_index();
     if (known < m_vertices.size() && m_vertices[known].handle == v)
       return known;
@@ -81,17 +80,14 @@ public:
   }
 
   /// The index of a vertex to be created at p.
-  Index add(const Point_3& p, std::uint8_t boundary_class)
-  {
-    const auto approximate =
-        m_complex->geom_traits().construct_approximate_point_3_object();
+  Index add(const Point_3& p, std::uint8_t boundary_class) {
+    const auto approximate = m_complex->geom_traits().construct_approximate_point_3_object();
     m_vertices.push_back({Vertex_handle(), p, approximate(p), boundary_class});
     return Index(m_vertices.size() - 1);
   }
 
   /// Plans the removal of a cell, whose vertices become vertices of the cavity.
-  void remove(Cell_handle c)
-  {
+  void remove(Cell_handle c) {
     for (int i = 0; i < 4; ++i)
       add(c->vertex(i));
     m_removed.push_back(c);
@@ -103,8 +99,7 @@ public:
   void remove(Vertex_handle v) { m_vanishing_vertex = v; }
 
   /// Plans a tetrahedron in the place of `parent`, a removed cell. Returns its quality.
-  double create(const std::array<Index, 4>& vertices, Cell_handle parent)
-  {
+  double create(const std::array<Index, 4>& vertices, Cell_handle parent) {
     const double quality = this->quality(vertices);
     m_tetrahedra.push_back({vertices, parent, quality});
     m_quality_after = (std::min)(m_quality_after, quality);
@@ -112,8 +107,7 @@ public:
   }
 
   /// Quality of a tetrahedron of cavity vertices by the measure of the complex.
-  double quality(const std::array<Index, 4>& t) const
-  {
+  double quality(const std::array<Index, 4>& t) const {
     if (has_infinite_vertex(t))
       return std::numeric_limits<double>::infinity();
     return m_complex->quality_measure()(m_vertices[t[0]].position, m_vertices[t[1]].position,
@@ -121,8 +115,7 @@ public:
   }
 
   /// Whether all finite planned tetrahedra are positively oriented, exactly.
-  bool is_positive() const
-  {
+  bool is_positive() const {
     const auto orientation = m_complex->geom_traits().orientation_3_object();
     return std::all_of(m_tetrahedra.begin(), m_tetrahedra.end(), [&](const Tetrahedron& t) {
       const auto& v = t.vertices;
@@ -152,8 +145,7 @@ public:
 private:
   friend Complex;
 
-  bool has_infinite_vertex(const std::array<Index, 4>& t) const
-  {
+  bool has_infinite_vertex(const std::array<Index, 4>& t) const {
     return std::any_of(t.begin(), t.end(),
                        [&](Index i) { return m_complex->is_infinite(m_vertices[i].handle); });
   }

@@ -15,11 +15,11 @@ How the connected components of a label changed between two looks at them.
 */
 struct Component_change
 {
-  int label = 0;            ///< whose components these are
-  std::size_t before = 0;   ///< number of components then
-  std::size_t after = 0;    ///< number of components now
-  std::size_t merged = 0;   ///< sum over the components of now: those they come from, minus one
-  std::size_t split = 0;    ///< sum over the components of then: the parts they fell into, minus one
+  int label = 0;          ///< whose components these are
+  std::size_t before = 0; ///< number of components then
+  std::size_t after = 0;  ///< number of components now
+  std::size_t merged = 0; ///< sum over the components of now: those they come from, minus one
+  std::size_t split = 0;  ///< sum over the components of then: the parts they fell into, minus one
   std::size_t vanished = 0; ///< components of then of which no cell is left
   std::size_t appeared = 0; ///< components of now that come from none
 };

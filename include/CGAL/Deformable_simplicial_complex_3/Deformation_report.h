@@ -24,21 +24,22 @@ template <class Complex> struct Deformation_report
   struct Unfinished_vertex
   {
     typename Complex::Vertex_handle vertex; ///< on the interface
-    double distance; ///< from where it is to its destination
+    double distance;                        ///< from where it is to its destination
   };
 
   /// What became of a label: its components, and its volume in the coordinates of the complex.
   struct Label_change : public Component_change
   {
     double volume_before = 0; ///< 0 if the label was not there
-    double volume_after = 0; ///< 0 if the label is gone
+    double volume_after = 0;  ///< 0 if the label is gone
   };
 
   bool complete = true;                      ///< whether `unfinished` is empty
   std::vector<Unfinished_vertex> unfinished; ///< by time stamp
-  /// vertices that were removed or left the interface, by a merge or a collapse, before they arrived
+  /// vertices that were removed or left the interface, by a merge or a collapse, before they
+  /// arrived
   std::size_t vanished = 0;
-  unsigned passes = 0;                       ///< executions of the main loop of Algorithm 1
+  unsigned passes = 0; ///< executions of the main loop of Algorithm 1
   /// \var split
   /// edges split
   /// \var collapsed
@@ -48,7 +49,7 @@ template <class Complex> struct Deformation_report
   /// \var smoothed
   /// vertices smoothed
   std::size_t split = 0, collapsed = 0, flipped = 0, smoothed = 0;
-  std::size_t relabeled = 0;                                       ///< cells that changed their label
+  std::size_t relabeled = 0;        ///< cells that changed their label
   std::vector<Label_change> labels; ///< one for each label of before or after, increasing
 };
 

@@ -10,22 +10,24 @@ namespace CGAL {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Does nothing when the mesh changes: the default visitor and a base for others, which hide the functions
-they are interested in. Pass a visitor by `std::ref` to see its state afterwards. No function may change
-the complex.
+Does nothing when the mesh changes: the default visitor and a base for others, which hide the
+functions they are interested in. Pass a visitor by `std::ref` to see its state afterwards. No
+function may change the complex.
 
 \cgalModels `DeformationVisitor_3`
 */
 struct Deformation_visitor_3
 {
   /// `v` was created on the edge between `a` and `b`.
-  template <class Vertex_handle> void after_split(Vertex_handle /*v*/, Vertex_handle /*a*/, Vertex_handle /*b*/) {}
+  template <class Vertex_handle>
+  void after_split(Vertex_handle /*v*/, Vertex_handle /*a*/, Vertex_handle /*b*/) {}
 
   /// `removed` is about to disappear into `kept`; both are still there.
-  template <class Vertex_handle> void before_collapse(Vertex_handle /*removed*/, Vertex_handle /*kept*/) {}
+  template <class Vertex_handle>
+  void before_collapse(Vertex_handle /*removed*/, Vertex_handle /*kept*/) {}
 
-  /// `cells` have replaced others of the same vertices: an edge, facets, or an edge of the interface
-  /// was removed.
+  /// `cells` have replaced others of the same vertices: an edge, facets, or an edge of the
+  /// interface was removed.
   template <class Cells> void after_flip(const Cells& /*cells*/) {}
 
   /// `cell` had the label `before`.

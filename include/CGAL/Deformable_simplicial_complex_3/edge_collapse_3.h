@@ -29,15 +29,13 @@ public:
   using Star = std::vector<Cell_handle>;
 
   Collapse_test_3(const Complex& complex, Vertex_handle a, Vertex_handle b)
-      : m_complex(complex), m_a(a), m_b(b)
-  {
-  }
+      : m_complex(complex), m_a(a), m_b(b) {}
 
   // Whether the removed vertex is no more singular than the edge: as many sectors of one label (the
-  // outside of the domain being one) meet in its star as around the edge. A vertex in a sheet may thus
-  // go along the sheet, one on a triple line along the line, and a point where more meet stays.
-  bool has_same_stratum(const Star& star_a) const
-  {
+  // outside of the domain being one) meet in its star as around the edge. A vertex in a sheet may
+  // thus go along the sheet, one on a triple line along the line, and a point where more meet
+  // stays.
+  bool has_same_stratum(const Star& star_a) const {
     Star around_edge;
     for (Cell_handle c : star_a)
       if (c->has_vertex(m_b))
@@ -45,10 +43,10 @@ public:
     return sectors(star_a) == sectors(around_edge);
   }
 
-  // Lk(a) and Lk(b) meet in Lk(ab), exactly: then the collapse keeps the topology of space, and if the
-  // same holds in the interface, that of the interface. The infinite vertex counts like any other.
-  bool fulfills_link_condition(const Star& star_a, const Star& star_b) const
-  {
+  // Lk(a) and Lk(b) meet in Lk(ab), exactly: then the collapse keeps the topology of space, and if
+  // the same holds in the interface, that of the interface. The infinite vertex counts like any
+  // other.
+  bool fulfills_link_condition(const Star& star_a, const Star& star_b) const {
     Links volume, interface_;
     collect(star_a, m_a, m_b, volume.a, interface_.a);
     collect(star_b, m_b, m_a, volume.b, interface_.b);
@@ -80,8 +78,7 @@ private:
   {
     std::vector<Simplex> a, b, ab;
 
-    bool agree()
-    {
+    bool agree() {
       for (std::vector<Simplex>* link : {&a, &b, &ab}) {
         std::sort(link->begin(), link->end());
         link->erase(std::unique(link->begin(), link->end()), link->end());
@@ -94,8 +91,7 @@ private:
 
   // Vertices and edges of the link of `center`, without `other`.
   void collect(const Star& star, Vertex_handle center, Vertex_handle other,
-               std::vector<Simplex>& volume, std::vector<Simplex>& interface_) const
-  {
+               std::vector<Simplex>& volume, std::vector<Simplex>& interface_) const {
     for (Cell_handle c : star)
       for (int i = 0; i < 4; ++i) {
         if (c->vertex(i) == center)
@@ -119,8 +115,7 @@ private:
   }
 
   // Connected sets of cells of one label, infinite cells having a label of their own.
-  std::size_t sectors(const Star& cells) const
-  {
+  std::size_t sectors(const Star& cells) const {
     const auto same = [&](Cell_handle c, Cell_handle d) {
       return m_complex.is_infinite(c) == m_complex.is_infinite(d) && c->label() == d->label();
     };
@@ -159,23 +154,25 @@ private:
 
 Proposes to collapse an edge: its first vertex is removed, its second one stays where it is.
 
-\param complex is not changed. \param cell, i, j the vertex i of the cell goes, the vertex j stays.
-\param minimum_quality no new tetrahedron may be worse. \param cavity filled with the proposal if there
-       is one.
-\return whether the collapse keeps every topology (exact link conditions, in the tetrahedra and in the
-        interface), leaves sides of the domain, sheets, lines and points where labels meet in place or
-        moves them only along themselves, and makes only positive tetrahedra of sufficient quality.
+\param complex is not changed.
+\param cell, i, j the vertex i of the cell goes, the vertex j stays.
+\param minimum_quality no new tetrahedron may be worse.
+\param cavity filled with the proposal if there is one.
+\return whether the collapse keeps every topology (exact link conditions, in the tetrahedra and in
+       the interface), leaves sides of the domain, sheets, lines and points where labels meet in
+       place or moves them only along themselves, and makes only positive tetrahedra of sufficient
+       quality.
 
 n log n in the size of the two stars.
 */
 template <class Complex>
 bool propose_edge_collapse(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,
-                           double minimum_quality, Cavity_3<Complex>& cavity)
-{
+                           double minimum_quality, Cavity_3<Complex>& cavity) {
   const auto a = cell->vertex(i), b = cell->vertex(j);
   if (complex.is_infinite(a) || complex.is_infinite(b) ||
       !Boundary_class::contains(b->boundary_class(), a->boundary_class()) ||
-      (a->boundary_class() & Boundary_class::fixed) != 0 || (a->is_interface() && !b->is_interface()))
+      (a->boundary_class() & Boundary_class::fixed) != 0 ||
+      (a->is_interface() && !b->is_interface()))
     return false;
 
   std::vector<typename Complex::Cell_handle> star_a, star_b;

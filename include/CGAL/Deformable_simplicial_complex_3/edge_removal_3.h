@@ -33,8 +33,7 @@ public:
 
   // Counterclockwise around a -> b, starting in a cell. Makes all vertices ones of the cavity.
   Edge_ring_3(Cell_handle cell, int i, int j, Cavity& cavity)
-      : m_cavity(cavity), m_a(cavity.add(cell->vertex(i))), m_b(cavity.add(cell->vertex(j)))
-  {
+      : m_cavity(cavity), m_a(cavity.add(cell->vertex(i))), m_b(cavity.add(cell->vertex(j))) {
     // (a, b, s, t) is positive, the next cell lies opposite to s.
     static constexpr int next[4][4] = {{-1, 2, 3, 1}, {3, -1, 0, 2}, {1, 3, -1, 0}, {2, 0, 1, -1}};
     const Vertex_handle a = cell->vertex(i), b = cell->vertex(j);
@@ -53,12 +52,11 @@ public:
   Cell_handle cell(std::size_t k) const { return m_cells[k % size()]; }
 
   // Triangulates the polygon of ring vertices first, ..., last (modulo the size) so that the worst
-  // quality of the tetrahedra over and under it is best, and plans them in the cavity. Returns false if
-  // that quality is not above `bound`.
-  bool triangulate(std::size_t first, std::size_t last, double bound)
-  {
-    // best[p * n + q]: quality of the best triangulation of the polygon from p to q > p, in which the
-    // triangle (p, apex, q) lies on the edge (p, q).
+  // quality of the tetrahedra over and under it is best, and plans them in the cavity. Returns
+  // false if that quality is not above `bound`.
+  bool triangulate(std::size_t first, std::size_t last, double bound) {
+    // best[p * n + q]: quality of the best triangulation of the polygon from p to q > p, in which
+    // the triangle (p, apex, q) lies on the edge (p, q).
     const std::size_t n = last - first + 1;
     m_best.assign(n * n, std::numeric_limits<double>::infinity());
     m_apex.assign(n * n, 0);
@@ -118,21 +116,21 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Proposes to remove an edge: the ring of n cells around it becomes 2 (n - 2) tetrahedra, over and under a
-triangulation of the ring polygon that maximises the worst quality (Klincsek's dynamic programme; section
-3.2.1 of the paper). The 3-2 and the 4-4 flip are the cases n = 3 and n = 4.
+Proposes to remove an edge: the ring of n cells around it becomes 2 (n - 2) tetrahedra, over and
+under a triangulation of the ring polygon that maximises the worst quality (Klincsek's dynamic
+programme; section 3.2.1 of the paper). The 3-2 and the 4-4 flip are the cases n = 3 and n = 4.
 
-\param complex is not changed. \param cell, i, j the edge between the vertices i and j of the cell.
+\param complex is not changed.
+\param cell, i, j the edge between the vertices i and j of the cell.
 \param cavity filled with the proposal if there is one.
-\return whether the ring is finite and of one label and the worst quality rises, all new tetrahedra being
-        positive. The interface and the boundary of the domain stay as they are.
+\return whether the ring is finite and of one label and the worst quality rises, all new tetrahedra
+       being positive. The interface and the boundary of the domain stay as they are.
 
 Cubic in n.
 */
 template <class Complex>
 bool propose_edge_removal(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,
-                          Cavity_3<Complex>& cavity)
-{
+                          Cavity_3<Complex>& cavity) {
   cavity.clear();
   Deformable_simplicial_complexes::internal::Edge_ring_3<Complex> ring(cell, i, j, cavity);
   for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -146,12 +144,13 @@ bool propose_edge_removal(const Complex& complex, typename Complex::Cell_handle 
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Proposes to flip an edge of the interface: the two facets that share it are replaced by the two on the
-other diagonal, which is edge removal constrained to that diagonal (section 3.2.2 of the paper). The
-surface moves by the tetrahedron of the four vertices; whether that is small enough is the caller's to
-judge.
+Proposes to flip an edge of the interface: the two facets that share it are replaced by the two on
+the other diagonal, which is edge removal constrained to that diagonal (section 3.2.2 of the paper).
+The surface moves by the tetrahedron of the four vertices; whether that is small enough is the
+caller's to judge.
 
-\param complex is not changed. \param cell, i, j the edge between the vertices i and j of the cell.
+\param complex is not changed.
+\param cell, i, j the edge between the vertices i and j of the cell.
 \param cavity filled with the proposal if there is one.
 \return whether the ring is finite, exactly two facets of the interface meet in the edge, and the
         worst quality rises, all new tetrahedra being positive.
@@ -160,8 +159,7 @@ Cubic in the number of cells around the edge.
 */
 template <class Complex>
 bool propose_interface_edge_flip(const Complex& complex, typename Complex::Cell_handle cell, int i,
-                                 int j, Cavity_3<Complex>& cavity)
-{
+                                 int j, Cavity_3<Complex>& cavity) {
   cavity.clear();
   Deformable_simplicial_complexes::internal::Edge_ring_3<Complex> ring(cell, i, j, cavity);
   const std::size_t n = ring.size();
@@ -179,13 +177,15 @@ bool propose_interface_edge_flip(const Complex& complex, typename Complex::Cell_
   for (std::size_t k : sheets)
     if (ring.cell(k)->label() != ring.cell(k + 1)->label()) {
       const auto c = ring.cell(k);
-      const int u = Deformable_simplicial_complexes::internal::other_index(c->index(cell->vertex(i)), c->index(cell->vertex(j)));
-      if (complex.is_interface(typename Complex::Edge(c, u, 6 - u - c->index(cell->vertex(i)) -
-                                                                c->index(cell->vertex(j)))))
+      const int u = Deformable_simplicial_complexes::internal::other_index(
+          c->index(cell->vertex(i)), c->index(cell->vertex(j)));
+      if (complex.is_interface(typename Complex::Edge(
+              c, u, 6 - u - c->index(cell->vertex(i)) - c->index(cell->vertex(j)))))
         return false;
     }
   return ring.triangulate(sheets[0], sheets[1], cavity.quality_before()) &&
-         ring.triangulate(sheets[1], sheets[0] + n, cavity.quality_before()) && cavity.is_positive();
+         ring.triangulate(sheets[1], sheets[0] + n, cavity.quality_before()) &&
+         cavity.is_positive();
 }
 
 } // namespace CGAL

@@ -16,10 +16,11 @@ namespace CGAL {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Proposes to split an edge at a point: each cell around it becomes two. Labels and boundary classes are
-those of before, so that the interface changes by the rounding of the point only.
+Proposes to split an edge at a point: each cell around it becomes two. Labels and boundary classes
+are those of before, so that the interface changes by the rounding of the point only.
 
-\param complex is not changed. \param cell, i, j the edge between the finite vertices i and j of the cell.
+\param complex is not changed.
+\param cell, i, j the edge between the finite vertices i and j of the cell.
 \param ratio where to split, in (0, 1) from i to j.
 \param cavity filled with the proposal if there is one. Its last vertex is the new one.
 \return whether all new tetrahedra are positive.
@@ -28,8 +29,7 @@ Linear in the number of cells around the edge.
 */
 template <class Complex>
 bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,
-                        double ratio, Cavity_3<Complex>& cavity)
-{
+                        double ratio, Cavity_3<Complex>& cavity) {
   using Vertex_handle = typename Complex::Vertex_handle;
   using Index = typename Cavity_3<Complex>::Index;
   const Vertex_handle a = cell->vertex(i), b = cell->vertex(j);

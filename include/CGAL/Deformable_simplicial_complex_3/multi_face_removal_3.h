@@ -19,9 +19,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Grows the set of facets that are sandwiched between the apices a and b of a first one, by recursion
-// over the edges of the set: across an edge either the next facet joins the set, or the edge becomes
-// part of its boundary and the new edge ab is joined to it (Shewchuk).
+// Grows the set of facets that are sandwiched between the apices a and b of a first one, by
+// recursion over the edges of the set: across an edge either the next facet joins the set, or the
+// edge becomes part of its boundary and the new edge ab is joined to it (Shewchuk).
 template <class Complex> class Sandwich_3
 {
 public:
@@ -41,13 +41,10 @@ public:
 
   Sandwich_3(const Complex& complex, Cell_handle below, int i)
       : m_complex(complex), m_a(below->vertex(i)), m_above(below->neighbor(i)),
-        m_b(m_above->vertex(m_above->index(below))), m_first{below, m_above}
-  {
-  }
+        m_b(m_above->vertex(m_above->index(below))), m_first{below, m_above} {}
 
   // Finds the best set. Returns whether the worst quality rises.
-  bool grow(const std::array<Vertex_handle, 3>& first)
-  {
+  bool grow(const std::array<Vertex_handle, 3>& first) {
     m_sheets.push_back(m_first);
     m_tried.push_back(m_first);
     double after = infinity, before = worst(m_first);
@@ -78,14 +75,12 @@ private:
 
   double worst(const Sheet& f) const { return (std::min)(f.below->quality(), f.above->quality()); }
 
-  double new_quality(const Directed_edge& e) const
-  {
+  double new_quality(const Directed_edge& e) const {
     return m_complex.quality_measure()(m_complex.position(m_a), m_complex.position(m_b),
                                        m_complex.position(e.source), m_complex.position(e.target));
   }
 
-  Outcome across(const Sheet& f, const Directed_edge& e)
-  {
+  Outcome across(const Sheet& f, const Directed_edge& e) {
     const double quality = new_quality(e);
     Sheet g;
     Vertex_handle apex;
@@ -107,8 +102,7 @@ private:
   }
 
   // The sandwiched facet behind e, if the four cells around e are f's two and its own two.
-  bool find_neighbor(const Sheet& f, const Directed_edge& e, Sheet& g, Vertex_handle& apex) const
-  {
+  bool find_neighbor(const Sheet& f, const Directed_edge& e, Sheet& g, Vertex_handle& apex) const {
     const auto opposite = [&](Cell_handle c, Vertex_handle tip) {
       return 6 - c->index(e.source) - c->index(e.target) - c->index(tip);
     };
@@ -144,21 +138,22 @@ private:
 \ingroup PkgDeformableSimplicialComplex3Ref
 
 Proposes to remove a facet, and with it the facets around that are sandwiched between the same two
-vertices a and b: 2m cells become the m + 2 that share the new edge ab. The 2-3 flip is the case m = 1.
-The set is grown by Shewchuk's recursion, so that the worst quality rises most. Section 3.2.1 of the
-paper.
+vertices a and b: 2m cells become the m + 2 that share the new edge ab. The 2-3 flip is the case m
+= 1. The set is grown by Shewchuk's recursion, so that the worst quality rises most. Section 3.2.1
+of the paper.
 
-\param complex is not changed. \param cell, i the facet. \param cavity filled with the proposal if there
-       is one.
-\return whether the two cells of the facet are finite and of one label and the worst quality rises, all
-        new tetrahedra being positive. The interface and the boundary of the domain stay as they are.
+\param complex is not changed.
+\param cell, i the facet.
+\param cavity filled with the proposal if there is one.
+\return whether the two cells of the facet are finite and of one label and the worst quality rises,
+       all new tetrahedra being positive. The interface and the boundary of the domain stay as they
+       are.
 
 Linear in m.
 */
 template <class Complex>
 bool propose_multi_face_removal(const Complex& complex, typename Complex::Cell_handle cell, int i,
-                                Cavity_3<Complex>& cavity)
-{
+                                Cavity_3<Complex>& cavity) {
   const typename Complex::Cell_handle mirror = cell->neighbor(i);
   if (complex.is_infinite(cell) || complex.is_infinite(mirror) || cell->label() != mirror->label())
     return false;

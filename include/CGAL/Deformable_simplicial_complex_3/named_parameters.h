@@ -34,7 +34,7 @@ using CGAL::internal_np::visitor_t;
 /// \cond SKIP_IN_MANUAL
 #define CGAL_DSC_SHARED_PARAMETERS                                                                 \
   CGAL_add_named_parameter(number_of_iterations_t, number_of_iterations, number_of_iterations)     \
-  CGAL_add_named_parameter(visitor_t, visitor, visitor)
+      CGAL_add_named_parameter(visitor_t, visitor, visitor)
 /// \endcond
 
 /// A chain of named parameters: CGAL's class with the functions of this package.
@@ -46,14 +46,13 @@ struct Named_parameters : public Named_function_parameters<T, Tag, Base>
 /// \cond SKIP_IN_MANUAL
 #define CGAL_add_named_parameter(X, Y, Z)                                                          \
   template <class K>                                                                               \
-  Named_parameters<K, internal_np::X, Named_parameters> Z(const K& value) const                    \
-  {                                                                                                \
+  Named_parameters<K, internal_np::X, Named_parameters> Z(const K& value) const {                  \
     return {value, *this};                                                                         \
   }
 #include <CGAL/Deformable_simplicial_complex_3/named_parameter_list.h>
   CGAL_DSC_SHARED_PARAMETERS
 #undef CGAL_add_named_parameter
-/// \endcond
+  /// \endcond
 };
 
 namespace parameters {

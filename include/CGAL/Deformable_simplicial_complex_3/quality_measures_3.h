@@ -10,8 +10,8 @@
 #include <cmath>
 
 /// \file
-/// Models of `TetrahedronQualityMeasure_3`: 1 for the regular tetrahedron, 0 for a flat one, negative
-/// for an inverted one, invariant under similarities.
+/// Models of `TetrahedronQualityMeasure_3`: 1 for the regular tetrahedron, 0 for a flat one,
+/// negative for an inverted one, invariant under similarities.
 
 namespace CGAL {
 
@@ -24,13 +24,10 @@ template <class Point> struct Tetrahedron_frame
   using Vector = decltype(Point() - Point());
 
   Tetrahedron_frame(const Point& p, const Point& q, const Point& r, const Point& s)
-      : a(q - p), b(r - p), c(s - p), six_volumes(cross_product(a, b) * c)
-  {
-  }
+      : a(q - p), b(r - p), c(s - p), six_volumes(cross_product(a, b) * c) {}
 
   // Area vectors of the facets opposite to p, q, r, s: outward normals, twice the area long.
-  std::array<Vector, 4> area_vectors() const
-  {
+  std::array<Vector, 4> area_vectors() const {
     return {cross_product(b - a, c - a), cross_product(c, b), cross_product(a, c),
             cross_product(b, a)};
   }
@@ -55,8 +52,7 @@ struct Volume_length_ratio_3
   /// returns the quality of pqrs. \pre the points are not all equal
   /// \tparam Point a point of a kernel whose coordinates are of type `double`
   template <class Point>
-  double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const
-  {
+  double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const {
     const Deformable_simplicial_complexes::internal::Tetrahedron_frame<Point> t(p, q, r, s);
     double squared = 0;
     for (const auto& e : t.edges())
@@ -68,16 +64,15 @@ struct Volume_length_ratio_3
 
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
-Smallest sine of the six dihedral angles, over that of the regular tetrahedron. Bad at both small and
-large angles, blind to the lengths of edges.
+Smallest sine of the six dihedral angles, over that of the regular tetrahedron. Bad at both small
+and large angles, blind to the lengths of edges.
 */
 struct Minimum_sine_3
 {
   /// returns the quality of pqrs. \pre the points are not all on a line
   /// \tparam Point a point of a kernel whose coordinates are of type `double`
   template <class Point>
-  double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const
-  {
+  double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const {
     const Deformable_simplicial_complexes::internal::Tetrahedron_frame<Point> t(p, q, r, s);
     const auto n = t.area_vectors();
     const auto e = t.edges();
@@ -85,8 +80,8 @@ struct Minimum_sine_3
     static constexpr int facets[6][2] = {{2, 3}, {0, 1}, {1, 3}, {0, 2}, {1, 2}, {0, 3}};
     double minimum = 1;
     for (int i = 0; i < 6; ++i) {
-      const double areas = std::sqrt(n[facets[i][0]].squared_length() *
-                                     n[facets[i][1]].squared_length());
+      const double areas =
+          std::sqrt(n[facets[i][0]].squared_length() * n[facets[i][1]].squared_length());
       if (areas == 0)
         return 0;
       minimum = (std::min)(minimum, t.six_volumes * std::sqrt(e[i].squared_length()) / areas);
@@ -104,8 +99,7 @@ struct Radius_ratio_3
   /// returns the quality of pqrs.
   /// \tparam Point a point of a kernel whose coordinates are of type `double`
   template <class Point>
-  double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const
-  {
+  double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const {
     const Deformable_simplicial_complexes::internal::Tetrahedron_frame<Point> t(p, q, r, s);
     double area = 0;
     for (const auto& n : t.area_vectors())

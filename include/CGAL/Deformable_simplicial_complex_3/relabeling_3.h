@@ -14,22 +14,24 @@ namespace CGAL {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Proposes another label for a nearly flat cell trapped between two parts of the interface ("tetrahedron
-relabeling", section 3.2.1 of the paper). By the first rule, the largest facet of the cell lies on the
-interface, so does the opposite vertex, and that vertex projects into the facet: the cell joins the phase
-behind the facet. By the second one, for half the threshold, it joins the neighboring phase that
-decreases the area of the interface most, if one does. The topology of the interface may change.
+Proposes another label for a nearly flat cell trapped between two parts of the interface
+("tetrahedron relabeling", section 3.2.1 of the paper). By the first rule, the largest facet of the
+cell lies on the interface, so does the opposite vertex, and that vertex projects into the facet:
+the cell joins the phase behind the facet. By the second one, for half the threshold, it joins the
+neighboring phase that decreases the area of the interface most, if one does. The topology of the
+interface may change.
 
-\param complex is not changed. \param cell a finite cell. \param threshold only cells of lower quality
-       are considered; the paper takes 0.01. \param label the proposed label.
+\param complex is not changed.
+\param cell a finite cell.
+\param threshold only cells of lower quality are considered; the paper takes 0.01.
+\param label the proposed label.
 \return whether there is a proposal; commit with `complex.relabel(cell, label)`.
 
 Constant time.
 */
 template <class Complex>
-bool propose_relabeling(const Complex& complex, typename Complex::Cell_handle cell, double threshold,
-                        typename Complex::Label& label)
-{
+bool propose_relabeling(const Complex& complex, typename Complex::Cell_handle cell,
+                        double threshold, typename Complex::Label& label) {
   using Vector = typename Complex::Approximate_vector_3;
   if (!(cell->quality() < threshold))
     return false;
@@ -43,7 +45,8 @@ bool propose_relabeling(const Complex& complex, typename Complex::Cell_handle ce
       largest = i;
   }
 
-  if (complex.is_interface(std::make_pair(cell, largest)) && cell->vertex(largest)->is_interface()) {
+  if (complex.is_interface(std::make_pair(cell, largest)) &&
+      cell->vertex(largest)->is_interface()) {
     // The projection lies in the facet iff the three other facets face the other way.
     bool is_inside = true;
     for (int i = 0; i < 4; ++i)

@@ -18,9 +18,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The worst quality of a star as a function of the position of its vertex, to be maximised (Freitag,
-// Jones and Plassmann 1995): a minimum of smooth functions, whose steepest ascent is the shortest convex
-// combination of the gradients of those that are active.
+// The worst quality of a star as a function of the position of its vertex, to be maximised
+// (Freitag, Jones and Plassmann 1995): a minimum of smooth functions, whose steepest ascent is the
+// shortest convex combination of the gradients of those that are active.
 template <class Complex> class Star_optimizer_3
 {
 public:
@@ -30,8 +30,7 @@ public:
   using Star = std::vector<typename Complex::Cell_handle>;
 
   Star_optimizer_3(const Complex& complex, Vertex_handle v, const Star& star)
-      : m_complex(complex), m_position(complex.position(v))
-  {
+      : m_complex(complex), m_position(complex.position(v)) {
     for (auto c : star) {
       Function f;
       f.vertex = c->index(v);
@@ -44,8 +43,7 @@ public:
   }
 
   // A better position, or the present one.
-  Point run()
-  {
+  Point run() {
     static constexpr int maximum_number_of_steps = 8;
     for (int i = 0; i < maximum_number_of_steps && step(); ++i) {
     }
@@ -61,14 +59,12 @@ private:
     Vector gradient;
   };
 
-  double value(Function& f, const Point& p) const
-  {
+  double value(Function& f, const Point& p) const {
     f.points[f.vertex] = p;
     return m_complex.quality_measure()(f.points[0], f.points[1], f.points[2], f.points[3]);
   }
 
-  double worst(const Point& p, double bound)
-  {
+  double worst(const Point& p, double bound) {
     double result = std::numeric_limits<double>::infinity();
     for (Function& f : m_functions) {
       result = (std::min)(result, value(f, p));
@@ -79,8 +75,7 @@ private:
   }
 
   // Differences serve any measure.
-  void differentiate(Function& f) const
-  {
+  void differentiate(Function& f) const {
     const double h = 1e-6 * m_length;
     const auto slope = [&](const Vector& axis) {
       return (value(f, m_position + h * axis) - f.value) / h;
@@ -89,8 +84,7 @@ private:
   }
 
   // The point of the convex hull of the active gradients that is nearest to the origin (Gilbert).
-  Vector steepest_ascent(double bound) const
-  {
+  Vector steepest_ascent(double bound) const {
     static constexpr int maximum_number_of_iterations = 30;
     static constexpr double tolerance = 1e-2;
     const auto extreme = [&](const Vector& d) {
@@ -100,11 +94,10 @@ private:
           least = &f;
       return least->gradient;
     };
-    Vector d = std::min_element(m_functions.begin(), m_functions.end(),
-                                [](const Function& a, const Function& b) {
-                                  return a.value < b.value;
-                                })
-                   ->gradient;
+    Vector d =
+        std::min_element(m_functions.begin(), m_functions.end(),
+                         [](const Function& a, const Function& b) { return a.value < b.value; })
+            ->gradient;
     for (int i = 0; i < maximum_number_of_iterations; ++i) {
       const Vector g = extreme(d), side = d - g;
       if (d * side <= tolerance * d.squared_length())
@@ -115,15 +108,14 @@ private:
   }
 
   // One step of steepest ascent with a line search. Returns whether it was worth it.
-  bool step()
-  {
+  bool step() {
     double before = std::numeric_limits<double>::infinity();
     for (Function& f : m_functions) {
       f.value = value(f, m_position);
       before = (std::min)(before, f.value);
     }
-    // Those that are much better than the worst will not become the worst in one step. The worst may
-    // be zero or less by rounding.
+    // Those that are much better than the worst will not become the worst in one step. The worst
+    // may be zero or less by rounding.
     const double relevant = before + std::abs(before), active = before + .05 * std::abs(before);
     for (Function& f : m_functions)
       if (f.value <= relevant)
@@ -164,12 +156,14 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Proposes to move a vertex to where the worst quality of its star is locally highest (optimisation-based
-smoothing, section 3.2.1 of the paper; Freitag, Jones and Plassmann 1995). An order of magnitude more
-expensive than `propose_smart_laplacian()`.
+Proposes to move a vertex to where the worst quality of its star is locally highest
+(optimisation-based smoothing, section 3.2.1 of the paper; Freitag, Jones and Plassmann 1995). An
+order of magnitude more expensive than `propose_smart_laplacian()`.
 
-\param complex is not changed. \param v a vertex neither on the interface nor on the boundary of the
-       domain. \param star the star of v. \param target the proposed position.
+\param complex is not changed.
+\param v a vertex neither on the interface nor on the boundary of the domain.
+\param star the star of v.
+\param target the proposed position.
 \return whether there is one; commit with `complex.set_point(v, star, target)`.
 
 Linear in the star.
@@ -177,8 +171,7 @@ Linear in the star.
 template <class Complex>
 bool propose_optimal_position(const Complex& complex, typename Complex::Vertex_handle v,
                               const std::vector<typename Complex::Cell_handle>& star,
-                              typename Complex::Point_3& target)
-{
+                              typename Complex::Point_3& target) {
   if (v->is_interface() || complex.is_boundary(v))
     return false;
   const auto from = complex.position(v);

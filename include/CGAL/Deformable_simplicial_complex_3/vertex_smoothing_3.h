@@ -21,13 +21,14 @@ namespace internal {
 template <class Complex>
 double star_quality(const Complex& complex, typename Complex::Vertex_handle v,
                     const std::vector<typename Complex::Cell_handle>& star,
-                    const typename Complex::Approximate_point_3& p, double bound)
-{
+                    const typename Complex::Approximate_point_3& p, double bound) {
   double worst = std::numeric_limits<double>::infinity();
   for (auto c : star) {
     if (complex.is_infinite(c))
       continue;
-    const auto point = [&](int i) { return c->vertex(i) == v ? p : complex.position(c->vertex(i)); };
+    const auto point = [&](int i) {
+      return c->vertex(i) == v ? p : complex.position(c->vertex(i));
+    };
     worst = (std::min)(worst, complex.quality_measure()(point(0), point(1), point(2), point(3)));
     if (!(worst > bound))
       break;
@@ -41,11 +42,15 @@ double star_quality(const Complex& complex, typename Complex::Vertex_handle v,
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Proposes to move a vertex towards the barycenter of its neighbors (smart Laplacian smoothing, section
-3.2 of the paper): all the way, else half of it, if that raises the worst quality of its star.
+Proposes to move a vertex towards the barycenter of its neighbors (smart Laplacian smoothing,
+section 3.2 of the paper): all the way, else half of it, if that raises the worst quality of its
+star.
 
-\param complex is not changed. \param v a vertex that is not on the interface; on the boundary of the
-       domain it stays within its sides. \param star the star of v. \param target the proposed position.
+\param complex is not changed.
+\param v a vertex that is not on the interface; on the boundary of the domain it stays within its
+       sides.
+\param star the star of v.
+\param target the proposed position.
 \return whether there is one; commit with `complex.set_point(v, star, target)`.
 
 Linear in the star.
@@ -53,8 +58,7 @@ Linear in the star.
 template <class Complex>
 bool propose_smart_laplacian(const Complex& complex, typename Complex::Vertex_handle v,
                              const std::vector<typename Complex::Cell_handle>& star,
-                             typename Complex::Point_3& target)
-{
+                             typename Complex::Point_3& target) {
   if (v->is_interface())
     return false;
   using Vector = typename Complex::Approximate_vector_3;

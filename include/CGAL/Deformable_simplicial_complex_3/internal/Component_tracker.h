@@ -17,9 +17,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Connected components of labels. Each cell carries the number of its component; a cell that replaces
-// others inherits it. After a change that may have altered components they are numbered anew, and the
-// pairs (old number, new number) met on the way tell what merged, split or vanished.
+// Connected components of labels. Each cell carries the number of its component; a cell that
+// replaces others inherits it. After a change that may have altered components they are numbered
+// anew, and the pairs (old number, new number) met on the way tell what merged, split or vanished.
 class Component_tracker
 {
 public:
@@ -29,16 +29,14 @@ public:
   void invalidate() { m_is_known = false; }
 
   template <class Triangulation>
-  std::size_t number_of_components(const Triangulation& triangulation, int label)
-  {
+  std::size_t number_of_components(const Triangulation& triangulation, int label) {
     number(triangulation);
     return std::size_t(std::count(m_labels.begin(), m_labels.end(), label));
   }
 
   // What happened since the last call.
   template <class Triangulation>
-  std::vector<Component_change> take_changes(const Triangulation& triangulation)
-  {
+  std::vector<Component_change> take_changes(const Triangulation& triangulation) {
     number(triangulation);
     std::vector<std::size_t> targets(m_reference_labels.size()), sources(m_labels.size());
     for (const auto& origin : m_origins) {
@@ -61,8 +59,7 @@ public:
   }
 
   // Forgets the past: the components of now are the first ones.
-  template <class Triangulation> void reset(const Triangulation& triangulation)
-  {
+  template <class Triangulation> void reset(const Triangulation& triangulation) {
     m_is_known = false;
     number(triangulation);
     take_reference();
@@ -71,8 +68,7 @@ public:
 private:
   using Origin = std::pair<Number, Number>;
 
-  static Component_change& of_label(std::vector<Component_change>& changes, int label)
-  {
+  static Component_change& of_label(std::vector<Component_change>& changes, int label) {
     auto it = changes.begin();
     while (it != changes.end() && it->label < label)
       ++it;
@@ -81,22 +77,19 @@ private:
     return *it;
   }
 
-  static void sort_unique(std::vector<Origin>& origins)
-  {
+  static void sort_unique(std::vector<Origin>& origins) {
     std::sort(origins.begin(), origins.end());
     origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
   }
 
-  void take_reference()
-  {
+  void take_reference() {
     m_reference_labels = m_labels;
     m_origins.clear();
     for (Number i = 0; i < m_labels.size(); ++i)
       m_origins.emplace_back(i, i);
   }
 
-  template <class Triangulation> void number(const Triangulation& triangulation)
-  {
+  template <class Triangulation> void number(const Triangulation& triangulation) {
     if (m_is_known)
       return;
     using Cell_handle = typename Triangulation::Cell_handle;
@@ -114,8 +107,8 @@ private:
       const auto visit = [&](Cell_handle c) {
         const Origin origin(c->component(), component);
         // A cell that changed its label without a neighbor to join comes from no component of it.
-        const bool has_origin = origin.first < labels_before.size() &&
-                                labels_before[origin.first] == c->label();
+        const bool has_origin =
+            origin.first < labels_before.size() && labels_before[origin.first] == c->label();
         if (has_origin && (origins.empty() || origins.back() != origin))
           origins.push_back(origin);
         c->set_component(first + component);

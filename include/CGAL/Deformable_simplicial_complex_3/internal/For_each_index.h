@@ -17,17 +17,19 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Calls a function for the indices below n, in any order and, if linked with TBB, on several threads.
-// The calls must not depend on each other: then the number of threads changes no bit of the results.
+// Calls a function for the indices below n, in any order and, if linked with TBB, on several
+// threads. The calls must not depend on each other: then the number of threads changes no bit of
+// the results.
 class For_each_index
 {
 public:
-  explicit For_each_index(unsigned number_of_threads = 1) : m_number_of_threads(number_of_threads) {}
+  explicit For_each_index(unsigned number_of_threads = 1)
+      : m_number_of_threads(number_of_threads) {}
 
-  // Threads are used from `worthwhile` indices on: starting them costs about a thousand small calls.
+  // Threads are used from `worthwhile` indices on: starting them costs about a thousand small
+  // calls.
   template <class Function>
-  void operator()(std::size_t n, const Function& function, std::size_t worthwhile = 2000) const
-  {
+  void operator()(std::size_t n, const Function& function, std::size_t worthwhile = 2000) const {
 #ifdef CGAL_LINKED_WITH_TBB
     if (m_number_of_threads > 1 && n >= worthwhile) {
       tbb::task_arena arena(static_cast<int>(m_number_of_threads));

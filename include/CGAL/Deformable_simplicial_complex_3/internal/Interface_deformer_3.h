@@ -33,13 +33,10 @@ public:
   Interface_deformer_3(Complex& complex, Visitor& visitor, double quality_threshold,
                        double relabeling_threshold, const For_each_index& for_each_index)
       : m_complex(complex), m_visitor(visitor), m_improver(complex, visitor, quality_threshold),
-        m_relabeling_threshold(relabeling_threshold), m_for_each_index(for_each_index)
-  {
-  }
+        m_relabeling_threshold(relabeling_threshold), m_for_each_index(for_each_index) {}
 
   // No destination survives the deformation, even if a visitor ends it by an exception.
-  ~Interface_deformer_3()
-  {
+  ~Interface_deformer_3() {
     for (const Item& item : m_items)
       if (m_complex.is_alive(item.vertex, item.time_stamp))
         m_complex.clear_destination(item.vertex);
@@ -49,8 +46,7 @@ public:
   Interface_deformer_3& operator=(const Interface_deformer_3&) = delete;
 
   // Nothing is changed if a destination is refused.
-  template <class Destination> void set_destinations(const Destination& destination)
-  {
+  template <class Destination> void set_destinations(const Destination& destination) {
     const auto vertices = m_complex.interface_vertices();
     const auto approximate = m_complex.geom_traits().construct_approximate_point_3_object();
     std::vector<Point_3> destinations;
@@ -80,8 +76,7 @@ public:
   bool is_progressing() const { return m_idle_passes < 2; }
 
   // Interface and free vertices at once: most of most motions.
-  void move_together()
-  {
+  void move_together() {
     const std::vector<Vertex_handle> free = free_vertices_near(m_complex, m_unfinished, layers());
     const auto exact = m_complex.geom_traits().construct_exact_point_3_object();
     const auto displacement = [&](Vertex_handle v) {
@@ -107,8 +102,7 @@ public:
 
   // Algorithm 2 for those that could not go all the way together. Where a cell is flat enough to be
   // relabeled, coming still nearer would gain nothing.
-  void move_one_by_one()
-  {
+  void move_one_by_one() {
     static constexpr double margin = .25; // a cell that need not be thin yet can still be improved
     for (Vertex_handle v : m_unfinished) {
       m_complex.star(v, m_star);
@@ -126,17 +120,15 @@ public:
   }
 
   // Cells flattened between two parts of the interface: where its topology changes.
-  void relabel_degenerate_cells()
-  {
+  void relabel_degenerate_cells() {
     m_touched.sort();
     for (const auto& item : m_touched)
       relabel_if_trapped(item.cell, m_relabeling_threshold);
   }
 
-  // What keeps vertices from their destinations: cells that the interface is about to sweep away, and
-  // small angles where it folds.
-  void remove_obstacles()
-  {
+  // What keeps vertices from their destinations: cells that the interface is about to sweep away,
+  // and small angles where it folds.
+  void remove_obstacles() {
     static constexpr double swept = .3;   // quality below which a cell in the way may be relabeled
     static constexpr double cosine = .94; // 20 degrees
     Work_list<Cell_handle> cells;
@@ -155,8 +147,7 @@ public:
   }
 
   // Reconnection, smoothing, collapses and splits around what moved.
-  void improve()
-  {
+  void improve() {
     m_improver.improve(std::move(m_touched), 3);
     m_touched.clear();
     update_unfinished();
@@ -165,8 +156,7 @@ public:
     m_last_distance = distance;
   }
 
-  Report report(unsigned passes)
-  {
+  Report report(unsigned passes) {
     Report report;
     report.passes = passes;
     for (Vertex_handle v : m_unfinished)
@@ -193,19 +183,16 @@ private:
     std::size_t time_stamp; // the vertex may have been removed
   };
 
-  static bool is_finite(const typename Complex::Approximate_point_3& p)
-  {
+  static bool is_finite(const typename Complex::Approximate_point_3& p) {
     return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
   }
 
-  Vector remaining(Vertex_handle v) const
-  {
+  Vector remaining(Vertex_handle v) const {
     return m_complex.final_position(v) - m_complex.position(v);
   }
 
   // How far around its source a motion is felt: the farther it goes, the more space must give way.
-  unsigned layers() const
-  {
+  unsigned layers() const {
     double squared = 0;
     for (Vertex_handle v : m_unfinished)
       squared = (std::max)(squared, remaining(v).squared_length());
@@ -213,8 +200,7 @@ private:
     return unsigned((std::min)(6., 1 + std::ceil(2 * edges)));
   }
 
-  double remaining_distance() const
-  {
+  double remaining_distance() const {
     double sum = 0;
     for (Vertex_handle v : m_unfinished)
       sum += std::sqrt(remaining(v).squared_length());
@@ -222,15 +208,13 @@ private:
   }
 
   // The quality of a cell with the interface in place.
-  double final_quality(Cell_handle c) const
-  {
+  double final_quality(Cell_handle c) const {
     const auto end = [&](int i) { return m_complex.final_position(c->vertex(i)); };
     return m_complex.quality_measure()(end(0), end(1), end(2), end(3));
   }
 
   // A cell that is flat only on the way is left alone.
-  void relabel_if_trapped(Cell_handle c, double threshold)
-  {
+  void relabel_if_trapped(Cell_handle c, double threshold) {
     const auto before = c->label();
     auto label = before;
     if (!propose_relabeling(m_complex, c, threshold, label) ||
@@ -241,15 +225,13 @@ private:
     ++m_relabeled;
   }
 
-  void touch(Cell_handle c)
-  {
+  void touch(Cell_handle c) {
     if (m_improver.is_bad(c) || c->quality() < m_relabeling_threshold)
       m_touched.push(c);
   }
 
   // Keeps those that still have a way to go.
-  void update_unfinished()
-  {
+  void update_unfinished() {
     const auto is_done = [&](const Item& item) {
       const Vertex_handle v = item.vertex;
       if (!m_complex.is_alive(v, item.time_stamp)) {
@@ -270,8 +252,7 @@ private:
       m_unfinished.push_back(item.vertex);
   }
 
-  typename Report::Label_change& label_change(typename Complex::Label label)
-  {
+  typename Report::Label_change& label_change(typename Complex::Label label) {
     auto it = m_labels.begin();
     while (it != m_labels.end() && it->label < label)
       ++it;

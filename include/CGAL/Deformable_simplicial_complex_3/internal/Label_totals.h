@@ -65,17 +65,17 @@ public:
 
 private:
   const Total* find(int label) const {
-    for(const Total& t : m_totals)
-      if(t.label == label)
+    for (const Total& t : m_totals)
+      if (t.label == label)
         return &t;
     return nullptr;
   }
 
   Total& total(int label) {
     auto it = m_totals.begin();
-    while(it != m_totals.end() && it->label < label)
+    while (it != m_totals.end() && it->label < label)
       ++it;
-    if(it == m_totals.end() || it->label != label)
+    if (it == m_totals.end() || it->label != label)
       it = m_totals.insert(it, {label, 0, 0});
     return *it;
   }

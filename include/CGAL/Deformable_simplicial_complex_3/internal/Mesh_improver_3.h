@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The operations of Algorithm 3, each applied to one bad cell: every function tries to improve the cell
-// and says whether it did; cells that an operation made or touched go into `touched`.
+// The operations of Algorithm 3, each applied to one bad cell: every function tries to improve the
+// cell and says whether it did; cells that an operation made or touched go into `touched`.
 template <class Complex, class Visitor> class Mesh_improver_3
 {
 public:
@@ -36,15 +36,12 @@ public:
   using Cells = Work_list<Cell_handle>;
 
   Mesh_improver_3(Complex& complex, Visitor& visitor, double threshold)
-      : m_complex(complex), m_visitor(visitor), m_threshold(threshold), m_cavity(complex)
-  {
-  }
+      : m_complex(complex), m_visitor(visitor), m_threshold(threshold), m_cavity(complex) {}
 
   const Improvement_report& report() const { return m_report; }
 
   // Improves the cells below the threshold, then those that arose from them, and so on.
-  void improve(Cells cells, unsigned rounds)
-  {
+  void improve(Cells cells, unsigned rounds) {
     Cells touched;
     for (unsigned round = 0; round < rounds && !cells.empty(); ++round) {
       cells.sort();
@@ -62,15 +59,13 @@ public:
   }
 
   // Whether the cell is below the threshold and has changed since it was last tried in vain.
-  bool is_bad(Cell_handle c) const
-  {
+  bool is_bad(Cell_handle c) const {
     static constexpr double same = .1;
     return c->quality() < m_threshold &&
            std::abs(c->quality() - c->exhausted_quality()) > same * std::abs(c->quality());
   }
 
-  bool reconnect(Cell_handle c, Cells& touched)
-  {
+  bool reconnect(Cell_handle c, Cells& touched) {
     for (int i = 0; i < 4; ++i)
       if (propose_multi_face_removal(m_complex, c, i, m_cavity) && !covers_interface())
         return flip(touched);
@@ -81,8 +76,7 @@ public:
     return false;
   }
 
-  bool smooth(Cell_handle c, Cells& touched)
-  {
+  bool smooth(Cell_handle c, Cells& touched) {
     const double before = c->quality();
     typename Complex::Point_3 target;
     for (int i = 0; i < 4 && c->quality() < m_threshold; ++i) {
@@ -101,8 +95,7 @@ public:
     return c->quality() > before;
   }
 
-  bool collapse(Cell_handle c, Cells& touched)
-  {
+  bool collapse(Cell_handle c, Cells& touched) {
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j)
         if (i != j && !c->vertex(i)->is_interface() && collapse_edge(c, i, j, touched))
@@ -111,8 +104,7 @@ public:
   }
 
   // Splits the longest edge if it is long and its ends cannot move freely (Algorithm 3, line 1).
-  bool split(Cell_handle c, Cells& touched)
-  {
+  bool split(Cell_handle c, Cells& touched) {
     int a = 0, b = 1;
     double longest = 0;
     for (int i = 0; i < 4; ++i)
@@ -127,9 +119,11 @@ public:
       }
     const Vertex_handle v = c->vertex(a), w = c->vertex(b);
     const double split_length = 4 * m_complex.mean_interface_edge();
-    const auto is_tied = [&](Vertex_handle u) { return u->is_interface() || m_complex.is_boundary(u); };
-    if (!(split_length > 0) || longest < split_length * split_length || !is_tied(v) || !is_tied(w) ||
-        m_complex.is_interface(typename Complex::Edge(c, a, b)) ||
+    const auto is_tied = [&](Vertex_handle u) {
+      return u->is_interface() || m_complex.is_boundary(u);
+    };
+    if (!(split_length > 0) || longest < split_length * split_length || !is_tied(v) ||
+        !is_tied(w) || m_complex.is_interface(typename Complex::Edge(c, a, b)) ||
         !propose_edge_split(m_complex, c, a, b, .5, m_cavity))
       return false;
     m_complex.replace(m_cavity);
@@ -139,10 +133,10 @@ public:
     return true;
   }
 
-  // Removes a facet of the interface with an angle below a bound, given by its cosine: the longest edge
-  // of a cap is flipped, the shortest one of a needle collapsed ("degeneracy removal" of section 3.2.1).
-  bool remove_degenerate_facet(Cell_handle c, double cosine, Cells& touched)
-  {
+  // Removes a facet of the interface with an angle below a bound, given by its cosine: the longest
+  // edge of a cap is flipped, the shortest one of a needle collapsed ("degeneracy removal" of
+  // section 3.2.1).
+  bool remove_degenerate_facet(Cell_handle c, double cosine, Cells& touched) {
     for (int f = 0; f < 4; ++f) {
       if (!m_complex.is_interface(std::make_pair(c, f)))
         continue;
@@ -177,10 +171,10 @@ public:
   }
 
 private:
-  // Whether a planned tetrahedron, with the interface in place, lies flat on two neighboring facets of
-  // it: it would be in the way until it is relabeled, and the interface would change where it need not.
-  bool covers_interface() const
-  {
+  // Whether a planned tetrahedron, with the interface in place, lies flat on two neighboring facets
+  // of it: it would be in the way until it is relabeled, and the interface would change where it
+  // need not.
+  bool covers_interface() const {
     const auto& vertices = m_cavity.vertices();
     return std::any_of(
         m_cavity.tetrahedra().begin(), m_cavity.tetrahedra().end(), [&](const auto& t) {
@@ -195,8 +189,7 @@ private:
   }
 
   // How many facets of a planned tetrahedron are on the interface.
-  int number_of_interface_facets(const std::array<Vertex_handle, 4>& vertices) const
-  {
+  int number_of_interface_facets(const std::array<Vertex_handle, 4>& vertices) const {
     int result = 0;
     for (Cell_handle c : m_cavity.removed())
       for (int i = 0; i < 4; ++i) {
@@ -212,8 +205,7 @@ private:
   }
 
   // Collapses vertex i of a cell into vertex j if that makes the cell's surroundings better.
-  bool collapse_edge(Cell_handle c, int i, int j, Cells& touched)
-  {
+  bool collapse_edge(Cell_handle c, int i, int j, Cells& touched) {
     const double better = 1.1 * c->quality();
     if (!propose_edge_collapse(m_complex, c, i, j, better, m_cavity) || covers_interface())
       return false;
@@ -224,8 +216,7 @@ private:
     return true;
   }
 
-  bool flip(Cells& touched)
-  {
+  bool flip(Cells& touched) {
     m_complex.replace(m_cavity);
     ++m_report.flipped;
     m_visitor.after_flip(m_cavity.created());
@@ -233,14 +224,12 @@ private:
     return true;
   }
 
-  void touch_created(Cells& touched)
-  {
+  void touch_created(Cells& touched) {
     for (Cell_handle c : m_cavity.created())
       touch(c, touched);
   }
 
-  void touch(Cell_handle c, Cells& touched)
-  {
+  void touch(Cell_handle c, Cells& touched) {
     if (!m_complex.is_infinite(c) && is_bad(c))
       touched.push(c);
   }

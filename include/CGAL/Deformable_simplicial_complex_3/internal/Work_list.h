@@ -28,8 +28,7 @@ public:
   bool empty() const { return m_items.empty(); }
 
   // By creation, each cell once.
-  void sort()
-  {
+  void sort() {
     std::sort(m_items.begin(), m_items.end(),
               [](const Item& a, const Item& b) { return a.time_stamp < b.time_stamp; });
     const auto same = [](const Item& a, const Item& b) { return a.time_stamp == b.time_stamp; };

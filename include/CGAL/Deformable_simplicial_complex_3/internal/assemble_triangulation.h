@@ -28,16 +28,14 @@ struct Cell_facet
   bool is_even; // the permutation (opposite vertex, sorted vertices) of the cell's vertices
 
   // Whether two cells of the same orientation lie on different sides of the facet they share.
-  bool fits(const Cell_facet& other) const
-  {
+  bool fits(const Cell_facet& other) const {
     return vertices == other.vertices && is_even != other.is_even;
   }
 };
 
-// All facets of the cells, equal ones next to each other, those of earlier cells first. A bucket for each
-// smallest vertex leaves little to sort.
-inline std::vector<Cell_facet> sorted_facets(const std::vector<Cell_vertices>& cells)
-{
+// All facets of the cells, equal ones next to each other, those of earlier cells first. A bucket
+// for each smallest vertex leaves little to sort.
+inline std::vector<Cell_facet> sorted_facets(const std::vector<Cell_vertices>& cells) {
   std::vector<Cell_facet> unsorted;
   unsorted.reserve(4 * cells.size());
   std::vector<std::size_t> bucket_ends;
@@ -72,18 +70,18 @@ inline std::vector<Cell_facet> sorted_facets(const std::vector<Cell_vertices>& c
 // Invalid_tetrahedra_error where cells are no neighbors on different sides of the facet they share.
 inline void append_infinite_cells(std::vector<Cell_vertices>& cells) {
   const std::vector<Cell_facet> facets = sorted_facets(cells);
-  for(std::size_t i = 0; i < facets.size();) {
+  for (std::size_t i = 0; i < facets.size();) {
     std::size_t j = i + 1;
-    while(j < facets.size() && facets[j].vertices == facets[i].vertices)
+    while (j < facets.size() && facets[j].vertices == facets[i].vertices)
       ++j;
-    if(j - i > 2)
+    if (j - i > 2)
       throw Invalid_tetrahedra_error("more than two tetrahedra share a facet; give a mesh in which "
                                      "each facet has one or two",
                                      {facets[i].cell, facets[i + 1].cell, facets[i + 2].cell}, {});
-    if(j - i == 2 && !facets[i].fits(facets[i + 1]))
+    if (j - i == 2 && !facets[i].fits(facets[i + 1]))
       throw Invalid_tetrahedra_error("two tetrahedra overlap: remesh where they are",
                                      {facets[i].cell, facets[i + 1].cell});
-    if(j - i == 1) {
+    if (j - i == 1) {
       // Replacing the opposite vertex mirrors the cell: swapping two vertices turns it back.
       Cell_vertices infinite = cells[facets[i].cell];
       infinite[facets[i].index] = 0;
@@ -95,30 +93,30 @@ inline void append_infinite_cells(std::vector<Cell_vertices>& cells) {
 }
 
 // Makes an empty triangulation three-dimensional, without cells.
-template <class Triangulation> void prepare_for_cells(Triangulation& triangulation)
-{
+template <class Triangulation> void prepare_for_cells(Triangulation& triangulation) {
   triangulation.tds().delete_cell(triangulation.infinite_vertex()->cell());
   triangulation.tds().set_dimension(3);
 }
 
 // Fills an empty data structure with vertices and cells and makes the cells neighbors.
-// `vertices[0]` exists already. Throws if a facet does not have exactly two cells, one on each side.
+// `vertices[0]` exists already. Throws if a facet does not have exactly two cells, one on each
+// side.
 template <class Tds>
 std::vector<typename Tds::Cell_handle>
 create_cells(Tds& tds, const std::vector<typename Tds::Vertex_handle>& vertices,
              const std::vector<Cell_vertices>& cells) {
   std::vector<typename Tds::Cell_handle> handles;
   handles.reserve(cells.size());
-  for(const Cell_vertices& c : cells) {
+  for (const Cell_vertices& c : cells) {
     handles.push_back(
         tds.create_cell(vertices[c[0]], vertices[c[1]], vertices[c[2]], vertices[c[3]]));
-    for(std::size_t v : c)
+    for (std::size_t v : c)
       vertices[v]->set_cell(handles.back());
   }
   const std::vector<Cell_facet> facets = sorted_facets(cells);
-  for(std::size_t i = 0; i < facets.size(); i += 2) {
-    if(i + 1 == facets.size() || !facets[i].fits(facets[i + 1]) ||
-       (i + 2 < facets.size() && facets[i].vertices == facets[i + 2].vertices))
+  for (std::size_t i = 0; i < facets.size(); i += 2) {
+    if (i + 1 == facets.size() || !facets[i].fits(facets[i + 1]) ||
+        (i + 2 < facets.size() && facets[i].vertices == facets[i + 2].vertices))
       throw Invalid_tetrahedra_error(
           "the boundary of the tetrahedra is no closed 2-manifold; give a "
           "mesh whose domain is a ball",

@@ -18,8 +18,7 @@ namespace internal {
 
 struct Less_time_stamp
 {
-  template <class Handle> bool operator()(Handle a, Handle b) const
-  {
+  template <class Handle> bool operator()(Handle a, Handle b) const {
     return a->time_stamp() < b->time_stamp();
   }
 };
@@ -30,13 +29,10 @@ struct Less_time_stamp
 CGAL_DSC_TEMPLATE
 CGAL_DSC_CLASS::Deformable_simplicial_complex_3(const Geom_traits& traits,
                                                 const Quality_measure& quality)
-    : m_triangulation(traits), m_quality_measure(quality)
-{
-}
+    : m_triangulation(traits), m_quality_measure(quality) {}
 
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::swap(Deformable_simplicial_complex_3& other)
-{
+void CGAL_DSC_CLASS::swap(Deformable_simplicial_complex_3& other) {
   using std::swap;
   m_triangulation.swap(other.m_triangulation);
   swap(m_quality_measure, other.m_quality_measure);
@@ -48,8 +44,7 @@ void CGAL_DSC_CLASS::swap(Deformable_simplicial_complex_3& other)
 }
 
 CGAL_DSC_TEMPLATE
-auto CGAL_DSC_CLASS::number_of_cells() const -> size_type
-{
+auto CGAL_DSC_CLASS::number_of_cells() const -> size_type {
   size_type n = 0;
   for (const auto& total : m_totals.totals())
     n += total.cells;
@@ -57,8 +52,7 @@ auto CGAL_DSC_CLASS::number_of_cells() const -> size_type
 }
 
 CGAL_DSC_TEMPLATE
-auto CGAL_DSC_CLASS::vertices() const -> std::vector<Vertex_handle>
-{
+auto CGAL_DSC_CLASS::vertices() const -> std::vector<Vertex_handle> {
   std::vector<Vertex_handle> result;
   result.reserve(number_of_vertices());
   for (Vertex_handle v : m_triangulation.finite_vertex_handles())
@@ -69,8 +63,7 @@ auto CGAL_DSC_CLASS::vertices() const -> std::vector<Vertex_handle>
 }
 
 CGAL_DSC_TEMPLATE
-auto CGAL_DSC_CLASS::cells() const -> std::vector<Cell_handle>
-{
+auto CGAL_DSC_CLASS::cells() const -> std::vector<Cell_handle> {
   std::vector<Cell_handle> result;
   result.reserve(number_of_cells());
   for (Cell_handle c : m_triangulation.finite_cell_handles())
@@ -81,8 +74,7 @@ auto CGAL_DSC_CLASS::cells() const -> std::vector<Cell_handle>
 }
 
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::star(Vertex_handle v, std::vector<Cell_handle>& star) const
-{
+void CGAL_DSC_CLASS::star(Vertex_handle v, std::vector<Cell_handle>& star) const {
   star.clear();
   star.push_back(v->cell());
   v->cell()->tds_data().mark_in_conflict();
@@ -105,8 +97,7 @@ void CGAL_DSC_CLASS::star(Vertex_handle v, std::vector<Cell_handle>& star) const
 // Labels, interface, measures
 
 CGAL_DSC_TEMPLATE
-auto CGAL_DSC_CLASS::labels() const -> std::vector<Label>
-{
+auto CGAL_DSC_CLASS::labels() const -> std::vector<Label> {
   std::vector<Label> result;
   for (const auto& total : m_totals.totals())
     if (total.cells > 0)
@@ -115,8 +106,7 @@ auto CGAL_DSC_CLASS::labels() const -> std::vector<Label>
 }
 
 CGAL_DSC_TEMPLATE
-bool CGAL_DSC_CLASS::is_interface(const Edge& e) const
-{
+bool CGAL_DSC_CLASS::is_interface(const Edge& e) const {
   auto facet = m_triangulation.tds().incident_facets(e), last = facet;
   do {
     if (is_interface(Facet(*facet)))
@@ -126,8 +116,7 @@ bool CGAL_DSC_CLASS::is_interface(const Edge& e) const
 }
 
 CGAL_DSC_TEMPLATE
-auto CGAL_DSC_CLASS::interface_vertices() const -> std::vector<Vertex_handle>
-{
+auto CGAL_DSC_CLASS::interface_vertices() const -> std::vector<Vertex_handle> {
   std::vector<Vertex_handle> result;
   for (Vertex_handle v : m_triangulation.finite_vertex_handles())
     if (v->is_interface())
@@ -138,8 +127,7 @@ auto CGAL_DSC_CLASS::interface_vertices() const -> std::vector<Vertex_handle>
 }
 
 CGAL_DSC_TEMPLATE
-auto CGAL_DSC_CLASS::interface_facets() const -> std::vector<Facet>
-{
+auto CGAL_DSC_CLASS::interface_facets() const -> std::vector<Facet> {
   std::vector<Facet> result;
   for (Cell_handle c : m_triangulation.finite_cell_handles())
     for (int i = 0; i < 4; ++i) {
@@ -154,8 +142,7 @@ auto CGAL_DSC_CLASS::interface_facets() const -> std::vector<Facet>
 }
 
 CGAL_DSC_TEMPLATE
-auto CGAL_DSC_CLASS::interface_facets(Label a, Label b) const -> std::vector<Facet>
-{
+auto CGAL_DSC_CLASS::interface_facets(Label a, Label b) const -> std::vector<Facet> {
   std::vector<Facet> result = interface_facets();
   const auto other = [&](const Facet& f) {
     return std::minmax(f.first->label(), f.first->neighbor(f.second)->label()) != std::minmax(a, b);
@@ -165,8 +152,7 @@ auto CGAL_DSC_CLASS::interface_facets(Label a, Label b) const -> std::vector<Fac
 }
 
 CGAL_DSC_TEMPLATE
-double CGAL_DSC_CLASS::area(Label label) const
-{
+double CGAL_DSC_CLASS::area(Label label) const {
   double result = 0;
   for (const auto& total : m_totals.totals())
     if (total.label != label)
@@ -175,21 +161,18 @@ double CGAL_DSC_CLASS::area(Label label) const
 }
 
 CGAL_DSC_TEMPLATE
-double CGAL_DSC_CLASS::area(Label a, Label b) const
-{
+double CGAL_DSC_CLASS::area(Label a, Label b) const {
   double result = 0;
   for (const Facet& f : interface_facets(a, b)) {
     const auto v = facet_vertices(f);
     const auto p = position(v[0]);
-    result +=
-        std::sqrt(cross_product(position(v[1]) - p, position(v[2]) - p).squared_length()) / 2;
+    result += std::sqrt(cross_product(position(v[1]) - p, position(v[2]) - p).squared_length()) / 2;
   }
   return result;
 }
 
 CGAL_DSC_TEMPLATE
-int CGAL_DSC_CLASS::euler_characteristic(Label label) const
-{
+int CGAL_DSC_CLASS::euler_characteristic(Label label) const {
   std::vector<size_type> vertices;
   std::vector<std::pair<size_type, size_type>> edges;
   int facets = 0;

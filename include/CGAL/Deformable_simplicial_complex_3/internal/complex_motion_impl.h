@@ -11,36 +11,33 @@
 namespace CGAL {
 
 CGAL_DSC_TEMPLATE
-double CGAL_DSC_CLASS::cell_volume(Cell_handle c) const
-{
+double CGAL_DSC_CLASS::cell_volume(Cell_handle c) const {
   return geom_traits().compute_approximate_volume_3_object()(
       position(c->vertex(0)), position(c->vertex(1)), position(c->vertex(2)),
       position(c->vertex(3)));
 }
 
 CGAL_DSC_TEMPLATE
-double CGAL_DSC_CLASS::cell_quality(Cell_handle c) const
-{
+double CGAL_DSC_CLASS::cell_quality(Cell_handle c) const {
   return m_quality_measure(position(c->vertex(0)), position(c->vertex(1)), position(c->vertex(2)),
                            position(c->vertex(3)));
 }
 
 CGAL_DSC_TEMPLATE
-bool CGAL_DSC_CLASS::is_positive(Cell_handle c) const
-{
+bool CGAL_DSC_CLASS::is_positive(Cell_handle c) const {
   return geom_traits().orientation_3_object()(c->vertex(0)->point(), c->vertex(1)->point(),
                                               c->vertex(2)->point(),
                                               c->vertex(3)->point()) == POSITIVE;
 }
 
 CGAL_DSC_TEMPLATE
-auto CGAL_DSC_CLASS::admissible_destination(Vertex_handle v, const Point_3& q) const -> Point_3
-{
+auto CGAL_DSC_CLASS::admissible_destination(Vertex_handle v, const Point_3& q) const -> Point_3 {
   if (!is_boundary(v))
     return q;
   const auto approximate = geom_traits().construct_approximate_point_3_object();
   const Approximate_point_3 from = approximate(v->point()), to = approximate(q);
-  if (Boundary_class::fixes(v->boundary_class(), 0) && Boundary_class::fixes(v->boundary_class(), 1) &&
+  if (Boundary_class::fixes(v->boundary_class(), 0) &&
+      Boundary_class::fixes(v->boundary_class(), 1) &&
       Boundary_class::fixes(v->boundary_class(), 2))
     return v->point();
   const auto coordinate = [&](int axis) {
@@ -52,8 +49,7 @@ auto CGAL_DSC_CLASS::admissible_destination(Vertex_handle v, const Point_3& q) c
 
 CGAL_DSC_TEMPLATE
 bool CGAL_DSC_CLASS::is_positive_star(Vertex_handle v, const std::vector<Cell_handle>& star,
-                                      const Point_3& q) const
-{
+                                      const Point_3& q) const {
   const auto orientation = geom_traits().orientation_3_object();
   return std::all_of(star.begin(), star.end(), [&](Cell_handle c) {
     const auto point = [&](int i) -> const Point_3& {
@@ -64,8 +60,7 @@ bool CGAL_DSC_CLASS::is_positive_star(Vertex_handle v, const std::vector<Cell_ha
 }
 
 CGAL_DSC_TEMPLATE
-double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point_3& destination, double margin)
-{
+double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point_3& destination, double margin) {
   const Point_3 q = admissible_destination(v, destination);
   if (q == v->point())
     return 1;
@@ -107,8 +102,7 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point_3& destination, 
 
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::set_point(Vertex_handle v, const std::vector<Cell_handle>& star,
-                               const Point_3& p)
-{
+                               const Point_3& p) {
   for (Cell_handle c : star)
     if (!is_infinite(c))
       m_totals.add_volume(c->label(), -m_totals.units(cell_volume(c)));
@@ -125,8 +119,7 @@ CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::set_points(
     const std::vector<Vertex_handle>& vertices, const std::vector<Point_3>& points,
     const std::vector<Cell_handle>& cells,
-    const Deformable_simplicial_complexes::internal::For_each_index& for_each_index)
-{
+    const Deformable_simplicial_complexes::internal::For_each_index& for_each_index) {
   m_volume_changes.resize(cells.size());
   for_each_index(cells.size(), [&](size_type i) {
     m_volume_changes[i] = is_infinite(cells[i]) ? 0 : m_totals.units(cell_volume(cells[i]));
@@ -146,8 +139,7 @@ void CGAL_DSC_CLASS::set_points(
 }
 
 CGAL_DSC_TEMPLATE
-bool CGAL_DSC_CLASS::has_interface_facet(Vertex_handle v) const
-{
+bool CGAL_DSC_CLASS::has_interface_facet(Vertex_handle v) const {
   star(v, m_star);
   return std::any_of(m_star.begin(), m_star.end(), [&](Cell_handle c) {
     for (int i = 0; i < 4; ++i)
@@ -158,8 +150,7 @@ bool CGAL_DSC_CLASS::has_interface_facet(Vertex_handle v) const
 }
 
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::relabel(Cell_handle c, Label label)
-{
+void CGAL_DSC_CLASS::relabel(Cell_handle c, Label label) {
   const double volume = cell_volume(c);
   m_totals.remove_cell(c->label(), volume);
   m_totals.add_cell(label, volume);
@@ -173,8 +164,7 @@ void CGAL_DSC_CLASS::relabel(Cell_handle c, Label label)
 }
 
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::replace(Cavity& cavity)
-{
+void CGAL_DSC_CLASS::replace(Cavity& cavity) {
   CGAL_precondition(cavity.is_positive());
   Triangulation_data_structure& tds = m_triangulation.tds();
   bool is_label_mixed = false;
@@ -221,8 +211,7 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity)
 
 // Makes the created cells neighbors of each other and of the cells around the cavity.
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::sew(Cavity& cavity)
-{
+void CGAL_DSC_CLASS::sew(Cavity& cavity) {
   for (std::size_t i = 0; i < cavity.m_vertices.size(); ++i)
     cavity.m_vertices[i].handle->set_scratch_index(std::uint32_t(i));
   m_half_facets.clear();

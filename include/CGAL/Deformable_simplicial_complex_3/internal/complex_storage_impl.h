@@ -13,15 +13,15 @@ namespace CGAL {
 CGAL_DSC_TEMPLATE
 auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
                             const std::vector<std::array<size_type, 4>>& tetrahedra,
-                            const std::vector<Label>& labels) -> std::vector<Vertex_handle>
-{
+                            const std::vector<Label>& labels) -> std::vector<Vertex_handle> {
   using Deformable_simplicial_complexes::Invalid_tetrahedra_error;
   namespace internal = Deformable_simplicial_complexes::internal;
   if (tetrahedra.empty())
     throw Invalid_tetrahedra_error("there are no tetrahedra; give at least one");
   if (labels.size() != tetrahedra.size())
     throw Invalid_tetrahedra_error("give exactly one label for each tetrahedron");
-  static constexpr size_type maximum = std::uint32_t(-1) / 8; // numbers of cells and facets have 32 bits
+  static constexpr size_type maximum =
+      std::uint32_t(-1) / 8; // numbers of cells and facets have 32 bits
   if (tetrahedra.size() > maximum)
     throw Invalid_tetrahedra_error("there are more than 2^29 tetrahedra");
 
@@ -33,8 +33,9 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
     positions.push_back(approximate(p));
     const auto& q = positions.back();
     if (!std::isfinite(q.x()) || !std::isfinite(q.y()) || !std::isfinite(q.z()))
-      throw Invalid_tetrahedra_error("coordinates are no finite numbers: correct or remove the point",
-                                     {}, {positions.size() - 1});
+      throw Invalid_tetrahedra_error(
+          "coordinates are no finite numbers: correct or remove the point", {},
+          {positions.size() - 1});
   }
   std::vector<bool> is_used(points.size(), false);
   std::vector<Approximate_point_3> barycenters;
@@ -80,8 +81,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
       cell_handles[i]->set_label(labels[cell_order[i]]);
     result.check_stars(handles);
     internal::check_boundary(cells);
-  }
-  catch (const Invalid_tetrahedra_error& e) {
+  } catch (const Invalid_tetrahedra_error& e) {
     // Translate indices along the curve to those of the caller.
     std::vector<size_type> where, who;
     for (size_type t : e.tetrahedra())
@@ -106,8 +106,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
 }
 
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::sort_storage()
-{
+void CGAL_DSC_CLASS::sort_storage() {
   if (number_of_cells() == 0)
     return;
   const State before = state();
@@ -153,8 +152,7 @@ void CGAL_DSC_CLASS::sort_storage()
 }
 
 CGAL_DSC_TEMPLATE
-auto CGAL_DSC_CLASS::state() const -> State
-{
+auto CGAL_DSC_CLASS::state() const -> State {
   State result;
   result.mean_interface_edge = m_mean_interface_edge;
   result.minimum_interface_edge = m_minimum_interface_edge;
@@ -193,22 +191,20 @@ auto CGAL_DSC_CLASS::state() const -> State
 }
 
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::restore(const State& state)
-{
+void CGAL_DSC_CLASS::restore(const State& state) {
   using Deformable_simplicial_complexes::Invalid_tetrahedra_error;
   if (!Deformable_simplicial_complexes::internal::is_consistent(state))
     throw Invalid_tetrahedra_error("the arrays of the state do not fit together");
   std::vector<Point_3> points;
   for (const auto& p : state.points)
-    points.push_back(geom_traits().construct_exact_point_3_object()(
-        Approximate_point_3(p[0], p[1], p[2])));
+    points.push_back(
+        geom_traits().construct_exact_point_3_object()(Approximate_point_3(p[0], p[1], p[2])));
   rebuild(state, points);
 }
 
 // `points` are those of the state before rounding.
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::rebuild(const State& state, const std::vector<Point_3>& points)
-{
+void CGAL_DSC_CLASS::rebuild(const State& state, const std::vector<Point_3>& points) {
   Deformable_simplicial_complex_3 result(geom_traits(), m_quality_measure);
   const auto& t = state.normalization_translation;
   result.m_normalization = {Approximate_vector_3(t[0], t[1], t[2]), state.normalization_scale};
@@ -217,13 +213,13 @@ void CGAL_DSC_CLASS::rebuild(const State& state, const std::vector<Point_3>& poi
   if (!state.cells.empty())
     result.create_items(state, points);
   if (!result.is_valid())
-    throw Deformable_simplicial_complexes::Invalid_tetrahedra_error("the state is none of a valid complex");
+    throw Deformable_simplicial_complexes::Invalid_tetrahedra_error(
+        "the state is none of a valid complex");
   swap(result);
 }
 
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::create_items(const State& state, const std::vector<Point_3>& points)
-{
+void CGAL_DSC_CLASS::create_items(const State& state, const std::vector<Point_3>& points) {
   namespace internal = Deformable_simplicial_complexes::internal;
   internal::prepare_for_cells(m_triangulation);
   std::vector<Vertex_handle> vertices(1, m_triangulation.infinite_vertex());
@@ -250,8 +246,7 @@ void CGAL_DSC_CLASS::create_items(const State& state, const std::vector<Point_3>
 
 // A vertex whose cells are not all connected through facets would pinch the domain.
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::check_stars(const std::vector<Vertex_handle>& vertices) const
-{
+void CGAL_DSC_CLASS::check_stars(const std::vector<Vertex_handle>& vertices) const {
   std::vector<size_type> degrees(vertices.size(), 0);
   for (std::uint32_t i = 0; i < vertices.size(); ++i)
     vertices[i]->set_scratch_index(i);
@@ -265,7 +260,8 @@ void CGAL_DSC_CLASS::check_stars(const std::vector<Vertex_handle>& vertices) con
   for (size_type i = 1; i < vertices.size(); ++i)
     if (!is_connected(i))
       throw Deformable_simplicial_complexes::Invalid_tetrahedra_error(
-          "the tetrahedra around a vertex are not connected through facets; give a mesh whose domain "
+          "the tetrahedra around a vertex are not connected through facets; give a mesh whose "
+          "domain "
           "is a ball",
           {}, {i});
   if (!is_connected(0))
@@ -275,8 +271,7 @@ void CGAL_DSC_CLASS::check_stars(const std::vector<Vertex_handle>& vertices) con
 
 // Everything that follows from points, cells and labels.
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::initialize_caches()
-{
+void CGAL_DSC_CLASS::initialize_caches() {
   Bbox_3 box;
   for (Vertex_handle v : m_triangulation.finite_vertex_handles())
     box += position(v).bbox();
@@ -294,8 +289,7 @@ void CGAL_DSC_CLASS::initialize_caches()
 }
 
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::initialize_boundary_classes()
-{
+void CGAL_DSC_CLASS::initialize_boundary_classes() {
   std::vector<Facet> hull;
   star(m_triangulation.infinite_vertex(), m_star);
   Bbox_3 box;
@@ -322,15 +316,13 @@ void CGAL_DSC_CLASS::initialize_boundary_classes()
 }
 
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::initialize_edge_lengths()
-{
+void CGAL_DSC_CLASS::initialize_edge_lengths() {
   double sum = 0, minimum = 0;
   size_type n = 0;
   for (const Facet& f : interface_facets()) {
     const auto v = facet_vertices(f);
     for (int i = 0; i < 3; ++i) {
-      const double length =
-          std::sqrt((position(v[i]) - position(v[(i + 1) % 3])).squared_length());
+      const double length = std::sqrt((position(v[i]) - position(v[(i + 1) % 3])).squared_length());
       sum += length;
       minimum = n == 0 ? length : (std::min)(minimum, length);
       ++n;
@@ -341,16 +333,14 @@ void CGAL_DSC_CLASS::initialize_edge_lengths()
 }
 
 CGAL_DSC_TEMPLATE
-bool CGAL_DSC_CLASS::report(bool ok, const char* what, bool verbose) const
-{
+bool CGAL_DSC_CLASS::report(bool ok, const char* what, bool verbose) const {
   if (!ok && verbose)
     std::cerr << "Deformable_simplicial_complex_3: " << what << std::endl;
   return ok;
 }
 
 CGAL_DSC_TEMPLATE
-bool CGAL_DSC_CLASS::is_valid(bool verbose) const
-{
+bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
   if (m_triangulation.dimension() < 3) // empty
     return report(number_of_cells() == 0, "cells without space", verbose);
   if (!report(m_triangulation.tds().is_valid(verbose), "invalid data structure", verbose))
@@ -383,8 +373,8 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const
     if (!report(v->is_interface() == has_interface_facet(v), "an interface flag is stale", verbose))
       return false;
     star(v, cells);
-    const bool is_on_hull = std::any_of(cells.begin(), cells.end(),
-                                        [&](Cell_handle c) { return is_infinite(c); });
+    const bool is_on_hull =
+        std::any_of(cells.begin(), cells.end(), [&](Cell_handle c) { return is_infinite(c); });
     if (!report(is_on_hull == is_boundary(v), "a boundary class is wrong", verbose))
       return false;
   }
@@ -398,11 +388,9 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const
 
 // Whether a boundary facet stays in its plane whatever its vertices may do.
 CGAL_DSC_TEMPLATE
-bool CGAL_DSC_CLASS::is_on_side(const Facet& f) const
-{
+bool CGAL_DSC_CLASS::is_on_side(const Facet& f) const {
   const auto v = facet_vertices(f);
-  const auto sides =
-      v[0]->boundary_class() & v[1]->boundary_class() & v[2]->boundary_class();
+  const auto sides = v[0]->boundary_class() & v[1]->boundary_class() & v[2]->boundary_class();
   if ((sides & Boundary_class::fixed) != 0)
     return true;
   for (int axis = 0; axis < 3; ++axis)

@@ -19,13 +19,12 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Free vertices, neither on the interface nor on the boundary of the domain, near moving ones: those
-// within a number of layers of edges, or all of them if much of the interface moves.
+// Free vertices, neither on the interface nor on the boundary of the domain, near moving ones:
+// those within a number of layers of edges, or all of them if much of the interface moves.
 template <class Complex>
 std::vector<typename Complex::Vertex_handle>
-free_vertices_near(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& moving,
-                   unsigned layers)
-{
+free_vertices_near(const Complex& complex,
+                   const std::vector<typename Complex::Vertex_handle>& moving, unsigned layers) {
   using Vertex_handle = typename Complex::Vertex_handle;
   static constexpr std::size_t much = 16;
   std::vector<Vertex_handle> found;
@@ -61,16 +60,16 @@ free_vertices_near(const Complex& complex, const std::vector<typename Complex::V
 
 /*
 Extends displacements from the interface into the space around: each component solves the Laplace
-equation by linear finite elements, with the value zero at vertices that are neither moving nor free. A
-rigid or affine motion of a closed interface is reproduced inside, so that cells there keep their shape.
+equation by linear finite elements, with the value zero at vertices that are neither moving nor
+free. A rigid or affine motion of a closed interface is reproduced inside, so that cells there keep
+their shape.
 
 `displacement(v)` tells the displacement of any vertex that is not in `free`.
 */
 template <class Complex, class Displacement>
 std::vector<typename Complex::Approximate_vector_3>
 harmonic_extension(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& free,
-                   const Displacement& displacement, const For_each_index& for_each_index)
-{
+                   const Displacement& displacement, const For_each_index& for_each_index) {
   using Vector = typename Complex::Approximate_vector_3;
   using Point = typename Complex::Approximate_point_3;
   if (free.empty())
@@ -82,7 +81,8 @@ harmonic_extension(const Complex& complex, const std::vector<typename Complex::V
   Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(n, 3);
   for (auto c : sorted_star_union(complex, free)) {
     const Tetrahedron_frame<Point> t(complex.position(c->vertex(0)), complex.position(c->vertex(1)),
-                                     complex.position(c->vertex(2)), complex.position(c->vertex(3)));
+                                     complex.position(c->vertex(2)),
+                                     complex.position(c->vertex(3)));
     const auto normals = t.area_vectors();
     int row[4];
     for (int i = 0; i < 4; ++i)
@@ -112,12 +112,15 @@ harmonic_extension(const Complex& complex, const std::vector<typename Complex::V
   // The extension only guides: what it proposes is checked, so that a rough solution will do.
   Eigen::MatrixX3d solution(n, 3);
   const std::size_t worthwhile = n < 100 ? 4 : 1;
-  for_each_index(3, [&](std::size_t axis) {
-    Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver(matrix);
-    solver.setTolerance(1e-2);
-    solver.setMaxIterations(200);
-    solution.col(axis) = solver.solve(right.col(axis));
-  }, worthwhile);
+  for_each_index(
+      3,
+      [&](std::size_t axis) {
+        Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver(matrix);
+        solver.setTolerance(1e-2);
+        solver.setMaxIterations(200);
+        solution.col(axis) = solver.solve(right.col(axis));
+      },
+      worthwhile);
   std::vector<Vector> result;
   for (int i = 0; i < n; ++i)
     result.emplace_back(solution(i, 0), solution(i, 1), solution(i, 2));

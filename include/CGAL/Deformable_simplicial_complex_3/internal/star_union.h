@@ -17,25 +17,22 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // Numbers vertices by their place in a list.
-template <class Vertex_handle> void number_vertices(const std::vector<Vertex_handle>& vertices)
-{
+template <class Vertex_handle> void number_vertices(const std::vector<Vertex_handle>& vertices) {
   for (std::uint32_t i = 0; i < vertices.size(); ++i)
     vertices[i]->set_scratch_index(i);
 }
 
 // Whether v is in a list whose vertices are numbered by it.
 template <class Vertex_handle>
-bool is_numbered(Vertex_handle v, const std::vector<Vertex_handle>& vertices)
-{
+bool is_numbered(Vertex_handle v, const std::vector<Vertex_handle>& vertices) {
   return v->scratch_index() < vertices.size() && vertices[v->scratch_index()] == v;
 }
 
-// The finite cells around numbered vertices, each once, in no particular order. Where many vertices are
-// asked for, one pass over the cells is cheaper than their stars.
+// The finite cells around numbered vertices, each once, in no particular order. Where many vertices
+// are asked for, one pass over the cells is cheaper than their stars.
 template <class Complex>
 std::vector<typename Complex::Cell_handle>
-star_union(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices)
-{
+star_union(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices) {
   using Cell_handle = typename Complex::Cell_handle;
   static constexpr std::size_t many = 8; // a star costs about as much as 8 cells of a pass each
   std::vector<Cell_handle> result;
@@ -67,8 +64,7 @@ star_union(const Complex& complex, const std::vector<typename Complex::Vertex_ha
 template <class Complex>
 std::vector<typename Complex::Cell_handle>
 sorted_star_union(const Complex& complex,
-                  const std::vector<typename Complex::Vertex_handle>& vertices)
-{
+                  const std::vector<typename Complex::Vertex_handle>& vertices) {
   using Cell_handle = typename Complex::Cell_handle;
   std::vector<std::pair<std::size_t, Cell_handle>> stamped;
   for (Cell_handle c : star_union(complex, vertices))
