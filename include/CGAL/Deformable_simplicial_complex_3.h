@@ -10,10 +10,10 @@
 #include <CGAL/Deformable_simplicial_complex_3/Component_change.h>
 #include <CGAL/Deformable_simplicial_complex_3/State_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Component_tracker.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Label_totals.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/assemble_triangulation.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/check_tetrahedra_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/hilbert_order.h>
 #include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
 #include <CGAL/Deformable_simplicial_complex_cell_base_3.h>
@@ -133,9 +133,10 @@ public:
   \param tetrahedra index quadruples, positively oriented.
   \param labels one label for each tetrahedron.
   \return the vertices in the order of `points`
-  \throws Invalid_tetrahedra_error if sizes or indices do not fit, coordinates are not finite, a
-         vertex is unused, a tetrahedron is not positive, or the tetrahedra do not form a ball. The
-         complex is then unchanged.
+  \throws Invalid_tetrahedra_error if sizes or indices do not fit, coordinates are not finite or so
+         large or small that measures of quality overflow, a vertex is unused, a tetrahedron is not
+         positive, or the tetrahedra do not form a ball. The complex is then unchanged.
+  \pre the boundary of the domain does not intersect itself
 
   n log n in the number of tetrahedra.
   */
@@ -296,10 +297,11 @@ public:
 
   /// Puts vertices at points, all at once. \pre `cells` are all cells of the vertices' stars, each
   /// once, and the finite ones are positively oriented afterwards.
+  /// \param for_each_index `for_each_index(n, f)` calls `f(i)` for all i below n, in any order and on
+  ///        any threads.
+  template <class ForEachIndex>
   void set_points(const std::vector<Vertex_handle>& vertices, const std::vector<Point_3>& points,
-                  const std::vector<Cell_handle>& cells,
-                  const Deformable_simplicial_complexes::internal::For_each_index& for_each_index =
-                      Deformable_simplicial_complexes::internal::For_each_index());
+                  const std::vector<Cell_handle>& cells, const ForEachIndex& for_each_index);
 
   /// @}
   /// \name Change of the mesh
@@ -346,6 +348,7 @@ private:
   double cell_volume(Cell_handle c) const;
   double cell_quality(Cell_handle c) const;
   bool is_positive(Cell_handle c) const;
+  double area(const Facet& f) const;
   bool has_interface_facet(Vertex_handle v) const;
   void sew(Cavity& cavity);
   void initialize_caches();

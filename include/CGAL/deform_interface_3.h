@@ -80,10 +80,10 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
   const unsigned number_of_threads =
       choose_parameter(get_parameter(np, tags::number_of_threads), 1u);
 
+  const Deformable_simplicial_complexes::internal::For_each_index for_each_index(number_of_threads);
   using Visitor = std::remove_reference_t<decltype(visitor)>;
   Deformable_simplicial_complexes::internal::Interface_deformer_3<Complex, Visitor> deformer(
-      dsc, visitor, quality_threshold, relabeling_threshold,
-      Deformable_simplicial_complexes::internal::For_each_index(number_of_threads));
+      dsc, visitor, quality_threshold, relabeling_threshold, for_each_index);
   deformer.set_destinations(destination);
   unsigned pass = 0;
   while (!deformer.is_complete() && deformer.is_progressing() && pass < maximum_number_of_passes &&

@@ -29,7 +29,9 @@ void require_writable(const std::string& path) {
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw Input_error("'" + path + "' is not a regular file; choose another name");
   // Results are written beside their place and renamed, so this is what must be possible.
-  const std::string probe = path + ".probe";
+  std::string probe = path + ".probe";
+  while (fs::exists(probe, error))
+    probe += '~';
   if (!std::ofstream(probe))
     throw Input_error("cannot write '" + path +
                       "'; check that its folder exists and may be written to");

@@ -176,6 +176,15 @@ TEST(Assign, refuses_coordinates_that_are_not_finite) {
   }
 }
 
+TEST(Assign, refuses_what_cannot_be_measured) {
+  for (double x : {1e-120, 1e120}) {
+    Labelled_mesh mesh = corner_tetrahedron();
+    for (Point& p : mesh.points)
+      p = Point(x * p.x(), x * p.y(), x * p.z());
+    EXPECT_EQ(refusal(mesh).tetrahedra(), Indices{0}) << x;
+  }
+}
+
 TEST(Assign, refuses_three_tetrahedra_at_a_facet) {
   Labelled_mesh mesh = grid(2, small_meshes::uniform);
   // A tetrahedron beside an inner facet of the tetrahedra 0 and 1, which share their first vertex.

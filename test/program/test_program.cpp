@@ -310,6 +310,15 @@ TEST_F(Program, reports_each_step) {
   EXPECT_FALSE(fs::exists(path("report.partial.json")));
 }
 
+// Whatever the names of files that exist only for a moment are.
+TEST_F(Program, keeps_files_that_are_not_its_own) {
+  for (const char* name : {"report.json.probe", "report.partial.json"})
+    std::ofstream(path(name)) << "precious";
+  expect_success("rotate cube.off --axis 0,0,1 --angle 2 --steps 1 --report report.json");
+  for (const char* name : {"report.json.probe", "report.partial.json"})
+    EXPECT_EQ(contents(path(name)), "precious") << name;
+}
+
 TEST_F(Program, gives_several_surfaces_labels) {
   expect_success(
       "rotate cube.off cube_beside.off --axis 1,0,0 --angle 2 --steps 1 --report r.json");

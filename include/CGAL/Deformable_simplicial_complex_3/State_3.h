@@ -5,6 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_STATE_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_STATE_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -94,17 +96,15 @@ inline bool is_consistent(const Deformable_simplicial_complex_state_3& state) {
     std::sort(c.begin(), c.end());
     return c[3] <= state.points.size() && std::adjacent_find(c.begin(), c.end()) == c.end();
   };
-  const auto is_finite = [](const std::array<double, 3>& p) {
-    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-  };
   const auto is_cell_of = [&](std::size_t v) {
     const std::size_t c = state.vertex_cells[v];
     return c < state.cells.size() &&
            std::find(state.cells[c].begin(), state.cells[c].end(), v) != state.cells[c].end();
   };
-  bool result = is_finite(state.normalization_translation) &&
+  bool result = has_finite_coordinates(state.normalization_translation) &&
                 std::all_of(state.cells.begin(), state.cells.end(), is_cell) &&
-                std::all_of(state.points.begin(), state.points.end(), is_finite);
+                std::all_of(state.points.begin(), state.points.end(),
+                            has_finite_coordinates<std::array<double, 3>>);
   for (std::size_t v = 0; result && v < state.vertex_cells.size(); ++v)
     result = is_cell_of(v);
   return result;

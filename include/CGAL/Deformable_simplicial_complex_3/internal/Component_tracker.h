@@ -69,9 +69,9 @@ private:
   using Origin = std::pair<Number, Number>;
 
   static Component_change& of_label(std::vector<Component_change>& changes, int label) {
-    auto it = changes.begin();
-    while (it != changes.end() && it->label < label)
-      ++it;
+    auto it = std::lower_bound(
+        changes.begin(), changes.end(), label,
+        [](const Component_change& change, int bound) { return change.label < bound; });
     if (it == changes.end() || it->label != label)
       it = changes.insert(it, Component_change{label});
     return *it;
@@ -131,10 +131,11 @@ private:
 
     // The changes before this numbering and those in it compose.
     std::vector<Origin> composed;
-    for (const Origin& before : m_origins)
-      for (const Origin& now : origins)
-        if (before.second == now.first)
-          composed.emplace_back(before.first, now.second);
+    for (const Origin& before : m_origins) {
+      auto now = std::lower_bound(origins.begin(), origins.end(), Origin(before.second, 0));
+      for (; now != origins.end() && now->first == before.second; ++now)
+        composed.emplace_back(before.first, now->second);
+    }
     sort_unique(composed);
     m_origins = std::move(composed);
     m_is_known = true;

@@ -26,14 +26,18 @@ public:
   explicit For_each_index(unsigned number_of_threads = 1)
       : m_number_of_threads(number_of_threads) {}
 
+  For_each_index(const For_each_index&) = delete;
+  For_each_index& operator=(const For_each_index&) = delete;
+
   // Threads are used from `worthwhile` indices on: starting them costs about a thousand small
   // calls.
   template <class Function>
   void operator()(std::size_t n, const Function& function, std::size_t worthwhile = 2000) const {
 #ifdef CGAL_LINKED_WITH_TBB
     if (m_number_of_threads > 1 && n >= worthwhile) {
-      tbb::task_arena arena(static_cast<int>(m_number_of_threads));
-      arena.execute([&] {
+      if (!m_arena.is_active())
+        m_arena.initialize(static_cast<int>(m_number_of_threads));
+      m_arena.execute([&] {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n),
                           [&](const tbb::blocked_range<std::size_t>& range) {
                             for (std::size_t i = range.begin(); i < range.end(); ++i)
@@ -51,6 +55,9 @@ public:
 
 private:
   unsigned m_number_of_threads;
+#ifdef CGAL_LINKED_WITH_TBB
+  mutable tbb::task_arena m_arena; // of all calls: making one takes much longer than a call
+#endif
 };
 
 } // namespace internal

@@ -8,12 +8,15 @@
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/final_quality.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/harmonic_extension_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/simultaneous_motion_3.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,7 +40,7 @@ public:
 
   // No destination survives the deformation, even if a visitor ends it by an exception.
   ~Interface_deformer_3() {
-    for (const Item& item : m_items)
+    for (const Item& item : m_unfinished)
       if (m_complex.is_alive(item.vertex, item.time_stamp))
         m_complex.clear_destination(item.vertex);
   }
@@ -53,7 +56,7 @@ public:
     std::vector<std::size_t> refused;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       destinations.push_back(destination(vertices[i]));
-      if (!is_finite(approximate(destinations.back())))
+      if (!has_finite_coordinates(approximate(destinations.back())))
         refused.push_back(i);
     }
     if (!refused.empty())
@@ -65,7 +68,7 @@ public:
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       m_complex.set_destination(vertices[i],
                                 m_complex.admissible_destination(vertices[i], destinations[i]));
-      m_items.push_back({vertices[i], vertices[i]->time_stamp()});
+      m_unfinished.push_back({vertices[i], vertices[i]->time_stamp()});
     }
     update_unfinished();
   }
@@ -77,25 +80,24 @@ public:
 
   // Interface and free vertices at once: most of most motions.
   void move_together() {
-    const std::vector<Vertex_handle> free = free_vertices_near(m_complex, m_unfinished, layers());
+    std::vector<Vertex_handle> vertices = unfinished();
+    const std::vector<Vertex_handle> free = free_vertices_near(m_complex, vertices, layers());
     const auto exact = m_complex.geom_traits().construct_exact_point_3_object();
     const auto displacement = [&](Vertex_handle v) {
       return v->has_destination() ? remaining(v) : Vector(0, 0, 0);
     };
     const auto solution = harmonic_extension(m_complex, free, displacement, m_for_each_index);
-    std::vector<Vertex_handle> vertices = m_unfinished;
     std::vector<Point_3> targets;
-    for (Vertex_handle v : m_unfinished)
+    for (Vertex_handle v : vertices)
       targets.push_back(v->destination());
     for (std::size_t i = 0; i < free.size(); ++i) {
       const auto target = m_complex.position(free[i]) + solution[i];
-      if (target != m_complex.position(free[i]) && is_finite(target)) {
+      if (target != m_complex.position(free[i]) && has_finite_coordinates(target)) {
         vertices.push_back(free[i]);
         targets.push_back(exact(target));
       }
     }
-    Simultaneous_motion_3<Complex> motion(m_complex, vertices, targets, m_for_each_index);
-    for (Cell_handle c : motion.run())
+    for (Cell_handle c : move_simultaneously(m_complex, vertices, targets, m_for_each_index))
       touch(c);
     update_unfinished();
   }
@@ -104,7 +106,7 @@ public:
   // relabeled, coming still nearer would gain nothing.
   void move_one_by_one() {
     static constexpr double margin = .25; // a cell that need not be thin yet can still be improved
-    for (Vertex_handle v : m_unfinished) {
+    for (Vertex_handle v : unfinished()) {
       m_complex.star(v, m_star);
       const bool is_at_contact = std::any_of(m_star.begin(), m_star.end(), [&](Cell_handle c) {
         return !m_complex.is_infinite(c) && c->quality() < m_relabeling_threshold;
@@ -132,7 +134,7 @@ public:
     static constexpr double swept = .3;   // quality below which a cell in the way may be relabeled
     static constexpr double cosine = .94; // 20 degrees
     Work_list<Cell_handle> cells;
-    for (Vertex_handle v : m_unfinished) {
+    for (Vertex_handle v : unfinished()) {
       m_complex.star(v, m_star);
       for (Cell_handle c : m_star)
         if (!m_complex.is_infinite(c)) {
@@ -159,7 +161,7 @@ public:
   Report report(unsigned passes) {
     Report report;
     report.passes = passes;
-    for (Vertex_handle v : m_unfinished)
+    for (Vertex_handle v : unfinished())
       report.unfinished.push_back({v, std::sqrt(remaining(v).squared_length())});
     report.vanished = m_vanished;
     report.complete = report.unfinished.empty();
@@ -183,10 +185,6 @@ private:
     std::size_t time_stamp; // the vertex may have been removed
   };
 
-  static bool is_finite(const typename Complex::Approximate_point_3& p) {
-    return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
-  }
-
   Vector remaining(Vertex_handle v) const {
     return m_complex.final_position(v) - m_complex.position(v);
   }
@@ -194,7 +192,7 @@ private:
   // How far around its source a motion is felt: the farther it goes, the more space must give way.
   unsigned layers() const {
     double squared = 0;
-    for (Vertex_handle v : m_unfinished)
+    for (Vertex_handle v : unfinished())
       squared = (std::max)(squared, remaining(v).squared_length());
     const double edges = std::sqrt(squared) / m_complex.mean_interface_edge();
     return unsigned((std::min)(6., 1 + std::ceil(2 * edges)));
@@ -202,15 +200,9 @@ private:
 
   double remaining_distance() const {
     double sum = 0;
-    for (Vertex_handle v : m_unfinished)
+    for (Vertex_handle v : unfinished())
       sum += std::sqrt(remaining(v).squared_length());
     return sum;
-  }
-
-  // The quality of a cell with the interface in place.
-  double final_quality(Cell_handle c) const {
-    const auto end = [&](int i) { return m_complex.final_position(c->vertex(i)); };
-    return m_complex.quality_measure()(end(0), end(1), end(2), end(3));
   }
 
   // A cell that is flat only on the way is left alone.
@@ -218,7 +210,8 @@ private:
     const auto before = c->label();
     auto label = before;
     if (!propose_relabeling(m_complex, c, threshold, label) ||
-        !(final_quality(c) < m_relabeling_threshold))
+        !(final_quality(m_complex, {c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)}) <
+          m_relabeling_threshold))
       return;
     m_complex.relabel(c, label);
     m_visitor.after_relabel(c, before);
@@ -230,32 +223,39 @@ private:
       m_touched.push(c);
   }
 
+  std::vector<Vertex_handle> unfinished() const {
+    std::vector<Vertex_handle> result;
+    result.reserve(m_unfinished.size());
+    for (const Item& item : m_unfinished)
+      result.push_back(item.vertex);
+    return result;
+  }
+
   // Keeps those that still have a way to go.
   void update_unfinished() {
-    const auto is_done = [&](const Item& item) {
+    std::vector<Item> unfinished;
+    for (const Item& item : m_unfinished) {
       const Vertex_handle v = item.vertex;
       if (!m_complex.is_alive(v, item.time_stamp)) {
         ++m_vanished;
-        return true;
+        continue;
       }
-      if (!(v->point() == v->destination())) {
-        if (v->is_interface())
-          return false;
+      const bool has_arrived = v->point() == v->destination();
+      if (!has_arrived && v->is_interface()) {
+        unfinished.push_back(item);
+        continue;
+      }
+      if (!has_arrived)
         ++m_vanished;
-      }
       m_complex.clear_destination(v);
-      return true;
-    };
-    m_items.erase(std::remove_if(m_items.begin(), m_items.end(), is_done), m_items.end());
-    m_unfinished.clear();
-    for (const Item& item : m_items)
-      m_unfinished.push_back(item.vertex);
+    }
+    m_unfinished = std::move(unfinished);
   }
 
   typename Report::Label_change& label_change(typename Complex::Label label) {
-    auto it = m_labels.begin();
-    while (it != m_labels.end() && it->label < label)
-      ++it;
+    auto it = std::lower_bound(
+        m_labels.begin(), m_labels.end(), label,
+        [](const auto& change, typename Complex::Label bound) { return change.label < bound; });
     if (it == m_labels.end() || it->label != label) {
       it = m_labels.insert(it, typename Report::Label_change());
       it->label = label;
@@ -267,9 +267,8 @@ private:
   Visitor& m_visitor;
   Mesh_improver_3<Complex, Visitor> m_improver;
   double m_relabeling_threshold;
-  For_each_index m_for_each_index;
-  std::vector<Item> m_items;
-  std::vector<Vertex_handle> m_unfinished; // the vertices of the items
+  const For_each_index& m_for_each_index;
+  std::vector<Item> m_unfinished;
   Work_list<Cell_handle> m_touched;
   std::vector<Cell_handle> m_star;
   double m_last_distance = std::numeric_limits<double>::infinity();

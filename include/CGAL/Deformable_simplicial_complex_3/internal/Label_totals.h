@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABEL_TOTALS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABEL_TOTALS_H
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -64,17 +65,15 @@ public:
   const std::vector<Total>& totals() const { return m_totals; }
 
 private:
+  static bool is_below(const Total& t, int label) { return t.label < label; }
+
   const Total* find(int label) const {
-    for (const Total& t : m_totals)
-      if (t.label == label)
-        return &t;
-    return nullptr;
+    const auto it = std::lower_bound(m_totals.begin(), m_totals.end(), label, is_below);
+    return it != m_totals.end() && it->label == label ? &*it : nullptr;
   }
 
   Total& total(int label) {
-    auto it = m_totals.begin();
-    while (it != m_totals.end() && it->label < label)
-      ++it;
+    auto it = std::lower_bound(m_totals.begin(), m_totals.end(), label, is_below);
     if (it == m_totals.end() || it->label != label)
       it = m_totals.insert(it, {label, 0, 0});
     return *it;

@@ -11,6 +11,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/final_quality.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/relabeling_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/vertex_optimization_3.h>
@@ -178,13 +179,13 @@ private:
     const auto& vertices = m_cavity.vertices();
     return std::any_of(
         m_cavity.tetrahedra().begin(), m_cavity.tetrahedra().end(), [&](const auto& t) {
-          const auto vertex = [&](int i) { return vertices[t.vertices[i]].handle; };
-          const auto end = [&](int i) { return m_complex.final_position(vertex(i)); };
-          for (int i = 0; i < 4; ++i)
-            if (!vertex(i)->is_interface())
+          std::array<Vertex_handle, 4> v;
+          for (int i = 0; i < 4; ++i) {
+            v[i] = vertices[t.vertices[i]].handle;
+            if (!v[i]->is_interface())
               return false;
-          return std::abs(m_complex.quality_measure()(end(0), end(1), end(2), end(3))) < flat &&
-                 number_of_interface_facets({vertex(0), vertex(1), vertex(2), vertex(3)}) > 1;
+          }
+          return std::abs(final_quality(m_complex, v)) < flat && number_of_interface_facets(v) > 1;
         });
   }
 

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -25,10 +24,6 @@ using Triangle_indices = std::array<std::size_t, 3>;
 
 template <class Point> Coordinates_3 coordinates(const Point& p) {
   return {to_double(p.x()), to_double(p.y()), to_double(p.z())};
-}
-
-inline bool is_finite(const Coordinates_3& p) {
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
 struct Triangle_soup_3

@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Triangle_soup_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/refuse_surface.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/soup_intersections_3.h>
 
@@ -31,7 +32,7 @@ inline void check_numbers(const Triangle_soup_3& soup, std::size_t surface) {
 
   std::vector<std::size_t> vertices;
   for (std::size_t i = 0; i < soup.points.size(); ++i)
-    if (!is_finite(soup.points[i]))
+    if (!has_finite_coordinates(soup.points[i]))
       vertices.push_back(i);
   if (!vertices.empty())
     refuse_surface(Reason::not_finite, surface, {}, std::move(vertices));

@@ -8,6 +8,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Triangle_soup_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/assemble_triangulation.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
 
 #include <CGAL/enum.h>
 
@@ -29,7 +30,7 @@ void orient_tetrahedra(const std::vector<typename Traits::Point_3>& points,
                        std::vector<std::array<std::size_t, 4>>& tetrahedra, const Traits& traits) {
   std::vector<std::size_t> offenders;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (!is_finite(coordinates(points[i])))
+    if (!has_finite_coordinates(coordinates(points[i])))
       offenders.push_back(i);
   if (!offenders.empty())
     throw Invalid_tetrahedra_error("coordinates are no finite numbers: correct or remove these "

@@ -93,7 +93,6 @@ void CGAL_DSC_CLASS::star(Vertex_handle v, std::vector<Cell_handle>& star) const
     c->tds_data().clear();
 }
 
-// ---------------------------------------------------------------------------------------------------
 // Labels, interface, measures
 
 CGAL_DSC_TEMPLATE
@@ -154,21 +153,25 @@ auto CGAL_DSC_CLASS::interface_facets(Label a, Label b) const -> std::vector<Fac
 CGAL_DSC_TEMPLATE
 double CGAL_DSC_CLASS::area(Label label) const {
   double result = 0;
-  for (const auto& total : m_totals.totals())
-    if (total.label != label)
-      result += area(label, total.label);
+  for (const Facet& f : interface_facets())
+    if (f.first->label() == label || f.first->neighbor(f.second)->label() == label)
+      result += area(f);
   return result;
 }
 
 CGAL_DSC_TEMPLATE
 double CGAL_DSC_CLASS::area(Label a, Label b) const {
   double result = 0;
-  for (const Facet& f : interface_facets(a, b)) {
-    const auto v = facet_vertices(f);
-    const auto p = position(v[0]);
-    result += std::sqrt(cross_product(position(v[1]) - p, position(v[2]) - p).squared_length()) / 2;
-  }
+  for (const Facet& f : interface_facets(a, b))
+    result += area(f);
   return result;
+}
+
+CGAL_DSC_TEMPLATE
+double CGAL_DSC_CLASS::area(const Facet& f) const {
+  const auto v = facet_vertices(f);
+  const Approximate_point_3 p = position(v[0]);
+  return std::sqrt(cross_product(position(v[1]) - p, position(v[2]) - p).squared_length()) / 2;
 }
 
 CGAL_DSC_TEMPLATE

@@ -116,10 +116,11 @@ void CGAL_DSC_CLASS::set_point(Vertex_handle v, const std::vector<Cell_handle>& 
 }
 
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::set_points(
-    const std::vector<Vertex_handle>& vertices, const std::vector<Point_3>& points,
-    const std::vector<Cell_handle>& cells,
-    const Deformable_simplicial_complexes::internal::For_each_index& for_each_index) {
+template <class ForEachIndex>
+void CGAL_DSC_CLASS::set_points(const std::vector<Vertex_handle>& vertices,
+                                const std::vector<Point_3>& points,
+                                const std::vector<Cell_handle>& cells,
+                                const ForEachIndex& for_each_index) {
   m_volume_changes.resize(cells.size());
   for_each_index(cells.size(), [&](size_type i) {
     m_volume_changes[i] = is_infinite(cells[i]) ? 0 : m_totals.units(cell_volume(cells[i]));

@@ -31,8 +31,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
   std::vector<Approximate_point_3> positions;
   for (const Point_3& p : points) {
     positions.push_back(approximate(p));
-    const auto& q = positions.back();
-    if (!std::isfinite(q.x()) || !std::isfinite(q.y()) || !std::isfinite(q.z()))
+    if (!internal::has_finite_coordinates(positions.back()))
       throw Invalid_tetrahedra_error(
           "coordinates are no finite numbers: correct or remove the point", {},
           {positions.size() - 1});
@@ -52,6 +51,11 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
     if (orientation(points[v[0]], points[v[1]], points[v[2]], points[v[3]]) != POSITIVE)
       throw Invalid_tetrahedra_error("a tetrahedron is flat or negatively oriented; give its "
                                      "vertices in positive order",
+                                     {t}, {v.begin(), v.end()});
+    if (!std::isfinite(
+            m_quality_measure(positions[v[0]], positions[v[1]], positions[v[2]], positions[v[3]])))
+      throw Invalid_tetrahedra_error("a tetrahedron is too large or too small to be measured with "
+                                     "numbers of type double; scale the points",
                                      {t}, {v.begin(), v.end()});
   }
   const auto unused = std::find(is_used.begin(), is_used.end(), false);

@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Triangle_soup_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/refuse_surface.h>
 
 #include <CGAL/Bbox_3.h>
@@ -104,8 +105,8 @@ inline void check_enclosed(const Merged_soup_3& soup, std::size_t surface, const
 inline Triangle_soup_3 box_surface(const Bbox_3& box, unsigned n) {
   if (n < 1 || n > 1000)
     throw Error("the subdivision of the enclosing box is out of range: use 1 to 1000");
-  if (!is_finite({box.xmin(), box.ymin(), box.zmin()}) ||
-      !is_finite({box.xmax(), box.ymax(), box.zmax()}))
+  if (!has_finite_coordinates(Coordinates_3{box.xmin(), box.ymin(), box.zmin()}) ||
+      !has_finite_coordinates(Coordinates_3{box.xmax(), box.ymax(), box.zmax()}))
     throw Error("the enclosing box is not finite: give a finite box, or scale the surfaces down");
 
   // Exact at both ends, so that corners and edges of neighboring sides are equal.

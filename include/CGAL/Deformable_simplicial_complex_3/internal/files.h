@@ -30,6 +30,18 @@ struct Temporary_file
   }
 };
 
+// The name of a file that does not exist, in the folder of another one and with its extension.
+inline std::filesystem::path unused_name(const std::filesystem::path& path) {
+  std::string stem = path.stem().string() + ".partial";
+  std::filesystem::path result;
+  std::error_code error;
+  do {
+    result = path.parent_path() / (stem + path.extension().string());
+    stem += '~';
+  } while (std::filesystem::exists(result, error));
+  return result;
+}
+
 // Makes `write(temporary_path)` fill a file beside `path` and renames it if `true` is returned, so
 // that an older file stays whole until the new one is. The extension is kept: formats depend on it.
 template <class Write> void replace_file(const std::string& path, Write write) {
@@ -38,8 +50,7 @@ template <class Write> void replace_file(const std::string& path, Write write) {
   const std::filesystem::file_status status = std::filesystem::status(target, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
     throw File_error(path + " is not a regular file: choose another name", path);
-  const std::string name = target.stem().string() + ".partial" + target.extension().string();
-  const Temporary_file temporary{target.parent_path() / name};
+  const Temporary_file temporary{unused_name(target)};
   if (!write(temporary.path.string()))
     throw File_error("cannot write " + path +
                          ": check that the folder exists, may be written to and has space left",

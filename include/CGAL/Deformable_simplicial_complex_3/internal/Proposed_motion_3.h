@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_PROPOSED_MOTION_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_PROPOSED_MOTION_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/internal/For_each_index.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Points proposed for vertices, and what the complex would be like with them. Vertices are known by
+// their place in the list.
+template <class Complex> class Proposed_motion_3
+{
+public:
+  using Cell_handle = typename Complex::Cell_handle;
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Point_3 = typename Complex::Point_3;
+  using Approximate_point_3 = typename Complex::Approximate_point_3;
+  using Number = std::uint32_t;
+
+  Proposed_motion_3(Complex& complex, const std::vector<Vertex_handle>& vertices,
+                    const std::vector<Point_3>& points, const For_each_index& for_each_index)
+      : m_complex(complex), m_for_each_index(for_each_index), m_vertices(vertices),
+        m_points(points) {
+    number_vertices(m_vertices);
+    m_cells = star_union(complex, m_vertices);
+  }
+
+  const Complex& complex() const { return m_complex; }
+  std::size_t size() const { return m_vertices.size(); }
+  Vertex_handle vertex(Number i) const { return m_vertices[i]; }
+  const Point_3& point(Number i) const { return m_points[i]; }
+  void set_point(Number i, const Point_3& p) { m_points[i] = p; }
+
+  bool has(Vertex_handle v) const { return is_numbered(v, m_vertices); }
+  static Number number(Vertex_handle v) { return v->scratch_index(); }
+
+  // The finite cells around all vertices.
+  const std::vector<Cell_handle>& cells() const { return m_cells; }
+
+  // Where any vertex would be.
+  Approximate_point_3 position(Vertex_handle v) const {
+    return m_complex.geom_traits().construct_approximate_point_3_object()(point_of(v));
+  }
+
+  // The cells that would not be positive.
+  std::vector<Cell_handle> bad_cells(const std::vector<Cell_handle>& cells) const {
+    std::vector<char> is_bad(cells.size());
+    m_for_each_index(cells.size(), [&](std::size_t i) { is_bad[i] = !is_positive(cells[i]); });
+    std::vector<Cell_handle> result;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (is_bad[i])
+        result.push_back(cells[i]);
+    return result;
+  }
+
+  // The finite cells around vertices, each once.
+  std::vector<Cell_handle> stars(std::vector<Number> numbers) const {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    std::vector<Cell_handle> result, star;
+    for (Number i : numbers) {
+      m_complex.star(m_vertices[i], star);
+      // A cell is taken at the first of its vertices that were asked for.
+      for (Cell_handle c : star) {
+        const auto is_earlier = [&](int j) {
+          return has(c->vertex(j)) && number(c->vertex(j)) < i &&
+                 std::binary_search(numbers.begin(), numbers.end(), number(c->vertex(j)));
+        };
+        if (!m_complex.is_infinite(c) && !is_earlier(0) && !is_earlier(1) && !is_earlier(2) &&
+            !is_earlier(3))
+          result.push_back(c);
+      }
+    }
+    return result;
+  }
+
+  // The moving vertices of cells for which a condition on the number holds, increasing.
+  template <class Condition>
+  std::vector<Number> vertices_of(const std::vector<Cell_handle>& cells,
+                                  const Condition& condition) const {
+    std::vector<Number> result;
+    for (Cell_handle c : cells)
+      for (int i = 0; i < 4; ++i)
+        if (has(c->vertex(i)) && condition(number(c->vertex(i))))
+          result.push_back(number(c->vertex(i)));
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  // The worst quality that cells would have, or one that is not above the bound.
+  double worst_quality(const std::vector<Cell_handle>& cells, double bound) const {
+    double worst = std::numeric_limits<double>::infinity();
+    for (Cell_handle c : cells) {
+      worst = (std::min)(
+          worst, m_complex.quality_measure()(position(c->vertex(0)), position(c->vertex(1)),
+                                             position(c->vertex(2)), position(c->vertex(3))));
+      if (!(worst > bound))
+        break;
+    }
+    return worst;
+  }
+
+  // \pre all cells would be positive
+  void commit() { m_complex.set_points(m_vertices, m_points, m_cells, m_for_each_index); }
+
+private:
+  bool is_positive(Cell_handle c) const {
+    return m_complex.geom_traits().orientation_3_object()(
+               point_of(c->vertex(0)), point_of(c->vertex(1)), point_of(c->vertex(2)),
+               point_of(c->vertex(3))) == POSITIVE;
+  }
+
+  const Point_3& point_of(Vertex_handle v) const {
+    return has(v) ? m_points[number(v)] : v->point();
+  }
+
+  Complex& m_complex;
+  const For_each_index& m_for_each_index;
+  const std::vector<Vertex_handle>& m_vertices;
+  std::vector<Point_3> m_points;
+  std::vector<Cell_handle> m_cells;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_PROPOSED_MOTION_3_H

@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_UNTANGLING_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_UNTANGLING_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/internal/Proposed_motion_3.h>
+
+#include <CGAL/Origin.h>
+
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Proposes other points to a free vertex, and takes what is best for its star: going along with the
+// interface around, and the mean of the neighbors, each all the way and half of it.
+template <class Complex>
+void relocate(Proposed_motion_3<Complex>& motion, typename Proposed_motion_3<Complex>::Number i) {
+  using Cell_handle = typename Complex::Cell_handle;
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Vector = typename Complex::Approximate_vector_3;
+  using Position = typename Complex::Approximate_point_3;
+  const Complex& complex = motion.complex();
+  const Vertex_handle v = motion.vertex(i);
+  std::vector<Cell_handle> star;
+  complex.star(v, star);
+  Vector sum_of_motions(0, 0, 0), mean(0, 0, 0);
+  int moving = 0;
+  for (Cell_handle c : star)
+    for (int j = 0; j < 4; ++j) {
+      const Vertex_handle w = c->vertex(j);
+      if (w == v)
+        continue;
+      mean = mean + (motion.position(w) - CGAL::ORIGIN) / double(3 * star.size());
+      if (w->is_interface()) {
+        sum_of_motions = sum_of_motions + (motion.position(w) - complex.position(w));
+        ++moving;
+      }
+    }
+  double worst = motion.worst_quality(star, -std::numeric_limits<double>::infinity());
+  const auto propose = [&](double way, const Position& target) {
+    const auto before = motion.point(i);
+    const Position from = motion.position(v);
+    motion.set_point(
+        i, complex.geom_traits().construct_exact_point_3_object()(from + way * (target - from)));
+    const double after = motion.worst_quality(star, worst);
+    if (after > worst)
+      worst = after;
+    else
+      motion.set_point(i, before);
+  };
+  for (double way : {.5, 1.}) {
+    if (moving > 0)
+      propose(way, complex.position(v) + sum_of_motions / moving);
+    propose(way, CGAL::ORIGIN + mean);
+  }
+}
+
+// Lets the free vertices of cells that would invert look for better places, and those around them
+// if that is not enough. Returns the cells that still would.
+template <class Complex>
+std::vector<typename Complex::Cell_handle>
+untangle(Proposed_motion_3<Complex>& motion, std::vector<typename Complex::Cell_handle> cells) {
+  static constexpr int rounds = 4, rounds_without_neighbors = 2;
+  const auto is_free = [&](auto i) { return !motion.vertex(i)->is_interface(); };
+  auto suspects = cells;
+  for (int round = 0; round < rounds && !cells.empty(); ++round) {
+    if (round >= rounds_without_neighbors)
+      cells = motion.stars(motion.vertices_of(cells, is_free));
+    const auto free = motion.vertices_of(cells, is_free);
+    for (auto i : free)
+      relocate(motion, i);
+    const auto around = motion.stars(free);
+    suspects.insert(suspects.end(), around.begin(), around.end());
+    cells = motion.bad_cells(around);
+  }
+  return motion.bad_cells(suspects);
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_UNTANGLING_3_H
