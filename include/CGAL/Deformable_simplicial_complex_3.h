@@ -7,7 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Component_change.h>
+#include <CGAL/Deformable_simplicial_complex_3/Component_event.h>
 #include <CGAL/Deformable_simplicial_complex_3/State_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Component_tracker.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Label_totals.h>
@@ -257,14 +257,16 @@ public:
   /// Connected components through facets. Linear if the topology may have changed, else in the
   /// number of components.
   size_type number_of_components(Label label) const {
-    return m_components.number_of_components(m_triangulation, label);
+    update_components();
+    return m_components.number_of_components(label);
   }
 
-  /// What became of the components of each label since the last call, by increasing label.
-  /// `deform_interface()` takes them too, when it begins and when it ends.
-  /// Linear if the topology may have changed, else in the number of components.
-  std::vector<Component_change> take_component_changes() {
-    return m_components.take_changes(m_triangulation);
+  /// What happened to components since the last call. `deform_interface()` takes the events too,
+  /// when it begins, when it ends and after passes in which the topology changed.
+  /// Linear if the topology may have changed.
+  std::vector<Component_event> take_component_events() {
+    update_components();
+    return m_components.take_events();
   }
 
   /// @}
@@ -359,6 +361,16 @@ private:
   void create_items(const State& state, const std::vector<Point_3>& points);
   void check_stars(const std::vector<Vertex_handle>& vertices) const;
   bool report(bool ok, const char* what, bool verbose) const;
+
+  struct Cell_volumes
+  {
+    const Deformable_simplicial_complex_3& complex;
+    std::int64_t units(Cell_handle c) const {
+      return complex.m_totals.units(complex.cell_volume(c));
+    }
+    double to_double(std::int64_t units) const { return complex.m_totals.volume_of(units); }
+  };
+  void update_components() const { m_components.update(m_triangulation, Cell_volumes{*this}); }
 
   struct Half_facet
   {

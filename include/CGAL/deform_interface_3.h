@@ -9,6 +9,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Interface_deformer_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complex_3/topology_control.h>
 
 namespace CGAL {
 
@@ -48,6 +49,12 @@ the way of vertices that have not arrived, and improves what became bad.
     \cgalParamDescription{threads to use where linked with TBB; the result does not depend on it}
     \cgalParamType{`unsigned int`} \cgalParamDefault{1}
   \cgalParamNEnd
+  \cgalParamNBegin{topology_control}
+    \cgalParamDescription{is asked before a change that alters the topology of a phase and of the
+                          interface}
+    \cgalParamType{model of `TopologyControl_3`, by value or `std::reference_wrapper`}
+    \cgalParamDefault{`Deformable_simplicial_complexes::Allow_topology_changes`}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told of each change of the mesh and may end the deformation}
     \cgalParamType{model of `DeformationVisitor_3`, by value or `std::reference_wrapper`}
@@ -71,6 +78,9 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
   auto given_visitor =
       choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Deformation_visitor_3());
   auto& visitor = Deformable_simplicial_complexes::internal::unwrap(given_visitor);
+  auto given_control = choose_parameter(get_parameter(np, tags::topology_control),
+                                        Deformable_simplicial_complexes::Allow_topology_changes());
+  auto& topology_control = Deformable_simplicial_complexes::internal::unwrap(given_control);
   const unsigned maximum_number_of_passes =
       choose_parameter(get_parameter(np, tags::maximum_number_of_passes), 20u);
   const double quality_threshold = choose_parameter(get_parameter(np, tags::quality_threshold), .2);
@@ -82,8 +92,10 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
 
   const Deformable_simplicial_complexes::internal::For_each_index for_each_index(number_of_threads);
   using Visitor = std::remove_reference_t<decltype(visitor)>;
-  Deformable_simplicial_complexes::internal::Interface_deformer_3<Complex, Visitor> deformer(
-      dsc, visitor, quality_threshold, relabeling_threshold, for_each_index);
+  using TopologyControl = std::remove_reference_t<decltype(topology_control)>;
+  Deformable_simplicial_complexes::internal::Interface_deformer_3<Complex, Visitor, TopologyControl>
+      deformer(dsc, visitor, topology_control, quality_threshold, relabeling_threshold,
+               for_each_index);
   deformer.set_destinations(destination);
   unsigned pass = 0;
   while (!deformer.is_complete() && deformer.is_progressing() && pass < maximum_number_of_passes &&
@@ -94,6 +106,7 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
     deformer.relabel_degenerate_cells();
     deformer.remove_obstacles();
     deformer.improve();
+    deformer.end_pass(pass);
   }
   return deformer.report(pass);
 }

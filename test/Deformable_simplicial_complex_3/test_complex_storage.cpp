@@ -63,14 +63,14 @@ template <class Condition> void relabel(Complex& dsc, int label, Condition condi
   EXPECT_TRUE(dsc.is_valid());
 }
 
-void expect_change(const CGAL::Component_change& change, const CGAL::Component_change& expected) {
-  EXPECT_EQ(change.label, expected.label);
-  EXPECT_EQ(change.before, expected.before);
-  EXPECT_EQ(change.after, expected.after);
-  EXPECT_EQ(change.merged, expected.merged);
-  EXPECT_EQ(change.split, expected.split);
-  EXPECT_EQ(change.vanished, expected.vanished);
-  EXPECT_EQ(change.appeared, expected.appeared);
+using Event = CGAL::Component_event;
+
+void expect_event(const Event& event, Event::Kind kind, int label, std::size_t before,
+                  std::size_t after) {
+  EXPECT_EQ(event.kind, kind);
+  EXPECT_EQ(event.label, label);
+  EXPECT_EQ(event.before.size(), before);
+  EXPECT_EQ(event.after.size(), after);
 }
 
 } // namespace
@@ -225,33 +225,51 @@ TEST(Complex_storage, stars_hold_each_cell_around_once) {
 TEST(Components, merge_and_split) {
   Complex dsc = make_bars();
   EXPECT_EQ(dsc.number_of_components(1), 2u);
+  const double volume = dsc.volume(1);
   relabel(dsc, 1, [&](Cell_handle c) { return is_bridge(dsc, c); });
   EXPECT_EQ(dsc.number_of_components(1), 1u);
-  auto changes = dsc.take_component_changes();
-  ASSERT_EQ(changes.size(), 2u);
-  expect_change(changes[0], {0, 1, 1, 0, 0, 0, 0});
-  expect_change(changes[1], {1, 2, 1, 1, 0, 0, 0});
-  changes = dsc.take_component_changes(); // nothing new
-  expect_change(changes[1], {1, 1, 1, 0, 0, 0, 0});
+  auto events = dsc.take_component_events();
+  ASSERT_EQ(events.size(), 1u);
+  expect_event(events[0], Event::Kind::merged, 1, 2, 1);
+  EXPECT_DOUBLE_EQ(events[0].before[0].volume + events[0].before[1].volume, volume);
+  EXPECT_DOUBLE_EQ(events[0].after[0].volume, dsc.volume(1));
+  EXPECT_TRUE(dsc.take_component_events().empty());
   relabel(dsc, 0, [&](Cell_handle c) { return is_bridge(dsc, c); });
-  changes = dsc.take_component_changes();
-  expect_change(changes[0], {0, 1, 1, 0, 0, 0, 0});
-  expect_change(changes[1], {1, 1, 2, 0, 1, 0, 0});
+  events = dsc.take_component_events();
+  ASSERT_EQ(events.size(), 1u);
+  expect_event(events[0], Event::Kind::split, 1, 1, 2);
+  EXPECT_DOUBLE_EQ(events[0].after[0].volume + events[0].after[1].volume, volume);
+  for (const auto& part : events[0].after) {
+    std::size_t cells = 0;
+    for (Cell_handle c : dsc.cells())
+      cells += c->label() == 1 && c->component() == part.component;
+    EXPECT_EQ(2 * cells, dsc.number_of_cells(1));
+  }
 }
 
-TEST(Components, changes_between_looks_are_composed) {
+TEST(Components, events_come_in_order) {
   Complex dsc = make_bars();
   relabel(dsc, 1, [&](Cell_handle c) { return is_bridge(dsc, c); });
   EXPECT_EQ(dsc.number_of_components(1), 1u); // looks, and does not take
   relabel(dsc, 0, [&](Cell_handle c) { return c->label() == 1; });
   EXPECT_EQ(dsc.number_of_components(1), 0u);
   EXPECT_EQ(dsc.labels(), std::vector<int>{0});
-  const auto changes = dsc.take_component_changes();
-  ASSERT_EQ(changes.size(), 2u);
-  expect_change(changes[0], {0, 1, 1, 0, 0, 0, 0});
-  expect_change(changes[1], {1, 2, 0, 0, 0, 2, 0});
+  const auto events = dsc.take_component_events();
+  ASSERT_EQ(events.size(), 2u);
+  expect_event(events[0], Event::Kind::merged, 1, 2, 1);
+  expect_event(events[1], Event::Kind::vanished, 1, 1, 0);
   EXPECT_EQ(dsc.volume(1), 0);
   EXPECT_TRUE(dsc.interface_vertices().empty());
+}
+
+TEST(Components, what_happens_between_two_looks_is_one_event) {
+  Complex dsc = make_bars();
+  relabel(dsc, 1, [&](Cell_handle c) { return is_bridge(dsc, c); });
+  relabel(dsc, 0, [&](Cell_handle c) { return c->label() == 1; });
+  const auto events = dsc.take_component_events();
+  ASSERT_EQ(events.size(), 2u); // of each bar
+  expect_event(events[0], Event::Kind::vanished, 1, 1, 0);
+  expect_event(events[1], Event::Kind::vanished, 1, 1, 0);
 }
 
 TEST(Components, of_a_label_that_was_not_there_appear) {
@@ -260,19 +278,19 @@ TEST(Components, of_a_label_that_was_not_there_appear) {
   const Cell_handle c =
       *std::find_if(cells.begin(), cells.end(), [&](Cell_handle d) { return is_bridge(dsc, d); });
   dsc.relabel(c, 7);
-  const auto changes = dsc.take_component_changes();
-  ASSERT_EQ(changes.size(), 3u);
-  expect_change(changes[0], {0, 1, 1, 0, 0, 0, 0});
-  expect_change(changes[1], {1, 2, 2, 0, 0, 0, 0});
-  expect_change(changes[2], {7, 0, 1, 0, 0, 0, 1});
+  const auto events = dsc.take_component_events();
+  ASSERT_EQ(events.size(), 1u);
+  expect_event(events[0], Event::Kind::appeared, 7, 0, 1);
+  EXPECT_DOUBLE_EQ(events[0].after[0].volume, dsc.volume(7));
 }
 
 TEST(Components, one_of_two_vanishes) {
   Complex dsc = make_bars();
   relabel(dsc, 0,
           [&](Cell_handle c) { return c->label() == 1 && dsc.position(c->vertex(0)).x() > 0; });
-  const auto changes = dsc.take_component_changes();
-  expect_change(changes[1], {1, 2, 1, 0, 0, 1, 0});
+  const auto events = dsc.take_component_events();
+  ASSERT_EQ(events.size(), 1u);
+  expect_event(events[0], Event::Kind::vanished, 1, 1, 0);
 }
 
 // Validity

@@ -259,8 +259,8 @@ TEST(Deformation, moves_along_the_sides_of_the_box) {
 namespace {
 
 // Sums the changes of components of label 1 over the steps in which all moves towards x = 0.
-CGAL::Component_change collide(Complex& dsc, int steps, double step) {
-  CGAL::Component_change sum;
+Report::Label_change collide(Complex& dsc, int steps, double step) {
+  Report::Label_change sum;
   for (int i = 0; i < steps; ++i) {
     const Report report =
         deform(dsc, [&](const Position& p) { return Vector(p.x() > 0 ? -step : step, 0, 0); });

@@ -34,6 +34,10 @@ public:
   /// `cell` had the label `before` and has another one now. Not called by `CGAL::improve_mesh()`.
   void after_relabel(Complex::Cell_handle cell, int before);
 
+  /// Components of a label merged, split, vanished or appeared. Called at the end of the pass, once
+  /// for each event. Not called by `CGAL::improve_mesh()`.
+  void after_topology_event(const CGAL::Topology_event<Complex>& event);
+
   /// is asked before each pass of a deformation, the first one being 1; `false` ends the
   /// deformation, which is then reported as incomplete. Not asked by `CGAL::improve_mesh()`.
   bool go_further(unsigned int pass);

@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_DEFORMATION_REPORT_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_DEFORMATION_REPORT_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Component_change.h>
 #include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complex_3/Topology_event.h>
 
 #include <cstddef>
 #include <vector>
@@ -28,8 +28,16 @@ template <class Complex> struct Deformation_report
   };
 
   /// What became of a label: its components, and its volume in the coordinates of the complex.
-  struct Label_change : public Component_change
+  struct Label_change
   {
+    typename Complex::Label label = 0; ///< whose components these are
+    std::size_t before = 0;            ///< number of components before
+    std::size_t after = 0;             ///< number of components after
+    std::size_t merged = 0;   ///< components that others merged into: before + split + appeared =
+                              ///< after + merged + vanished
+    std::size_t split = 0;    ///< components that fell off others
+    std::size_t vanished = 0; ///< components of which no cell is left
+    std::size_t appeared = 0; ///< components that come from none
     double volume_before = 0; ///< 0 if the label was not there
     double volume_after = 0;  ///< 0 if the label is gone
   };
@@ -51,6 +59,7 @@ template <class Complex> struct Deformation_report
   std::size_t split = 0, collapsed = 0, flipped = 0, smoothed = 0;
   std::size_t relabeled = 0;        ///< cells that changed their label
   std::vector<Label_change> labels; ///< one for each label of before or after, increasing
+  std::vector<Topology_event<Complex>> events; ///< by pass
 };
 
 } // namespace CGAL

@@ -33,6 +33,9 @@ struct Deformation_visitor_3
   /// `cell` had the label `before`.
   template <class Cell_handle> void after_relabel(Cell_handle /*cell*/, int /*before*/) {}
 
+  /// Components merged, split, vanished or appeared in a pass that has ended.
+  template <class Event> void after_topology_event(const Event& /*event*/) {}
+
   /// Asked before each pass of a deformation, the first one being 1; false ends it as incomplete.
   bool go_further(unsigned /*pass*/) { return true; }
 };

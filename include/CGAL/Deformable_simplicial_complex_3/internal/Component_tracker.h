@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COMPONENT_TRACKER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COMPONENT_TRACKER_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Component_change.h>
+#include <CGAL/Deformable_simplicial_complex_3/Component_event.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -28,89 +28,69 @@ public:
   // The components may have changed.
   void invalidate() { m_is_known = false; }
 
-  template <class Triangulation>
-  std::size_t number_of_components(const Triangulation& triangulation, int label) {
-    number(triangulation);
-    return std::size_t(std::count(m_labels.begin(), m_labels.end(), label));
+  // `volume(c)` is a number of any type whose sums are exact; `to_double(sum)` its value.
+  template <class Triangulation, class Volumes>
+  void update(const Triangulation& triangulation, const Volumes& volumes) {
+    if (m_is_known)
+      return;
+    const std::vector<Component> before = std::move(m_components);
+    m_components.clear();
+    const std::vector<Origin> origins = number(triangulation, before, volumes);
+    compare(before, origins, volumes);
+    m_is_known = true;
   }
 
-  // What happened since the last call.
-  template <class Triangulation>
-  std::vector<Component_change> take_changes(const Triangulation& triangulation) {
-    number(triangulation);
-    std::vector<std::size_t> targets(m_reference_labels.size()), sources(m_labels.size());
-    for (const auto& origin : m_origins) {
-      ++targets[origin.first];
-      ++sources[origin.second];
-    }
-    std::vector<Component_change> changes;
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-      Component_change& change = of_label(changes, m_reference_labels[i]);
-      ++change.before;
-      targets[i] == 0 ? ++change.vanished : change.split += targets[i] - 1;
-    }
-    for (std::size_t i = 0; i < sources.size(); ++i) {
-      Component_change& change = of_label(changes, m_labels[i]);
-      ++change.after;
-      sources[i] == 0 ? ++change.appeared : change.merged += sources[i] - 1;
-    }
-    take_reference();
-    return changes;
-  }
-
-  // Forgets the past: the components of now are the first ones.
-  template <class Triangulation> void reset(const Triangulation& triangulation) {
+  // Forgets the past: the components of now are the first ones. \pre no cell has a number
+  template <class Triangulation, class Volumes>
+  void reset(const Triangulation& triangulation, const Volumes& volumes) {
+    m_components.clear();
     m_is_known = false;
-    number(triangulation);
-    take_reference();
+    update(triangulation, volumes);
+    m_events.clear();
+  }
+
+  // As of the last update.
+  std::size_t number_of_components(int label) const {
+    return std::size_t(std::count_if(m_components.begin(), m_components.end(),
+                                     [&](const Component& c) { return c.label == label; }));
+  }
+
+  // What the updates since the last call found.
+  std::vector<Component_event> take_events() {
+    std::vector<Component_event> result;
+    result.swap(m_events);
+    return result;
   }
 
 private:
+  struct Component
+  {
+    int label;
+    std::int64_t volume;
+  };
   using Origin = std::pair<Number, Number>;
 
-  static Component_change& of_label(std::vector<Component_change>& changes, int label) {
-    auto it = std::lower_bound(
-        changes.begin(), changes.end(), label,
-        [](const Component_change& change, int bound) { return change.label < bound; });
-    if (it == changes.end() || it->label != label)
-      it = changes.insert(it, Component_change{label});
-    return *it;
-  }
-
-  static void sort_unique(std::vector<Origin>& origins) {
-    std::sort(origins.begin(), origins.end());
-    origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
-  }
-
-  void take_reference() {
-    m_reference_labels = m_labels;
-    m_origins.clear();
-    for (Number i = 0; i < m_labels.size(); ++i)
-      m_origins.emplace_back(i, i);
-  }
-
-  template <class Triangulation> void number(const Triangulation& triangulation) {
-    if (m_is_known)
-      return;
+  template <class Triangulation, class Volumes>
+  std::vector<Origin> number(const Triangulation& triangulation,
+                             const std::vector<Component>& before, const Volumes& volumes) {
     using Cell_handle = typename Triangulation::Cell_handle;
     // New numbers begin above the old ones; cells that were never numbered have number 0.
-    const Number first = (std::max)(Number(1), Number(m_labels.size()));
-    const std::vector<int> labels_before = std::move(m_labels);
-    m_labels.clear();
+    const Number first = (std::max)(Number(1), Number(before.size()));
     std::vector<Origin> origins;
     std::vector<Cell_handle> front;
     for (Cell_handle seed : triangulation.finite_cell_handles()) {
       if (seed->component() >= first)
         continue;
-      const Number component = Number(m_labels.size());
-      m_labels.push_back(seed->label());
+      const Number component = Number(m_components.size());
+      m_components.push_back({seed->label(), 0});
       const auto visit = [&](Cell_handle c) {
         const Origin origin(c->component(), component);
         // A cell that changed its label without a neighbor to join comes from no component of it.
         const bool has_origin =
-            origin.first < labels_before.size() && labels_before[origin.first] == c->label();
+            origin.first < before.size() && before[origin.first].label == c->label();
         if (has_origin && (origins.empty() || origins.back() != origin))
           origins.push_back(origin);
+        m_components.back().volume += volumes.units(c);
         c->set_component(first + component);
         front.push_back(c);
       };
@@ -127,23 +107,73 @@ private:
     }
     for (Cell_handle c : triangulation.finite_cell_handles())
       c->set_component(c->component() - first);
-    sort_unique(origins);
-
-    // The changes before this numbering and those in it compose.
-    std::vector<Origin> composed;
-    for (const Origin& before : m_origins) {
-      auto now = std::lower_bound(origins.begin(), origins.end(), Origin(before.second, 0));
-      for (; now != origins.end() && now->first == before.second; ++now)
-        composed.emplace_back(before.first, now->second);
-    }
-    sort_unique(composed);
-    m_origins = std::move(composed);
-    m_is_known = true;
+    std::sort(origins.begin(), origins.end());
+    origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
+    return origins;
   }
 
-  std::vector<int> m_labels;           // of the components of now, by number
-  std::vector<int> m_reference_labels; // of the components when changes were last taken
-  std::vector<Origin> m_origins;       // (number in the reference, number now)
+  // Events of the sets of components of then and now that are connected by origins.
+  template <class Volumes>
+  void compare(const std::vector<Component>& before, const std::vector<Origin>& origins,
+               const Volumes& volumes) {
+    std::vector<std::vector<Number>> targets(before.size()), sources(m_components.size());
+    for (const Origin& origin : origins) {
+      targets[origin.first].push_back(origin.second);
+      sources[origin.second].push_back(origin.first);
+    }
+    std::vector<bool> is_seen_before(before.size()), is_seen_now(m_components.size());
+    const auto part = [&](const std::vector<Component>& components, Number i) {
+      return Component_event::Part{i, volumes.to_double(components[i].volume)};
+    };
+    std::vector<Number> olds, news;
+    const auto see = [](std::vector<bool>& is_seen, std::vector<Number>& list, Number i) {
+      if (!is_seen[i])
+        list.push_back(i);
+      is_seen[i] = true;
+    };
+    const auto add_event = [&](Component_event::Kind kind, int label) {
+      Component_event event{kind, label, {}, {}};
+      for (Number i : olds)
+        event.before.push_back(part(before, i));
+      for (Number i : news)
+        event.after.push_back(part(m_components, i));
+      m_events.push_back(std::move(event));
+    };
+    using Kind = Component_event::Kind;
+    for (Number i = 0; i < before.size(); ++i) {
+      if (is_seen_before[i])
+        continue;
+      olds.clear();
+      news.clear();
+      see(is_seen_before, olds, i);
+      for (std::size_t o = 0, n = 0; o < olds.size() || n < news.size();) {
+        for (; o < olds.size(); ++o)
+          for (Number target : targets[olds[o]])
+            see(is_seen_now, news, target);
+        for (; n < news.size(); ++n)
+          for (Number source : sources[news[n]])
+            see(is_seen_before, olds, source);
+      }
+      std::sort(olds.begin(), olds.end());
+      std::sort(news.begin(), news.end());
+      const int label = before[i].label;
+      if (news.empty())
+        add_event(Kind::vanished, label);
+      if (olds.size() > 1)
+        add_event(Kind::merged, label);
+      if (news.size() > 1)
+        add_event(Kind::split, label);
+    }
+    olds.clear();
+    for (Number i = 0; i < m_components.size(); ++i)
+      if (!is_seen_now[i]) {
+        news.assign(1, i);
+        add_event(Kind::appeared, m_components[i].label);
+      }
+  }
+
+  std::vector<Component> m_components; // as of the last update, by number
+  std::vector<Component_event> m_events;
   bool m_is_known = true;
 };
 

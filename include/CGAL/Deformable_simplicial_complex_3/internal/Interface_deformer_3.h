@@ -8,10 +8,12 @@
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Topology_log_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/final_quality.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/harmonic_extension_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/simultaneous_motion_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/topology_of_relabeling_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +26,7 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // The steps of Algorithm 1, in the order in which deform_interface() takes them.
-template <class Complex, class Visitor> class Interface_deformer_3
+template <class Complex, class Visitor, class TopologyControl> class Interface_deformer_3
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
@@ -33,9 +35,11 @@ public:
   using Vector = typename Complex::Approximate_vector_3;
   using Report = Deformation_report<Complex>;
 
-  Interface_deformer_3(Complex& complex, Visitor& visitor, double quality_threshold,
-                       double relabeling_threshold, const For_each_index& for_each_index)
-      : m_complex(complex), m_visitor(visitor), m_improver(complex, visitor, quality_threshold),
+  Interface_deformer_3(Complex& complex, Visitor& visitor, TopologyControl& topology_control,
+                       double quality_threshold, double relabeling_threshold,
+                       const For_each_index& for_each_index)
+      : m_complex(complex), m_visitor(visitor), m_topology_control(topology_control),
+        m_improver(complex, visitor, quality_threshold), m_topology_log(complex),
         m_relabeling_threshold(relabeling_threshold), m_for_each_index(for_each_index) {}
 
   // No destination survives the deformation, even if a visitor ends it by an exception.
@@ -62,9 +66,7 @@ public:
     if (!refused.empty())
       throw Invalid_destination_error(
           "a destination is not a finite point; check the velocities and the time step", refused);
-    for (auto label : m_complex.labels())
-      label_change(label).volume_before = m_complex.volume(label);
-    m_complex.take_component_changes();
+    m_topology_log.begin();
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       m_complex.set_destination(vertices[i],
                                 m_complex.admissible_destination(vertices[i], destinations[i]));
@@ -158,6 +160,8 @@ public:
     m_last_distance = distance;
   }
 
+  void end_pass(unsigned pass) { m_topology_log.end_pass(pass, m_visitor); }
+
   Report report(unsigned passes) {
     Report report;
     report.passes = passes;
@@ -170,11 +174,7 @@ public:
     report.flipped = m_improver.report().flipped;
     report.smoothed = m_improver.report().smoothed;
     report.relabeled = m_relabeled;
-    for (const Component_change& change : m_complex.take_component_changes())
-      static_cast<Component_change&>(label_change(change.label)) = change;
-    for (auto& change : m_labels)
-      change.volume_after = m_complex.volume(change.label);
-    report.labels = m_labels;
+    m_topology_log.report(passes, report);
     return report;
   }
 
@@ -213,6 +213,11 @@ private:
         !(final_quality(m_complex, {c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)}) <
           m_relabeling_threshold))
       return;
+    if (!relabeling_keeps_topology(m_complex, c, label)) {
+      if (!m_topology_control(std::as_const(m_complex), c, label))
+        return;
+      m_topology_log.record(c, label);
+    }
     m_complex.relabel(c, label);
     m_visitor.after_relabel(c, before);
     ++m_relabeled;
@@ -252,20 +257,11 @@ private:
     m_unfinished = std::move(unfinished);
   }
 
-  typename Report::Label_change& label_change(typename Complex::Label label) {
-    auto it = std::lower_bound(
-        m_labels.begin(), m_labels.end(), label,
-        [](const auto& change, typename Complex::Label bound) { return change.label < bound; });
-    if (it == m_labels.end() || it->label != label) {
-      it = m_labels.insert(it, typename Report::Label_change());
-      it->label = label;
-    }
-    return *it;
-  }
-
   Complex& m_complex;
   Visitor& m_visitor;
+  TopologyControl& m_topology_control;
   Mesh_improver_3<Complex, Visitor> m_improver;
+  Topology_log_3<Complex> m_topology_log;
   double m_relabeling_threshold;
   const For_each_index& m_for_each_index;
   std::vector<Item> m_unfinished;
@@ -274,7 +270,6 @@ private:
   double m_last_distance = std::numeric_limits<double>::infinity();
   unsigned m_idle_passes = 0;
   std::size_t m_relabeled = 0, m_vanished = 0;
-  std::vector<typename Report::Label_change> m_labels;
 };
 
 } // namespace internal

@@ -37,6 +37,8 @@ public:
 
   std::int64_t units(double volume) const { return std::llrint(volume * m_to_units); }
 
+  double volume_of(std::int64_t units) const { return double(units) / m_to_units; }
+
   void add_cell(int label, double volume) {
     Total& t = total(label);
     ++t.cells;
@@ -53,7 +55,7 @@ public:
 
   double volume(int label) const {
     const Total* t = find(label);
-    return t ? double(t->volume) / m_to_units : 0.;
+    return t ? volume_of(t->volume) : 0.;
   }
 
   std::size_t cells(int label) const {

@@ -289,7 +289,7 @@ void CGAL_DSC_CLASS::initialize_caches() {
         for (Vertex_handle v : facet_vertices(Facet(c, i)))
           v->set_interface(true);
   }
-  m_components.reset(m_triangulation);
+  m_components.reset(m_triangulation, Cell_volumes{*this});
 }
 
 CGAL_DSC_TEMPLATE

@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_TOPOLOGY_LOG_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_TOPOLOGY_LOG_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Deformation_report.h>
+
+#include <CGAL/Origin.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// What a deformation does to the components of labels, and where.
+template <class Complex> class Topology_log_3
+{
+public:
+  using Label = typename Complex::Label;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Event = Topology_event<Complex>;
+  using Label_change = typename Deformation_report<Complex>::Label_change;
+
+  explicit Topology_log_3(Complex& complex) : m_complex(complex) {}
+
+  void begin() {
+    m_complex.take_component_events();
+    for (Label label : m_complex.labels()) {
+      Label_change& change = of_label(label);
+      change.volume_before = m_complex.volume(label);
+      change.before = m_complex.number_of_components(label);
+    }
+  }
+
+  // A cell is about to take another label, and the topology to change.
+  void record(Cell_handle c, Label label) {
+    const auto p = [&](int i) { return m_complex.position(c->vertex(i)) - CGAL::ORIGIN; };
+    m_changes.push_back({CGAL::ORIGIN + (p(0) + p(1) + p(2) + p(3)) / 4, c, c->time_stamp(),
+                         c->label(), label, c->component()});
+  }
+
+  // Finds the events of a pass and tells the visitor.
+  template <class Visitor> void end_pass(unsigned pass, Visitor& visitor) {
+    if (m_changes.empty())
+      return;
+    const std::size_t known = m_events.size();
+    add_events(pass);
+    for (std::size_t i = known; i < m_events.size(); ++i)
+      visitor.after_topology_event(m_events[i]);
+  }
+
+  void report(unsigned passes, Deformation_report<Complex>& report) {
+    add_events(passes);
+    for (const Event& event : m_events) {
+      Label_change& change = of_label(event.label);
+      switch (event.kind) {
+      case Component_event::Kind::merged:
+        change.merged += event.before.size() - 1;
+        break;
+      case Component_event::Kind::split:
+        change.split += event.after.size() - 1;
+        break;
+      case Component_event::Kind::vanished:
+        ++change.vanished;
+        break;
+      case Component_event::Kind::appeared:
+        ++change.appeared;
+        break;
+      }
+    }
+    for (Label label : m_complex.labels())
+      of_label(label);
+    for (Label_change& change : m_labels) {
+      change.volume_after = m_complex.volume(change.label);
+      change.after = m_complex.number_of_components(change.label);
+    }
+    report.labels = m_labels;
+    report.events = m_events;
+  }
+
+private:
+  // Of a cell's label.
+  struct Change
+  {
+    typename Complex::Approximate_point_3 where;
+    Cell_handle cell;
+    std::size_t time_stamp;
+    Label from, to;
+    std::uint32_t component; // before
+  };
+
+  void add_events(unsigned pass) {
+    for (const Component_event& event : m_complex.take_component_events())
+      m_events.push_back({event, place(event), pass});
+    m_changes.clear();
+  }
+
+  // Where a cell left or joined one of the components of an event.
+  typename Complex::Approximate_point_3 place(const Component_event& event) const {
+    const auto has = [](const std::vector<Component_event::Part>& parts, std::uint32_t component) {
+      return std::any_of(parts.begin(), parts.end(), [&](const Component_event::Part& part) {
+        return part.component == component;
+      });
+    };
+    const auto takes_part = [&](const Change& change) {
+      return (change.from == event.label && has(event.before, change.component)) ||
+             (change.to == event.label && m_complex.is_alive(change.cell, change.time_stamp) &&
+              has(event.after, change.cell->component()));
+    };
+    const auto it = std::find_if(m_changes.begin(), m_changes.end(), takes_part);
+    return it != m_changes.end() ? it->where
+           : m_changes.empty()   ? CGAL::ORIGIN
+                                 : m_changes.front().where;
+  }
+
+  Label_change& of_label(Label label) {
+    const auto it = std::lower_bound(
+        m_labels.begin(), m_labels.end(), label,
+        [](const Label_change& change, Label bound) { return change.label < bound; });
+    if (it != m_labels.end() && it->label == label)
+      return *it;
+    Label_change change;
+    change.label = label;
+    return *m_labels.insert(it, change);
+  }
+
+  Complex& m_complex;
+  std::vector<Change> m_changes; // since the last look
+  std::vector<Event> m_events;
+  std::vector<Label_change> m_labels;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_TOPOLOGY_LOG_3_H

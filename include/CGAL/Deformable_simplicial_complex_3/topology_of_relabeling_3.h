@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_TOPOLOGY_OF_RELABELING_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_TOPOLOGY_OF_RELABELING_3_H
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace CGAL {
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Where a set of cells touches a tetrahedron that is none of them: which of its vertices, edges and
+// facets belong to one of the cells. A simplex is known by the set of its vertices, as bits.
+class Trace_on_tetrahedron
+{
+public:
+  void add(unsigned vertices) { m_has[vertices] = true; }
+
+  void add(const Trace_on_tetrahedron& other) {
+    for (unsigned s = 1; s < 15; ++s)
+      m_has[s] = m_has[s] || other.m_has[s];
+  }
+
+  // Whether the trace, made complete by the faces of its simplices, is contractible: connected and
+  // of Euler characteristic 1, which on a sphere excludes loops and the whole sphere.
+  bool is_contractible() const {
+    std::array<bool, 15> has = m_has;
+    for (unsigned s = 14; s > 0; --s)
+      for (unsigned t = s + 1; t < 15; ++t)
+        has[s] = has[s] || (has[t] && (s & t) == s);
+    int characteristic = 0;
+    std::array<unsigned, 4> part = {1, 2, 4, 8}; // of the vertices, those connected to each
+    for (unsigned s = 1; s < 15; ++s)
+      if (has[s]) {
+        characteristic += dimension(s) == 1 ? -1 : 1;
+        unsigned joined = 0;
+        for (int i = 0; i < 4; ++i)
+          joined |= (s >> i & 1) != 0 ? part[i] : 0;
+        for (int i = 0; i < 4; ++i)
+          if ((joined >> i & 1) != 0)
+            part[i] = joined;
+      }
+    if (characteristic != 1)
+      return false;
+    const unsigned vertices = has[1] * 1u | has[2] * 2u | has[4] * 4u | has[8] * 8u;
+    for (int i = 0; i < 4; ++i)
+      if ((vertices >> i & 1) != 0 && part[i] != vertices)
+        return false;
+    return true;
+  }
+
+private:
+  static int dimension(unsigned vertices) {
+    return int((vertices & 1) + (vertices >> 1 & 1) + (vertices >> 2 & 1) + (vertices >> 3 & 1)) -
+           1;
+  }
+
+  std::array<bool, 15> m_has = {}; // the tetrahedron itself, 15, is no part of its boundary
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Tells whether giving a cell another label keeps the topology of the two labels, both as the union of
+their closed cells and as its interior, and with them that of the interface. All their Betti numbers
+then stay what they are; no other label is concerned.
+
+The cell leaves the closed cells of its label and joins those of the new one, and it joins the
+closed complement of its old label and leaves that of the new one. Each keeps the homotopy type if
+the set, without the cell, meets the boundary of the cell in something contractible: the criterion
+for simple points of digital topology, on tetrahedra. At the boundary of the domain the same must
+hold for the sets together with the outside.
+
+\param complex is not changed.
+\param cell a finite cell.
+\param label the new label, different from that of the cell.
+\return whether the topology stays. Only incidences decide. Changes that cancel each other, such as a
+        part that is cut off where another one joins, count as changes.
+
+Linear in the stars of the vertices of the cell.
+*/
+template <class Complex>
+bool relabeling_keeps_topology(const Complex& complex, typename Complex::Cell_handle cell,
+                               typename Complex::Label label) {
+  using Trace = Deformable_simplicial_complexes::internal::Trace_on_tetrahedron;
+  enum { of_old, of_new, of_all_but_old, of_all_but_new };
+  std::array<Trace, 4> traces;
+  Trace outside;
+  std::vector<typename Complex::Cell_handle> star;
+  for (int i = 0; i < 4; ++i) {
+    complex.star(cell->vertex(i), star);
+    for (auto c : star) {
+      if (c == cell)
+        continue;
+      unsigned common = 0;
+      for (int j = 0; j < 4; ++j)
+        common |= c->has_vertex(cell->vertex(j)) ? 1u << j : 0;
+      if (complex.is_infinite(c)) {
+        outside.add(common);
+        continue;
+      }
+      traces[c->label() == cell->label() ? of_old : of_all_but_old].add(common);
+      traces[c->label() == label ? of_new : of_all_but_new].add(common);
+    }
+  }
+  return std::all_of(traces.begin(), traces.end(), [&](Trace& trace) {
+    if (!trace.is_contractible())
+      return false;
+    trace.add(outside);
+    return trace.is_contractible();
+  });
+}
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_TOPOLOGY_OF_RELABELING_3_H
