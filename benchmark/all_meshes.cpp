@@ -52,6 +52,8 @@ const char* name(Invalid_surface_error::Reason reason) {
     return "self_intersection";
   case Reason::crossing_surfaces:
     return "crossing_surfaces";
+  case Reason::too_fine:
+    return "too_fine";
   case Reason::outside_enclosing_box:
     return "outside_enclosing_box";
   }

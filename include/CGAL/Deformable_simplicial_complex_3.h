@@ -133,8 +133,8 @@ public:
   \param tetrahedra index quadruples, positively oriented.
   \param labels one label for each tetrahedron.
   \return the vertices in the order of `points`
-  \throws Invalid_tetrahedra_error if sizes or indices do not fit, coordinates are not finite or so
-         large or small that measures of quality overflow, a vertex is unused, a tetrahedron is not
+  \throws Invalid_tetrahedra_error if sizes or indices do not fit, coordinates are not finite, the
+         extent of the domain is not in [1e-30, 1e30], a vertex is unused, a tetrahedron is not
          positive, or the tetrahedra do not form a ball. The complex is then unchanged.
   \pre the boundary of the domain does not intersect itself
 
@@ -145,7 +145,7 @@ public:
                                     const std::vector<Label>& labels);
 
   /// Stores vertices and cells along a Hilbert curve again, as `assign()` did. Handles are
-  /// invalidated.
+  /// invalidated; destinations, and changes of components not taken yet, are forgotten.
   void sort_storage();
 
   /// Everything needed to continue a computation to the same bits.

@@ -129,7 +129,7 @@ public:
       const auto approximate = m_traits.construct_approximate_point_3_object();
       const auto volume = m_traits.compute_approximate_volume_3_object();
       const Approximate_point_3 a = approximate(f[0]), b = approximate(f[1]), c = approximate(f[2]);
-      const double at_p = volume(approximate(p), a, b, c), at_q = volume(approximate(q), a, b, c);
+      const double at_p = volume(c, b, a, approximate(p)), at_q = volume(c, b, a, approximate(q));
       return at_p / (at_p - at_q);
     }
 

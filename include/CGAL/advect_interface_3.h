@@ -36,6 +36,13 @@ velocities_at(const Interface_snapshot_3<Complex>& interface_,
       throw Invalid_destination_error(
           "a velocity must be given for each vertex of the interface, no more and no fewer", {});
   }
+  std::vector<std::size_t> refused;
+  for (std::size_t i = 0; i < result.size(); ++i)
+    if (!has_finite_coordinates(result[i]))
+      refused.push_back(i);
+  if (!refused.empty())
+    throw Invalid_destination_error(
+        "a velocity is not finite; check the velocities and the time step", refused);
   return result;
 }
 
@@ -89,9 +96,9 @@ calls `deform_interface()`. The path within the step is not followed, only its e
 \param velocity one of
   - a velocity field, called as `velocity(p, t)` with a position and a time: returns a vector;
   - a flow map (model of `InterfaceFlowMap_3`), called as `velocity(p, t, dt)`: returns the position
-at t + dt of what is at p at t; the scheme does not matter then;
+    at t + dt of what is at p at t; the scheme does not matter then;
   - a function of the whole interface (model of `InterfaceVelocity_3`), called once for each
-evaluation as `velocity(interface, positions, t, velocities)`, which fills `velocities`.
+    evaluation as `velocity(interface, positions, t, velocities)`, which fills `velocities`.
   .
   Positions and vectors are of `Complex::Approximate_point_3` and `Approximate_vector_3`, in the
   coordinates of the complex.

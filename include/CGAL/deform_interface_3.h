@@ -37,12 +37,13 @@ the way of vertices that have not arrived, and improves what became bad.
     \cgalParamType{`unsigned int`} \cgalParamDefault{20}
   \cgalParamNEnd
   \cgalParamNBegin{quality_threshold}
-    \cgalParamDescription{cells that moved and are of lower quality are improved, in (0, 1)}
+    \cgalParamDescription{cells that moved and are of lower quality are improved, in [0, 1]}
     \cgalParamType{`double`} \cgalParamDefault{0.2}
   \cgalParamNEnd
   \cgalParamNBegin{relabeling_threshold}
-    \cgalParamDescription{quality below which a cell trapped by the interface may join the other phase,
-                          if it is no better with the interface at its destinations}
+    \cgalParamDescription{quality below which a cell trapped by the interface may join the other
+                          phase, if it is no better with the interface at its destinations, in
+                          [0, 1]; around vertices that do not get on, only the latter counts}
     \cgalParamType{`double`} \cgalParamDefault{0.01, the paper's}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_threads}
@@ -65,6 +66,8 @@ the way of vertices that have not arrived, and improves what became bad.
 \return which vertices did not arrive and how far they stayed, what happened to labels and mesh.
 \throws Deformable_simplicial_complexes::Invalid_destination_error if a destination is not finite;
        the complex is then unchanged. An exception of the visitor leaves a valid complex.
+\throws Deformable_simplicial_complexes::Error if a threshold is out of its range; the complex is
+       then unchanged.
 */
 template <
     class Complex, class Destination,
@@ -86,6 +89,8 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
   const double quality_threshold = choose_parameter(get_parameter(np, tags::quality_threshold), .2);
   const double relabeling_threshold =
       choose_parameter(get_parameter(np, tags::relabeling_threshold), .01);
+  Deformable_simplicial_complexes::internal::check_threshold(quality_threshold);
+  Deformable_simplicial_complexes::internal::check_threshold(relabeling_threshold);
 
   const unsigned number_of_threads =
       choose_parameter(get_parameter(np, tags::number_of_threads), 1u);

@@ -39,6 +39,8 @@ interface stays as it is, bit for bit.
 \cgalNamedParamsEnd
 
 \return what was done.
+\throws Deformable_simplicial_complexes::Error if the threshold is out of its range; the complex is
+       then unchanged. An exception of the visitor leaves a valid complex.
 
 A pass over the cells, then n log n in the number of cells below the threshold.
 */
@@ -53,6 +55,7 @@ Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedP
       choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Deformation_visitor_3());
   auto& visitor = Deformable_simplicial_complexes::internal::unwrap(given_visitor);
   const double threshold = choose_parameter(get_parameter(np, tags::quality_threshold), .3);
+  Deformable_simplicial_complexes::internal::check_threshold(threshold);
   const unsigned rounds =
       choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 10u);
 

@@ -30,7 +30,7 @@ public:
   /// \param center a point of the axis. \param axis its direction, not zero, of any length.
   /// \param angular_velocity radians per unit of time, counterclockwise seen against the axis.
   Rigid_rotation_3(const Point_3& center, const Vector_3& axis, double angular_velocity)
-      : m_center(center), m_axis(axis / std::sqrt(axis.squared_length())),
+      : m_center(center), m_axis(axis / std::hypot(axis.x(), axis.y(), axis.z())),
         m_angular_velocity(angular_velocity) {}
 
   /// Where a point at p at the time t is at t + dt.
@@ -79,8 +79,8 @@ struct Normal_offset_3
         velocities[i] = velocities[i] + normal;
     }
     for (Vector& v : velocities) {
-      const double length = std::sqrt(v.squared_length());
-      v = length > 0 ? v * (speed / length) : Vector(0, 0, 0);
+      const double length = std::hypot(v.x(), v.y(), v.z());
+      v = length == 0 ? Vector(0, 0, 0) : speed * (v / length);
     }
   }
 };

@@ -60,6 +60,7 @@ Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
   for (std::size_t s = 0; s < merged.size(); ++s) {
     for (Coordinates_3& p : merged[s].points)
       p = frame(p);
+    check_distinct(merged[s], s);
     check_enclosed(merged[s], s, box);
     append(soup, merged[s]);
     while (walls.size() < soup.triangles.size())
@@ -77,6 +78,10 @@ Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
   for (const Coordinates_3& p : mesh.points)
     points.push_back(construct_point({p[0], p[1], p[2]}));
 
+  for (const auto& t : mesh.tetrahedra)
+    if (*std::max_element(t.begin(), t.end()) >= points.size())
+      throw Tetrahedralization_error("the tetrahedralizer names a point that does not exist: use "
+                                     "another one");
   Complex dsc;
   dsc.assign(points, mesh.tetrahedra, label_tetrahedra(mesh.tetrahedra, walls, surface_labels));
   const Coordinates_3& t = frame.translation();

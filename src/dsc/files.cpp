@@ -38,4 +38,11 @@ void require_writable(const std::string& path) {
   fs::remove(probe, error);
 }
 
+std::string unused_name(const std::string& stem, const std::string& extension) {
+  std::string name = stem + extension;
+  for (int number = 2; fs::exists(name); ++number)
+    name = stem + '_' + std::to_string(number) + extension;
+  return name;
+}
+
 } // namespace dsc

@@ -16,6 +16,9 @@ std::string extension(const std::string& path);
 /// alone. \throws Input_error if a regular file cannot be created at `path`.
 void require_writable(const std::string& path);
 
+/// `stem` + `extension`, with a number between if there is a file of that name.
+std::string unused_name(const std::string& stem, const std::string& extension);
+
 } // namespace dsc
 
 #endif // DSC_FILES_H

@@ -11,16 +11,14 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <utility>
+#include <vector>
 
 namespace dsc {
 namespace fs = std::filesystem;
 namespace {
 
-struct Moment
-{
-  double time;
-  std::string file;
-};
+using Moment = std::pair<double, std::string>; // and the file of it
 
 /// What a collection of an earlier run lists up to `time`, as long as it is there.
 std::vector<Moment> moments_until(double time, const std::string& collection) {
@@ -34,7 +32,7 @@ std::vector<Moment> moments_until(double time, const std::string& collection) {
       const fs::path file = fs::path(collection).parent_path() / match.str(2);
       std::error_code error;
       if (t <= time && fs::exists(file, error))
-        moments.push_back({t, file.string()});
+        moments.emplace_back(t, file.string());
     }
   return moments;
 }
@@ -63,11 +61,13 @@ Output_folder::Output_folder(const std::string& path, const std::string& resume)
 }
 
 void Output_folder::keep_until(double time) {
-  for (CGAL::IO::PVD_series* series : {&m_volume, &m_interface})
-    for (const Moment& moment : moments_until(time, series->path())) {
-      series->append(moment.time, moment.file);
-      m_last_time = moment.time;
+  for (CGAL::IO::PVD_series* series : {&m_volume, &m_interface}) {
+    const std::vector<Moment> moments = moments_until(time, series->path());
+    if (!moments.empty()) {
+      series->append(moments);
+      m_last_time = moments.back().first;
     }
+  }
 }
 
 void Output_folder::write(const Tracked_complex& complex, const Run_position& position,

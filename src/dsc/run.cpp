@@ -100,7 +100,7 @@ int execute(const Run_options& options) {
 
   const bool stopped = interrupted();
   if (stopped) {
-    std::string checkpoint = "dsc_interrupted.dsc";
+    std::string checkpoint = unused_name("dsc_interrupted", ".dsc");
     if (folder)
       checkpoint = folder->checkpoint();
     else

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -92,6 +93,54 @@ inline double best_triangulation(const Complex& dsc, Vertex_handle a, Vertex_han
   return best;
 }
 
+using Triangle = std::array<std::size_t, 3>;
+
+// A random triangulation of the polygon of points p, ..., q.
+inline void triangulate(std::size_t p, std::size_t q, Random& random,
+                        std::vector<Triangle>& triangles) {
+  if (q - p < 2)
+    return;
+  const std::size_t k = p + 1 + random.below(q - p - 1);
+  triangles.push_back({p, k, q});
+  triangulate(p, k, random, triangles);
+  triangulate(k, q, random, triangles);
+}
+
+// m triangles between point 0 below and point 1 above them, each with one tetrahedron to either.
+struct Sandwich
+{
+  explicit Sandwich(std::size_t m, Random& random) {
+    do {
+      const std::size_t n = m + 2;
+      const double disorder = random(0, .3), height = random(.2, 1.2);
+      triangles.clear();
+      mesh = {apices_and_ring(n, disorder, height, random), {}, {}};
+      triangulate(2, n + 1, random, triangles);
+      for (const Triangle& t : triangles) {
+        mesh.tetrahedra.push_back({0, t[0], t[1], t[2]});
+        mesh.tetrahedra.push_back({t[0], t[1], t[2], 1});
+        mesh.labels.insert(mesh.labels.end(), {0, 0});
+      }
+    } while (!is_positive(mesh));
+  }
+
+  // The edges of a set of triangles that no other triangle of the set has, counterclockwise. Their
+  // number tells whether the set is connected.
+  std::vector<std::array<std::size_t, 2>> boundary(unsigned set) const {
+    std::vector<std::array<std::size_t, 2>> edges, result;
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      for (int k = 0; k < 3 && (set >> t & 1) != 0; ++k)
+        edges.push_back({triangles[t][k], triangles[t][(k + 1) % 3]});
+    for (const auto& e : edges)
+      if (std::count(edges.begin(), edges.end(), std::array<std::size_t, 2>{e[1], e[0]}) == 0)
+        result.push_back(e);
+    return result;
+  }
+
+  Labelled_mesh mesh;
+  std::vector<Triangle> triangles;
+};
+
 struct Edge_in_cell
 {
   Cell_handle cell;
@@ -129,6 +178,40 @@ inline void expect_valid_commit(Complex& dsc, Cavity& cavity, double volume) {
     created = (std::min)(created, dsc.quality(c));
   EXPECT_EQ(created, cavity.quality_after());
   EXPECT_EQ(cavity.created().size(), cavity.tetrahedra().size());
+}
+
+// Commits the proposals for all cells, one after the other, and looks at what comes out each time.
+// Returns how many there were. propose(cell, cavity) returns whether there is a proposal.
+template <class Propose> int expect_improvement(Complex& dsc, const Propose& propose) {
+  const auto interface_before = mesh_helpers::interface_triangles(dsc);
+  const double volume = volume_of_domain(dsc);
+  std::vector<std::pair<int, double>> volumes;
+  for (int label : dsc.labels())
+    volumes.emplace_back(label, dsc.volume(label));
+  std::vector<std::pair<Cell_handle, std::size_t>> cells;
+  for (Cell_handle c : dsc.cells())
+    cells.emplace_back(c, c->time_stamp());
+
+  int committed = 0;
+  Cavity cavity(dsc);
+  for (const auto& cell : cells) {
+    if (!dsc.is_alive(cell.first, cell.second))
+      continue;
+    const auto state = dsc.state();
+    const double worst = mesh_helpers::minimum_quality(dsc);
+    const bool proposed = propose(cell.first, cavity);
+    EXPECT_TRUE(dsc.state() == state);
+    if (!proposed)
+      continue;
+    EXPECT_GT(cavity.quality_after(), cavity.quality_before());
+    expect_valid_commit(dsc, cavity, volume);
+    EXPECT_GE(mesh_helpers::minimum_quality(dsc), worst);
+    ++committed;
+  }
+  for (const auto& before : volumes)
+    EXPECT_NEAR(dsc.volume(before.first), before.second, tolerance);
+  EXPECT_TRUE(mesh_helpers::interface_triangles(dsc) == interface_before);
+  return committed;
 }
 
 // The cell of a copy that stands for a cell of the original.

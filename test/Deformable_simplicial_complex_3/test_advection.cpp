@@ -156,6 +156,25 @@ TEST(Flows, offset_acts_where_phases_face_the_outside) {
   EXPECT_GT(dsc.area(1, 2), area);
 }
 
+TEST(Flows, rotation_takes_axes_of_any_length) {
+  for (double length : {1e-200, 1e200}) {
+    const CGAL::Rigid_rotation_3 rotation({0, 0, 0}, {0, 0, length}, CGAL_PI / 2);
+    EXPECT_LT((rotation({1, 0, 0}, 0, 1) - Position(0, 1, 0)).squared_length(), 1e-30) << length;
+  }
+}
+
+TEST(Flows, offset_refuses_speeds_that_are_not_finite) {
+  Complex dsc = make_complex(grid(4, small_meshes::ball));
+  const auto state = dsc.state();
+  for (double speed : {std::nan(""), HUGE_VAL, -HUGE_VAL})
+    EXPECT_THROW(CGAL::advect_interface(dsc, CGAL::Normal_offset_3{speed}, 0, 1),
+                 CGAL::Deformable_simplicial_complexes::Invalid_destination_error)
+        << speed;
+  EXPECT_TRUE(dsc.state() == state);
+  EXPECT_FALSE(CGAL::advect_interface(dsc, CGAL::Normal_offset_3{1e78}, 0, 1).complete);
+  EXPECT_TRUE(dsc.is_valid());
+}
+
 TEST(Advection, refuses_velocities_of_another_number_of_vertices) {
   Complex dsc = make_complex(grid(4, small_meshes::ball));
   const auto state = dsc.state();

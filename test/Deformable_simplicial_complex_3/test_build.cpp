@@ -28,6 +28,7 @@ using Surface = CGAL::Labelled_surface_3<Point>;
 using Surfaces = std::vector<Surface>;
 using Tetrahedra = std::vector<std::array<std::size_t, 4>>;
 using CGAL::Deformable_simplicial_complexes::Error;
+using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error;
 using CGAL::Deformable_simplicial_complexes::Tetrahedralization_error;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
@@ -293,13 +294,30 @@ TEST(Build, no_cell_has_three_facets_on_the_box) {
 }
 
 TEST(Build, any_size_and_place) {
-  for (int exponent : {-300, -30, 30, 300}) {
+  for (int exponent : {-90, -30, 30, 90}) {
     const double scale = std::ldexp(1., exponent);
     const Complex dsc = build(Surfaces{cube(scale, 1)}, parameters::improve(false));
     EXPECT_EQ(triangles(dsc), triangles(Surfaces{cube(scale, 1)})) << exponent;
   }
+  for (int exponent : {-300, 300}) { // volumes and qualities would overflow
+    const Surfaces extreme = {cube(std::ldexp(1., exponent), 1)};
+    EXPECT_THROW(build(extreme), CGAL::Deformable_simplicial_complexes::Error);
+    EXPECT_EQ(build(extreme, parameters::normalize(true)).interface_facets().size(), 12u);
+  }
   const Surfaces far = {cube(1, 1, Point(1e12, -1e12, 1e11))};
   EXPECT_EQ(triangles(build(far)), triangles(far));
+}
+
+TEST(Build, refuses_what_normalization_makes_equal) {
+  const Surfaces surfaces = {cube(1e-20, 1), cube(1, 2, Point(3, 3, 3))};
+  try {
+    build(surfaces, parameters::normalize(true));
+    ADD_FAILURE() << "the corners of the small cube are one point";
+  } catch (const Invalid_surface_error& e) {
+    EXPECT_EQ(e.reason(), Invalid_surface_error::Reason::too_fine);
+    EXPECT_EQ(e.surface(), 0u);
+  }
+  EXPECT_THROW(build(Surfaces{cube(8e307, 1)}, parameters::normalize(true)), Error);
 }
 
 TEST(Build, a_mesh) {

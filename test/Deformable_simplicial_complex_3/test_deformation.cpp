@@ -187,6 +187,21 @@ TEST(Deformation, destinations_that_are_no_points_are_refused) {
     EXPECT_FALSE(v->has_destination());
 }
 
+TEST(Deformation, refuses_thresholds_that_are_no_qualities) {
+  Complex dsc = make_complex(grid(4, small_meshes::ball));
+  const auto state = dsc.state();
+  const auto stay = [](Vertex_handle v) { return v->point(); };
+  using CGAL::Deformable_simplicial_complexes::Error;
+  for (double threshold : {-.1, 1.1, std::nan("")}) {
+    EXPECT_THROW(CGAL::deform_interface(dsc, stay, parameters::quality_threshold(threshold)),
+                 Error);
+    EXPECT_THROW(CGAL::deform_interface(dsc, stay, parameters::relabeling_threshold(threshold)),
+                 Error);
+    EXPECT_THROW(CGAL::improve_mesh(dsc, parameters::quality_threshold(threshold)), Error);
+  }
+  EXPECT_TRUE(dsc.state() == state);
+}
+
 TEST(Deformation, ends_within_the_passes_asked_for) {
   for (unsigned passes : {0u, 1u, 3u}) {
     Complex dsc = make_complex(grid(4, small_meshes::cube));

@@ -242,14 +242,14 @@ TEST(Set_points, moves_vertices_together_that_could_not_move_alone) {
 
 // How far away the destination is does not matter where the way ends early.
 TEST(Move_vertex, comes_to_the_link_from_any_distance) {
-  for (double far : {1e3, 1e13, 1e300}) {
+  for (double far : {1e3, 1e13, 1e100}) {
     Complex dsc = make_complex(box_with_center());
     Vertex_handle center;
     for (Vertex_handle v : dsc.vertices())
       if (!dsc.is_boundary(v))
         center = v;
-    dsc.move_vertex(center, Point(far, 0, 0));
-    EXPECT_GT(dsc.position(center).x(), .9) << far;
+    dsc.move_vertex(center, Point(far, .9 * far, .7 * far));
+    EXPECT_GT(dsc.position(center).x(), .99) << far;
     EXPECT_TRUE(dsc.is_valid());
   }
 }

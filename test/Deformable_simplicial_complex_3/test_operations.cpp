@@ -117,53 +117,6 @@ TEST(Edge_removal, agrees_with_brute_force_in_a_grid) {
 
 namespace {
 
-using Triangle = std::array<std::size_t, 3>;
-
-// A random triangulation of the polygon of points p, ..., q.
-void triangulate(std::size_t p, std::size_t q, Random& random, std::vector<Triangle>& triangles) {
-  if (q - p < 2)
-    return;
-  const std::size_t k = p + 1 + random.below(q - p - 1);
-  triangles.push_back({p, k, q});
-  triangulate(p, k, random, triangles);
-  triangulate(k, q, random, triangles);
-}
-
-// m triangles between point 0 below and point 1 above them, each with one tetrahedron to either.
-struct Sandwich
-{
-  explicit Sandwich(std::size_t m, Random& random) {
-    do {
-      const std::size_t n = m + 2;
-      const double disorder = random(0, .3), height = random(.2, 1.2);
-      triangles.clear();
-      mesh = {apices_and_ring(n, disorder, height, random), {}, {}};
-      triangulate(2, n + 1, random, triangles);
-      for (const Triangle& t : triangles) {
-        mesh.tetrahedra.push_back({0, t[0], t[1], t[2]});
-        mesh.tetrahedra.push_back({t[0], t[1], t[2], 1});
-        mesh.labels.insert(mesh.labels.end(), {0, 0});
-      }
-    } while (!is_positive(mesh));
-  }
-
-  // The edges of a set of triangles that no other triangle of the set has, counterclockwise. Their
-  // number tells whether the set is connected.
-  std::vector<std::array<std::size_t, 2>> boundary(unsigned set) const {
-    std::vector<std::array<std::size_t, 2>> edges, result;
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-      for (int k = 0; k < 3 && (set >> t & 1) != 0; ++k)
-        edges.push_back({triangles[t][k], triangles[t][(k + 1) % 3]});
-    for (const auto& e : edges)
-      if (std::count(edges.begin(), edges.end(), std::array<std::size_t, 2>{e[1], e[0]}) == 0)
-        result.push_back(e);
-    return result;
-  }
-
-  Labelled_mesh mesh;
-  std::vector<Triangle> triangles;
-};
-
 int count_bits(unsigned set) { return set == 0 ? 0 : int(set & 1) + count_bits(set >> 1); }
 
 } // namespace

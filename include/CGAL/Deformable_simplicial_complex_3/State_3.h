@@ -104,7 +104,8 @@ inline bool is_consistent(const Deformable_simplicial_complex_state_3& state) {
   bool result = has_finite_coordinates(state.normalization_translation) &&
                 std::all_of(state.cells.begin(), state.cells.end(), is_cell) &&
                 std::all_of(state.points.begin(), state.points.end(),
-                            has_finite_coordinates<std::array<double, 3>>);
+                            has_finite_coordinates<std::array<double, 3>>) &&
+                (state.points.empty() || has_measurable_extent(state.points));
   for (std::size_t v = 0; result && v < state.vertex_cells.size(); ++v)
     result = is_cell_of(v);
   return result;

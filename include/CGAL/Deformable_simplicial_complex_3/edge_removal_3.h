@@ -6,13 +6,11 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_EDGE_REMOVAL_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Polygon_triangulation_3.h>
 
 #include <boost/container/small_vector.hpp>
 
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <utility>
+#include <cstddef>
 
 namespace CGAL {
 
@@ -33,7 +31,7 @@ public:
 
   // Counterclockwise around a -> b, starting in a cell. Makes all vertices ones of the cavity.
   Edge_ring_3(Cell_handle cell, int i, int j, Cavity& cavity)
-      : m_cavity(cavity), m_a(cavity.add(cell->vertex(i))), m_b(cavity.add(cell->vertex(j))) {
+      : m_triangulation{cavity, cavity.add(cell->vertex(i)), cavity.add(cell->vertex(j))} {
     // (a, b, s, t) is positive, the next cell lies opposite to s.
     static constexpr int next[4][4] = {{-1, 2, 3, 1}, {3, -1, 0, 2}, {1, 3, -1, 0}, {2, 0, 1, -1}};
     const Vertex_handle a = cell->vertex(i), b = cell->vertex(j);
@@ -55,59 +53,16 @@ public:
   // quality of the tetrahedra over and under it is best, and plans them in the cavity. Returns
   // false if that quality is not above `bound`.
   bool triangulate(std::size_t first, std::size_t last, double bound) {
-    // best[p * n + q]: quality of the best triangulation of the polygon from p to q > p, in which
-    // the triangle (p, apex, q) lies on the edge (p, q).
-    const std::size_t n = last - first + 1;
-    m_best.assign(n * n, std::numeric_limits<double>::infinity());
-    m_apex.assign(n * n, 0);
     const auto vertex = [&](std::size_t p) { return m_vertices[(first + p) % size()]; };
-    for (std::size_t length = 2; length < n; ++length)
-      for (std::size_t p = 0; p + length < n; ++p) {
-        const std::size_t q = p + length;
-        double& value = m_best[p * n + q];
-        value = -std::numeric_limits<double>::infinity();
-        for (std::size_t k = p + 1; k < q; ++k) {
-          double worst = (std::min)(m_best[p * n + k], m_best[k * n + q]);
-          if (worst > bound)
-            worst = (std::min)(worst, m_cavity.quality({vertex(p), vertex(k), vertex(q), m_b}));
-          if (worst > bound)
-            worst = (std::min)(worst, m_cavity.quality({vertex(k), vertex(p), vertex(q), m_a}));
-          if (worst > value) {
-            value = worst;
-            m_apex[p * n + q] = k;
-          }
-        }
-      }
-    if (!(m_best[n - 1] > bound))
-      return false;
-
-    const Cell_handle parent = cell(first);
-    m_open.assign(1, {0, n - 1});
-    while (!m_open.empty()) {
-      const auto [p, q] = m_open.back();
-      m_open.pop_back();
-      if (q - p < 2)
-        continue;
-      const std::size_t k = m_apex[p * n + q];
-      m_cavity.create({vertex(p), vertex(k), vertex(q), m_b}, parent);
-      m_cavity.create({vertex(k), vertex(p), vertex(q), m_a}, parent);
-      m_open.emplace_back(p, k);
-      m_open.emplace_back(k, q);
-    }
-    return true;
+    return m_triangulation.create(last - first + 1, vertex, bound, cell(first));
   }
 
 private:
-  Cavity& m_cavity;
-  Index m_a, m_b;
   // Most rings have fewer than eight cells.
   template <class T> using Ring = boost::container::small_vector<T, 8>;
-  template <class T> using Table = boost::container::small_vector<T, 64>;
   Ring<Cell_handle> m_cells;
   Ring<Index> m_vertices;
-  Table<double> m_best;
-  Table<std::size_t> m_apex;
-  Ring<std::pair<std::size_t, std::size_t>> m_open;
+  Polygon_triangulation_3<Complex> m_triangulation;
 };
 
 } // namespace internal

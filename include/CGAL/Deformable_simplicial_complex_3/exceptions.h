@@ -46,6 +46,7 @@ public:
     non_manifold_vertex, ///< the facets at a vertex form more than one fan
     self_intersection,   ///< two facets of one surface meet outside their common vertices and edges
     crossing_surfaces,   ///< facets of two surfaces meet
+    too_fine,            ///< vertices cannot be told apart beside the size of all surfaces
     outside_enclosing_box ///< a vertex is not strictly inside the enclosing box
   };
 

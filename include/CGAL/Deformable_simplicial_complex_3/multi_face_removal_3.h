@@ -6,50 +6,43 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_MULTI_FACE_REMOVAL_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Sandwich_3.h>
 
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <limits>
-#include <utility>
 
 namespace CGAL {
 
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Grows the set of facets that are sandwiched between the apices a and b of a first one, by
-// recursion over the edges of the set: across an edge either the next facet joins the set, or the
-// edge becomes part of its boundary and the new edge ab is joined to it (Shewchuk).
-template <class Complex> class Sandwich_3
+// Grows the set of sandwiched facets whose removal is best, by recursion over the edges of the set:
+// across an edge either the next facet joins the set, or the edge becomes part of its boundary and
+// the new edge ab is joined to it (Shewchuk).
+template <class Complex> class Best_sandwich_3
 {
 public:
   using Cell_handle = typename Complex::Cell_handle;
   using Vertex_handle = typename Complex::Vertex_handle;
+  using Sandwich = Sandwich_3<Complex>;
+  using Sheet = typename Sandwich::Sheet;
+  using Directed_edge = typename Sandwich::Directed_edge;
   template <class T> using Small_vector = boost::container::small_vector<T, 16>;
 
-  // A facet of the set: its cells below (apex a) and above (apex b).
-  struct Sheet
-  {
-    Cell_handle below, above;
-  };
-  struct Directed_edge
-  {
-    Vertex_handle source, target; // (a, b, source, target) is to become a cell
-  };
-
-  Sandwich_3(const Complex& complex, Cell_handle below, int i)
-      : m_complex(complex), m_a(below->vertex(i)), m_above(below->neighbor(i)),
-        m_b(m_above->vertex(m_above->index(below))), m_first{below, m_above} {}
+  Best_sandwich_3(const Complex& complex, Cell_handle below, int i)
+      : m_complex(complex), m_sandwich(complex, below, i) {}
 
   // Finds the best set. Returns whether the worst quality rises.
-  bool grow(const std::array<Vertex_handle, 3>& first) {
-    m_sheets.push_back(m_first);
-    m_tried.push_back(m_first);
-    double after = infinity, before = worst(m_first);
-    for (int k = 0; k < 3; ++k) {
-      const Outcome outcome = across(m_first, {first[k], first[(k + 1) % 3]});
+  bool grow() {
+    const Sheet& first = m_sandwich.first();
+    m_sheets.push_back(first);
+    m_tried.push_back(first);
+    double after = infinity, before = worst(first);
+    for (const Directed_edge& e : m_sandwich.edges_of_first()) {
+      const Outcome outcome = across(first, e);
       after = (std::min)(after, outcome.after);
       before = (std::min)(before, outcome.before);
       if (!(after > 0))
@@ -58,9 +51,10 @@ public:
     return after > before;
   }
 
-  Vertex_handle a() const { return m_a; }
-  Vertex_handle b() const { return m_b; }
+  Vertex_handle a() const { return m_sandwich.a(); }
+  Vertex_handle b() const { return m_sandwich.b(); }
   const Small_vector<Sheet>& sheets() const { return m_sheets; }
+  // (a, b, source, target) is to become a cell.
   const Small_vector<Directed_edge>& boundary() const { return m_boundary; }
 
 private:
@@ -76,7 +70,7 @@ private:
   double worst(const Sheet& f) const { return (std::min)(f.below->quality(), f.above->quality()); }
 
   double new_quality(const Directed_edge& e) const {
-    return m_complex.quality_measure()(m_complex.position(m_a), m_complex.position(m_b),
+    return m_complex.quality_measure()(m_complex.position(a()), m_complex.position(b()),
                                        m_complex.position(e.source), m_complex.position(e.target));
   }
 
@@ -84,7 +78,8 @@ private:
     const double quality = new_quality(e);
     Sheet g;
     Vertex_handle apex;
-    if (m_tried.size() < maximum_number_of_sheets && find_neighbor(f, e, g, apex)) {
+    if (m_tried.size() < maximum_number_of_sheets && m_sandwich.find_neighbor(f, e, g, apex) &&
+        !is_tried(g)) {
       const std::size_t sheets = m_sheets.size(), edges = m_boundary.size();
       m_sheets.push_back(g);
       m_tried.push_back(g);
@@ -101,31 +96,13 @@ private:
     return {quality, infinity};
   }
 
-  // The sandwiched facet behind e, if the four cells around e are f's two and its own two.
-  bool find_neighbor(const Sheet& f, const Directed_edge& e, Sheet& g, Vertex_handle& apex) const {
-    const auto opposite = [&](Cell_handle c, Vertex_handle tip) {
-      return 6 - c->index(e.source) - c->index(e.target) - c->index(tip);
-    };
-    const int below = opposite(f.below, m_a), above = opposite(f.above, m_b);
-    g = {f.below->neighbor(below), f.above->neighbor(above)};
-    if (m_complex.is_infinite(g.below) || m_complex.is_infinite(g.above) ||
-        g.below->label() != f.below->label() || g.above->label() != f.below->label())
-      return false;
-    const int below_tip = opposite(g.below, m_a);
-    apex = g.below->vertex(below_tip);
-    if (apex == m_b || g.below->neighbor(g.below->index(m_a)) != g.above)
-      return false;
-    const auto is_used = [&](const Sheet& s) {
-      return s.below == g.below || s.above == g.above || s.below == g.above || s.above == g.below;
-    };
-    return std::none_of(m_tried.begin(), m_tried.end(), is_used);
+  bool is_tried(const Sheet& g) const {
+    return std::any_of(m_tried.begin(), m_tried.end(),
+                       [&](const Sheet& s) { return s.below == g.below; });
   }
 
   const Complex& m_complex;
-  Vertex_handle m_a;
-  Cell_handle m_above;
-  Vertex_handle m_b;
-  Sheet m_first;
+  Sandwich m_sandwich;
   Small_vector<Sheet> m_sheets;
   Small_vector<Sheet> m_tried; // each once, or the search would be exponential
   Small_vector<Directed_edge> m_boundary;
@@ -157,8 +134,8 @@ bool propose_multi_face_removal(const Complex& complex, typename Complex::Cell_h
   const typename Complex::Cell_handle mirror = cell->neighbor(i);
   if (complex.is_infinite(cell) || complex.is_infinite(mirror) || cell->label() != mirror->label())
     return false;
-  Deformable_simplicial_complexes::internal::Sandwich_3<Complex> sandwich(complex, cell, i);
-  if (!sandwich.grow(complex.facet_vertices({cell, i})))
+  Deformable_simplicial_complexes::internal::Best_sandwich_3<Complex> sandwich(complex, cell, i);
+  if (!sandwich.grow())
     return false;
   cavity.clear();
   for (const auto& sheet : sandwich.sheets()) {

@@ -5,6 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_NAMED_PARAMETERS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_NAMED_PARAMETERS_H
 
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+
 #include <CGAL/Named_function_parameters.h>
 
 #include <functional>
@@ -78,6 +80,12 @@ namespace internal {
 // What a parameter given by value or by reference stands for.
 template <class T> T& unwrap(T& value) { return value; }
 template <class T> T& unwrap(std::reference_wrapper<T>& value) { return value.get(); }
+
+// A quality, as it is given for a threshold.
+inline void check_threshold(double quality) {
+  if (!(quality >= 0 && quality <= 1))
+    throw Error("a threshold of quality is out of range: use 0 to 1");
+}
 
 } // namespace internal
 

@@ -58,7 +58,8 @@ struct Volume_length_ratio_3
     for (const auto& e : t.edges())
       squared += e.squared_length();
     squared /= 6;
-    return std::sqrt(2.) * t.six_volumes / (squared * std::sqrt(squared));
+    const double cube = squared * std::sqrt(squared);
+    return cube == 0 ? 0 : std::sqrt(2.) * t.six_volumes / cube;
   }
 };
 
@@ -81,7 +82,7 @@ struct Minimum_sine_3
     double minimum = 1;
     for (int i = 0; i < 6; ++i) {
       const double areas =
-          std::sqrt(n[facets[i][0]].squared_length() * n[facets[i][1]].squared_length());
+          std::sqrt(n[facets[i][0]].squared_length()) * std::sqrt(n[facets[i][1]].squared_length());
       if (areas == 0)
         return 0;
       minimum = (std::min)(minimum, t.six_volumes * std::sqrt(e[i].squared_length()) / areas);
@@ -109,10 +110,8 @@ struct Radius_ratio_3
     const auto center = t.a.squared_length() * cross_product(t.b, t.c) +
                         t.b.squared_length() * cross_product(t.c, t.a) +
                         t.c.squared_length() * cross_product(t.a, t.b);
-    if (t.six_volumes == 0)
-      return 0;
-    return 3 * t.six_volumes * std::abs(t.six_volumes) /
-           (area * std::sqrt(center.squared_length()));
+    const double radii = area * std::hypot(center.x(), center.y(), center.z());
+    return radii == 0 ? 0 : 3 * t.six_volumes * std::abs(t.six_volumes) / radii;
   }
 };
 

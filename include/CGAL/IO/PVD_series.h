@@ -50,10 +50,16 @@ public:
   /// older one, as well as the series itself, is unchanged then.
   ///
   /// Linear in the number of data files.
-  void append(double time, const std::string& file) {
-    CGAL_precondition(std::isfinite(time));
+  void append(double time, const std::string& file) { append({{time, file}}); }
+
+  /// adds several data files, each a time and a name, and writes the collection once; otherwise the
+  /// same.
+  void append(const std::vector<std::pair<double, std::string>>& files) {
     std::vector<Entry> entries = m_entries;
-    entries.push_back({time, relative_to_collection(file)});
+    for (const auto& [time, file] : files) {
+      CGAL_precondition(std::isfinite(time));
+      entries.push_back({time, relative_to_collection(file)});
+    }
     Deformable_simplicial_complexes::internal::replace_file_by_stream(
         m_path, [&](std::ostream& out) { write(out, entries); });
     m_entries.swap(entries);

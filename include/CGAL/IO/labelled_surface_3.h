@@ -12,8 +12,10 @@
 #include <CGAL/extract_interface_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/IO/polygon_soup_io.h>
-#include <CGAL/Named_function_parameters.h>
+#include <CGAL/IO/OBJ.h>
+#include <CGAL/IO/OFF.h>
+#include <CGAL/IO/PLY.h>
+#include <CGAL/IO/STL.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/number_utils.h>
@@ -24,7 +26,11 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <ios>
+#include <istream>
 #include <limits>
+#include <locale>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -73,21 +79,64 @@ std::vector<std::array<std::size_t, 3>> triangulated_polygon(const std::vector<P
   return triangles;
 }
 
-inline bool is_surface_extension(const std::string& path) {
+enum class Surface_format { none, off, obj, ply, stl };
+
+// By the extension of the file.
+inline Surface_format surface_format(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   for (char& c : extension)
     c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl";
+  return extension == ".off"   ? Surface_format::off
+         : extension == ".obj" ? Surface_format::obj
+         : extension == ".ply" ? Surface_format::ply
+         : extension == ".stl" ? Surface_format::stl
+                               : Surface_format::none;
+}
+
+template <class Points, class Polygons>
+bool read_soup(std::istream& in, Surface_format format, Points& points, Polygons& polygons) {
+  switch (format) {
+  case Surface_format::off:
+    return IO::read_OFF(in, points, polygons);
+  case Surface_format::obj:
+    return IO::read_OBJ(in, points, polygons);
+  case Surface_format::ply:
+    return IO::read_PLY(in, points, polygons);
+  case Surface_format::stl:
+    return IO::read_STL(in, points, polygons);
+  case Surface_format::none:
+    break;
+  }
+  return false;
+}
+
+template <class Points, class Polygons>
+bool write_soup(std::ostream& out, Surface_format format, const Points& points,
+                const Polygons& polygons) {
+  switch (format) {
+  case Surface_format::off:
+    return IO::write_OFF(out, points, polygons);
+  case Surface_format::obj:
+    return IO::write_OBJ(out, points, polygons);
+  case Surface_format::ply:
+    return IO::write_PLY(out, points, polygons);
+  case Surface_format::stl:
+    return IO::write_STL(out, points, polygons);
+  case Surface_format::none:
+    break;
+  }
+  return false;
 }
 
 template <class Complex>
 void write_surface(const std::string& path, const Interface_surface_3<Complex>& surface) {
-  if (!is_surface_extension(path))
+  const Surface_format format = surface_format(path);
+  if (format == Surface_format::none)
     throw File_error(path + " has no format for surfaces: choose .off, .obj, .ply or .stl", path);
-  replace_file(path, [&](const std::string& temporary) {
-    return IO::write_polygon_soup(temporary, surface.points, surface.triangles,
-                                  CGAL::parameters::use_binary_mode(false).stream_precision(
-                                      std::numeric_limits<double>::max_digits10));
+  replace_file_by_stream(path, [&](std::ostream& out) {
+    out.precision(std::numeric_limits<double>::max_digits10);
+    if (!write_soup(out, format, surface.points, surface.triangles))
+      out.setstate(std::ios::failbit);
   });
 }
 
@@ -123,16 +172,19 @@ Labelled_surface_3<Point> read_labelled_surface(const std::string& path, int lab
     if (!condition)
       throw Deformable_simplicial_complexes::File_error(path + ": " + message, path);
   };
-  require(internal::is_surface_extension(path),
+  const internal::Surface_format format = internal::surface_format(path);
+  require(format != internal::Surface_format::none,
           "this is no format for surfaces; choose a file .off, .obj, .ply or .stl");
-  require(std::ifstream(path).good(), "cannot open the file; check that it exists and may be read");
+  std::ifstream in(path, std::ios::binary);
+  in.imbue(std::locale::classic());
+  require(in.good(), "cannot open the file; check that it exists and may be read");
 
   Labelled_surface_3<Point> surface;
   surface.label = label;
   std::vector<std::vector<std::size_t>> polygons;
   bool is_read = false;
   try {
-    is_read = read_polygon_soup(path, surface.points, polygons);
+    is_read = internal::read_soup(in, format, surface.points, polygons);
   } catch (const std::exception&) { // sizes that no memory suffices for
   }
   require(is_read && !polygons.empty(),

@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FOR_EACH_INDEX_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FOR_EACH_INDEX_H
 
+#include <algorithm>
 #include <cstddef>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -24,7 +25,7 @@ class For_each_index
 {
 public:
   explicit For_each_index(unsigned number_of_threads = 1)
-      : m_number_of_threads(number_of_threads) {}
+      : m_number_of_threads((std::min)(number_of_threads, maximum_number_of_threads)) {}
 
   For_each_index(const For_each_index&) = delete;
   For_each_index& operator=(const For_each_index&) = delete;
@@ -54,6 +55,8 @@ public:
   }
 
 private:
+  static constexpr unsigned maximum_number_of_threads = 1024;
+
   unsigned m_number_of_threads;
 #ifdef CGAL_LINKED_WITH_TBB
   mutable tbb::task_arena m_arena; // of all calls: making one takes much longer than a call

@@ -166,7 +166,7 @@ public:
     Report report;
     report.passes = passes;
     for (Vertex_handle v : unfinished())
-      report.unfinished.push_back({v, std::sqrt(remaining(v).squared_length())});
+      report.unfinished.push_back({v, remaining_distance(v)});
     report.vanished = m_vanished;
     report.complete = report.unfinished.empty();
     report.split = m_improver.report().split;
@@ -191,18 +191,23 @@ private:
 
   // How far around its source a motion is felt: the farther it goes, the more space must give way.
   unsigned layers() const {
-    double squared = 0;
+    double longest = 0;
     for (Vertex_handle v : unfinished())
-      squared = (std::max)(squared, remaining(v).squared_length());
-    const double edges = std::sqrt(squared) / m_complex.mean_interface_edge();
+      longest = (std::max)(longest, remaining_distance(v));
+    const double edges = longest / m_complex.mean_interface_edge();
     return unsigned((std::min)(6., 1 + std::ceil(2 * edges)));
   }
 
   double remaining_distance() const {
     double sum = 0;
     for (Vertex_handle v : unfinished())
-      sum += std::sqrt(remaining(v).squared_length());
+      sum += remaining_distance(v);
     return sum;
+  }
+
+  double remaining_distance(Vertex_handle v) const {
+    const Vector way = remaining(v);
+    return std::hypot(way.x(), way.y(), way.z());
   }
 
   // A cell that is flat only on the way is left alone.

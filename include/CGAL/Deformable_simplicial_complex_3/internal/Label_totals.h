@@ -53,6 +53,11 @@ public:
 
   void add_volume(int label, std::int64_t units) { total(label).volume += units; }
 
+  std::int64_t units_of(int label) const {
+    const Total* t = find(label);
+    return t ? t->volume : 0;
+  }
+
   double volume(int label) const {
     const Total* t = find(label);
     return t ? volume_of(t->volume) : 0.;

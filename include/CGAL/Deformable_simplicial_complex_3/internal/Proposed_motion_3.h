@@ -102,15 +102,16 @@ public:
     return result;
   }
 
-  // The worst quality that cells would have, or one that is not above the bound.
+  // The worst quality that cells would have, or the bound if that is not above it.
   double worst_quality(const std::vector<Cell_handle>& cells, double bound) const {
     double worst = std::numeric_limits<double>::infinity();
     for (Cell_handle c : cells) {
-      worst = (std::min)(
-          worst, m_complex.quality_measure()(position(c->vertex(0)), position(c->vertex(1)),
-                                             position(c->vertex(2)), position(c->vertex(3))));
-      if (!(worst > bound))
-        break;
+      const double quality =
+          m_complex.quality_measure()(position(c->vertex(0)), position(c->vertex(1)),
+                                      position(c->vertex(2)), position(c->vertex(3)));
+      if (!(quality > bound)) // or not a number
+        return bound;
+      worst = (std::min)(worst, quality);
     }
     return worst;
   }

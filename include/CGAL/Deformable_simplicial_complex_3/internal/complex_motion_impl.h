@@ -79,7 +79,8 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point_3& destination, 
       continue;
     const auto f = facet_vertices(Facet(c, c->index(v)));
     const Approximate_point_3 a = position(f[0]), b = position(f[1]), d = position(f[2]);
-    const double here = volume(position(v), a, b, d), there = volume(approximate(q), a, b, d);
+    // With v last no precision is lost where q is far away.
+    const double here = volume(d, b, a, position(v)), there = volume(d, b, a, approximate(q));
     if (there < here)
       way = (std::min)(way, here / (here - there));
   }

@@ -36,6 +36,9 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
           "coordinates are no finite numbers: correct or remove the point", {},
           {positions.size() - 1});
   }
+  if (!internal::has_measurable_extent(positions))
+    throw Invalid_tetrahedra_error("the extent of the domain is not between 1e-30 and 1e30; scale "
+                                   "the points, so that volumes and qualities can be computed");
   std::vector<bool> is_used(points.size(), false);
   std::vector<Approximate_point_3> barycenters;
   for (size_type t = 0; t < tetrahedra.size(); ++t) {
@@ -51,11 +54,6 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
     if (orientation(points[v[0]], points[v[1]], points[v[2]], points[v[3]]) != POSITIVE)
       throw Invalid_tetrahedra_error("a tetrahedron is flat or negatively oriented; give its "
                                      "vertices in positive order",
-                                     {t}, {v.begin(), v.end()});
-    if (!std::isfinite(
-            m_quality_measure(positions[v[0]], positions[v[1]], positions[v[2]], positions[v[3]])))
-      throw Invalid_tetrahedra_error("a tetrahedron is too large or too small to be measured with "
-                                     "numbers of type double; scale the points",
                                      {t}, {v.begin(), v.end()});
   }
   const auto unused = std::find(is_used.begin(), is_used.end(), false);
@@ -364,11 +362,7 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
   if (!report(count == number_of_cells(), "the number of cells is stale", verbose))
     return false;
   for (const auto& t : m_totals.totals()) {
-    const auto same = [&](const auto& other) {
-      return other.label == t.label && other.volume == t.volume;
-    };
-    if (!report(std::any_of(totals.totals().begin(), totals.totals().end(), same),
-                "the volume of a label is stale", verbose))
+    if (!report(totals.units_of(t.label) == t.volume, "the volume of a label is stale", verbose))
       return false;
   }
 

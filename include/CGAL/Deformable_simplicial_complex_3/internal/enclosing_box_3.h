@@ -52,6 +52,8 @@ public:
         radius = (std::max)(
             radius, std::hypot(p[0] - barycenter[0], p[1] - barycenter[1], p[2] - barycenter[2]));
     const double half_side = 2.5 * radius;
+    if (!std::isfinite(half_side) || half_side == 0)
+      throw Error("the size of the surfaces is no number of type double: scale them");
     if (normalize) {
       m_translation = barycenter;
       m_scale = half_side;
@@ -99,15 +101,24 @@ inline void check_enclosed(const Merged_soup_3& soup, std::size_t surface, const
                    std::move(vertices));
 }
 
+// Points that differed for the user may have been rounded to the same one.
+inline void check_distinct(const Merged_soup_3& soup, std::size_t surface) {
+  if (merge_points(soup).points.size() < soup.points.size())
+    refuse_surface(Invalid_surface_error::Reason::too_fine, surface);
+}
+
 // The surface of a box, each side cut into n x n rectangles of two triangles. Diagonals run from
 // the corners to the center of a side: no tetrahedron of the inside can then have three facets on
 // the box.
 inline Triangle_soup_3 box_surface(const Bbox_3& box, unsigned n) {
   if (n < 1 || n > 1000)
     throw Error("the subdivision of the enclosing box is out of range: use 1 to 1000");
-  if (!has_finite_coordinates(Coordinates_3{box.xmin(), box.ymin(), box.zmin()}) ||
-      !has_finite_coordinates(Coordinates_3{box.xmax(), box.ymax(), box.zmax()}))
-    throw Error("the enclosing box is not finite: give a finite box, or scale the surfaces down");
+  const std::array<Coordinates_3, 2> corners = {Coordinates_3{box.xmin(), box.ymin(), box.zmin()},
+                                                {box.xmax(), box.ymax(), box.zmax()}};
+  if (!has_finite_coordinates(corners[0]) || !has_finite_coordinates(corners[1]) ||
+      !has_measurable_extent(corners))
+    throw Error("the size of the enclosing box is not between 1e-30 and 1e30: give another box, "
+                "scale the surfaces, or use the parameter normalize");
 
   // Exact at both ends, so that corners and edges of neighboring sides are equal.
   const auto coordinate = [&](int axis, unsigned i) {

@@ -41,6 +41,8 @@ inline const char* explanation(Invalid_surface_error::Reason reason) {
            "CGAL::Polygon_mesh_processing::corefine_and_compute_union()";
   case Reason::crossing_surfaces:
     return "meets another surface: separate them; surfaces may be nested, but not touch or cross";
+  case Reason::too_fine:
+    return "has vertices that cannot be told apart beside the size of all surfaces: build it alone";
   case Reason::outside_enclosing_box:
     return "is not strictly inside the enclosing box: give a larger box";
   }

@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_UNTANGLING_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/Proposed_motion_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
 
 #include <CGAL/Origin.h>
 
@@ -43,6 +44,8 @@ void relocate(Proposed_motion_3<Complex>& motion, typename Proposed_motion_3<Com
     }
   double worst = motion.worst_quality(star, -std::numeric_limits<double>::infinity());
   const auto propose = [&](double way, const Position& target) {
+    if (!has_finite_coordinates(target))
+      return;
     const auto before = motion.point(i);
     const Position from = motion.position(v);
     motion.set_point(

@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_STAR_OPTIMIZER_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_STAR_OPTIMIZER_3_H
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The worst quality of a star as a function of the position of its vertex, to be maximised
+// (Freitag, Jones and Plassmann 1995): a minimum of smooth functions, whose steepest ascent is the
+// shortest convex combination of the gradients of those that are active.
+template <class Complex> class Star_optimizer_3
+{
+public:
+  using Point = typename Complex::Approximate_point_3;
+  using Vector = typename Complex::Approximate_vector_3;
+
+  // A star whose vertex is at p, without cells.
+  Star_optimizer_3(const Complex& complex, const Point& p) : m_complex(complex), m_position(p) {}
+
+  // Adds a cell of the star, of which the vertex with this index moves.
+  void add(const std::array<Point, 4>& points, int vertex) {
+    Function f;
+    f.points = points;
+    f.vertex = vertex;
+    m_functions.push_back(f);
+    m_length =
+        (std::max)(m_length, std::sqrt((points[(vertex + 1) % 4] - m_position).squared_length()));
+  }
+
+  // A better position, or the present one.
+  Point run() {
+    static constexpr int maximum_number_of_steps = 8;
+    for (int i = 0; i < maximum_number_of_steps && step(); ++i) {
+    }
+    return m_position;
+  }
+
+private:
+  struct Function
+  {
+    std::array<Point, 4> points;
+    int vertex;
+    double value;
+    Vector gradient;
+  };
+
+  double value(Function& f, const Point& p) const {
+    f.points[f.vertex] = p;
+    return m_complex.quality_measure()(f.points[0], f.points[1], f.points[2], f.points[3]);
+  }
+
+  double worst(const Point& p, double bound) {
+    double result = std::numeric_limits<double>::infinity();
+    for (Function& f : m_functions) {
+      result = (std::min)(result, value(f, p));
+      if (!(result > bound))
+        break;
+    }
+    return result;
+  }
+
+  // Differences serve any measure.
+  void differentiate(Function& f) const {
+    const double h = 1e-6 * m_length;
+    const auto slope = [&](const Vector& axis) {
+      return (value(f, m_position + h * axis) - f.value) / h;
+    };
+    f.gradient = Vector(slope(Vector(1, 0, 0)), slope(Vector(0, 1, 0)), slope(Vector(0, 0, 1)));
+  }
+
+  // The point of the convex hull of the active gradients that is nearest to the origin (Gilbert).
+  Vector steepest_ascent(double bound) const {
+    static constexpr int maximum_number_of_iterations = 30;
+    static constexpr double tolerance = 1e-2;
+    const auto extreme = [&](const Vector& d) {
+      const Function* least = nullptr;
+      for (const Function& f : m_functions)
+        if (f.value <= bound && (!least || f.gradient * d < least->gradient * d))
+          least = &f;
+      return least->gradient;
+    };
+    Vector d =
+        std::min_element(m_functions.begin(), m_functions.end(),
+                         [](const Function& a, const Function& b) { return a.value < b.value; })
+            ->gradient;
+    for (int i = 0; i < maximum_number_of_iterations; ++i) {
+      const Vector g = extreme(d), side = d - g;
+      if (d * side <= tolerance * d.squared_length())
+        break;
+      d = d - (std::min)(1., d * side / side.squared_length()) * side;
+    }
+    return d;
+  }
+
+  // One step of steepest ascent with a line search. Returns whether it was worth it.
+  bool step() {
+    double before = std::numeric_limits<double>::infinity();
+    for (Function& f : m_functions) {
+      f.value = value(f, m_position);
+      before = (std::min)(before, f.value);
+    }
+    // Those that are much better than the worst will not become the worst in one step. The worst
+    // may be zero or less by rounding.
+    const double relevant = before + std::abs(before), active = before + .05 * std::abs(before);
+    for (Function& f : m_functions)
+      if (f.value <= relevant)
+        differentiate(f);
+    const Vector d = steepest_ascent(active);
+    const double rate = d.squared_length();
+    if (!(std::sqrt(rate) * m_length > 1e-3))
+      return false;
+    // As far as another function becomes the worst, by linear prediction.
+    double way = .5 * m_length / std::sqrt(rate);
+    for (const Function& f : m_functions) {
+      if (!(f.value <= relevant))
+        continue;
+      const double slope = f.gradient * d;
+      if (slope < rate && f.value > before)
+        way = (std::min)(way, (std::max)(1e-3 * way, (f.value - before) / (rate - slope)));
+    }
+    for (int halvings = 0; halvings < 6; ++halvings, way /= 2) {
+      const Point p = m_position + way * d;
+      const double after = worst(p, before);
+      if (after > before) {
+        m_position = p;
+        return after > before + .02 * std::abs(before);
+      }
+    }
+    return false;
+  }
+
+  const Complex& m_complex;
+  Point m_position;
+  std::vector<Function> m_functions;
+  double m_length = 0;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_STAR_OPTIMIZER_3_H

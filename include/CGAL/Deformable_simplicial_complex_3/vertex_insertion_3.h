@@ -1,0 +1,201 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_VERTEX_INSERTION_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_VERTEX_INSERTION_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Star_optimizer_3.h>
+#include <CGAL/Origin.h>
+#include <CGAL/enum.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The set of cells around a seed that a star of a point p replaces best: its facets see p, and the
+// worst quality of the tetrahedra that they form with p is highest.
+//
+// A set that is better than the present one and contains it must also contain the cell behind its
+// worst facet. So the cells that are absorbed across the worst facet, one after the other, are part
+// of the best set until they are that set: no search is needed, nor the cut of a graph by Klingner
+// and Shewchuk. It ends at a cell that may not be absorbed, as what forbids a set (another label,
+// the outside, a vertex all of whose cells are in it, the size) forbids all that contain it.
+template <class Complex> class Star_shaped_set_3
+{
+public:
+  using Cell_handle = typename Complex::Cell_handle;
+  using Point_3 = typename Complex::Point_3;
+  using Cavity = Cavity_3<Complex>;
+  using Index = typename Cavity::Index;
+
+  // `cavity` is used to number the vertices.
+  Star_shaped_set_3(const Complex& complex, const Point_3& p, Cavity& cavity)
+      : m_complex(complex), m_cavity(cavity), m_p(cavity.add(p, Boundary_class::inside)) {}
+
+  // Finds the best set of finite cells that contains the seed. Returns whether there is one.
+  bool grow(Cell_handle seed) {
+    std::size_t best_size = 0;
+    double best = -std::numeric_limits<double>::infinity();
+    bool may_grow = absorb(seed, 0);
+    while (may_grow) {
+      const Facet& worst =
+          *std::min_element(m_facets.begin(), m_facets.end(),
+                            [](const Facet& f, const Facet& g) { return f.quality < g.quality; });
+      if (worst.quality > best) {
+        best = worst.quality;
+        best_size = m_cells.size();
+      }
+      const Cell_handle next = worst.cell->neighbor(worst.index);
+      may_grow = worst.depth < maximum_depth && m_cells.size() < maximum_size &&
+                 !m_complex.is_infinite(next) && next->label() == seed->label() &&
+                 absorb(next, worst.depth + 1);
+    }
+    m_cells.resize(best_size);
+    return best_size > 0;
+  }
+
+  const auto& cells() const { return m_cells; }
+
+  // Calls visit(cell, index) for each facet of the boundary of the set.
+  template <class Visit> void for_each_facet(const Visit& visit) const {
+    for (Cell_handle c : m_cells)
+      for (int i = 0; i < 4; ++i)
+        if (!contains(c->neighbor(i)))
+          visit(c, i);
+  }
+
+private:
+  static constexpr std::size_t maximum_size = 64;
+  static constexpr int maximum_depth = 6; // as in Stellar
+
+  struct Facet
+  {
+    Cell_handle cell;
+    int index;
+    int depth;                           // of the cell, in steps from the seed
+    std::array<Index, 4> with_new_point; // the cell with p in the place of its vertex
+    double quality;                      // -infinity if p is not on the inner side, exactly
+  };
+
+  bool contains(Cell_handle c) const {
+    return std::find(m_cells.begin(), m_cells.end(), c) != m_cells.end();
+  }
+
+  // Adds a cell to the set. Returns whether all its vertices are still on the boundary of the set.
+  bool absorb(Cell_handle c, int depth) {
+    m_cells.push_back(c);
+    std::array<Index, 4> vertices;
+    for (int i = 0; i < 4; ++i)
+      vertices[i] = m_cavity.add(c->vertex(i));
+    for (int i = 0; i < 4; ++i) {
+      const Cell_handle n = c->neighbor(i);
+      const auto known = std::find_if(m_facets.begin(), m_facets.end(), [&](const Facet& f) {
+        return f.cell == n && n->neighbor(f.index) == c;
+      });
+      if (known != m_facets.end()) {
+        m_facets.erase(known);
+        continue;
+      }
+      std::array<Index, 4> t = vertices;
+      t[i] = m_p;
+      m_facets.push_back({c, i, depth, t, quality(t)});
+    }
+    return std::all_of(vertices.begin(), vertices.end(), [&](Index v) {
+      return std::any_of(m_facets.begin(), m_facets.end(), [&](const Facet& f) {
+        const auto& t = f.with_new_point;
+        return std::find(t.begin(), t.end(), v) != t.end();
+      });
+    });
+  }
+
+  double quality(const std::array<Index, 4>& t) const {
+    const auto orientation = m_complex.geom_traits().orientation_3_object();
+    const auto& v = m_cavity.vertices();
+    return orientation(v[t[0]].point, v[t[1]].point, v[t[2]].point, v[t[3]].point) == POSITIVE
+               ? m_cavity.quality(t)
+               : -std::numeric_limits<double>::infinity();
+  }
+
+  const Complex& m_complex;
+  Cavity& m_cavity;
+  Index m_p;
+  boost::container::small_vector<Cell_handle, 16> m_cells; // as they were absorbed
+  boost::container::small_vector<Facet, 40> m_facets;      // of the boundary of the set
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Proposes to insert a vertex: cells around a bad one are replaced by the star of a new vertex
+(Klingner and Shewchuk 2007). Of all sets of cells that contain the bad one, and whose boundary its
+barycenter sees, the one is taken for which the worst quality of the star of the barycenter is
+highest. Then the new vertex goes to where that quality is locally highest, as in
+`propose_optimal_position()`.
+
+\param complex is not changed.
+\param cell the bad cell.
+\param cavity filled with the proposal if there is one. Its last vertex is the new one.
+\return whether the worst quality rises, all new tetrahedra being positive. The cells are finite, of
+        one label, at most 64 and at most 6 steps from the bad one; all other vertices keep some of
+        their cells. The interface and the boundary of the domain stay as they are.
+
+Constant time, as the number of cells is bounded; quadratic in it.
+*/
+template <class Complex>
+bool propose_vertex_insertion(const Complex& complex, typename Complex::Cell_handle cell,
+                              Cavity_3<Complex>& cavity) {
+  using Cell_handle = typename Complex::Cell_handle;
+  using Index = typename Cavity_3<Complex>::Index;
+  if (complex.is_infinite(cell))
+    return false;
+  const auto exact = complex.geom_traits().construct_exact_point_3_object();
+  typename Complex::Approximate_vector_3 sum(0, 0, 0);
+  for (int i = 0; i < 4; ++i)
+    sum = sum + (complex.position(cell->vertex(i)) - CGAL::ORIGIN);
+  const typename Complex::Approximate_point_3 barycenter = CGAL::ORIGIN + sum / 4;
+
+  cavity.clear();
+  Deformable_simplicial_complexes::internal::Star_shaped_set_3<Complex> set(
+      complex, exact(barycenter), cavity);
+  if (!set.grow(cell))
+    return false;
+
+  Deformable_simplicial_complexes::internal::Star_optimizer_3<Complex> optimizer(complex,
+                                                                                 barycenter);
+  set.for_each_facet([&](Cell_handle c, int i) {
+    std::array<typename Complex::Approximate_point_3, 4> points;
+    for (int k = 0; k < 4; ++k)
+      points[k] = k == i ? barycenter : complex.position(c->vertex(k));
+    optimizer.add(points, i);
+  });
+
+  cavity.clear();
+  for (Cell_handle c : set.cells())
+    cavity.remove(c);
+  const Index inserted = cavity.add(exact(optimizer.run()), Boundary_class::inside);
+  set.for_each_facet([&](Cell_handle c, int i) {
+    std::array<Index, 4> t;
+    for (int k = 0; k < 4; ++k)
+      t[k] = k == i ? inserted : cavity.add(c->vertex(k));
+    cavity.create(t, c);
+  });
+  return cavity.quality_after() > cavity.quality_before() && cavity.is_positive();
+}
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_VERTEX_INSERTION_3_H
