@@ -38,4 +38,13 @@ void require_writable(const std::string& path) {
   fs::remove(probe, error);
 }
 
+bool same_file(const std::string& a, const std::string& b) {
+  const auto canonical = [](const std::string& path) {
+    std::error_code error;
+    const fs::path result = fs::weakly_canonical(fs::absolute(path, error), error);
+    return error ? fs::path(path) : result;
+  };
+  return canonical(a) == canonical(b);
+}
+
 } // namespace dsc

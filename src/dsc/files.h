@@ -16,6 +16,9 @@ std::string extension(const std::string& path);
 /// alone. \throws Input_error if a regular file cannot be created at `path`.
 void require_writable(const std::string& path);
 
+/// Whether two names stand for one file, which need not exist.
+bool same_file(const std::string& a, const std::string& b);
+
 } // namespace dsc
 
 #endif // DSC_FILES_H
