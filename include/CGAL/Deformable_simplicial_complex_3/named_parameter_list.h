@@ -13,3 +13,4 @@ CGAL_add_named_parameter(normalize_t, normalize, normalize)
                             CGAL_add_named_parameter(scheme_t, scheme, scheme)
                                 CGAL_add_named_parameter(number_of_threads_t, number_of_threads,
                                                          number_of_threads)
+                                    CGAL_add_named_parameter(aggressive_t, aggressive, aggressive)
