@@ -64,6 +64,15 @@ double parse_angle(std::string text) {
   return angle;
 }
 
+double parse_threshold(std::string text) {
+  const std::string option = "--threshold";
+  const double threshold = take_number(text, option);
+  require_end(text, option, "0.4");
+  if (!(0 < threshold && threshold <= 1))
+    throw Usage_error("--threshold is not a quality; choose one above 0 and up to 1");
+  return threshold;
+}
+
 Offset parse_distance(std::string text) {
   Offset offset;
   offset.distance = take_number(text, "--distance");
@@ -133,8 +142,9 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
 
   Info_options info_options;
   CLI::App* info = app.add_subcommand("info", "Print what a file holds, in numbers");
-  info->add_option("FILE", info_options.file,
-                   "A surface (.off, .obj, .ply, .stl), a checkpoint (.dsc) or a mesh (.mesh)")
+  info->add_option(
+          "FILE", info_options.file,
+          "A surface (.off, .obj, .ply, .stl), a checkpoint (.dsc) or a mesh (.mesh, .vtu)")
       ->required();
 
   Run_options run_options;
@@ -160,6 +170,24 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
       ->required();
   convert->add_flag("--quiet", convert_options.quiet, "Print nothing but errors");
 
+  Improve_options improve_options;
+  std::string threshold;
+  CLI::App* improve = app.add_subcommand(
+      "improve", "Improve the tetrahedra between the interface and the boundary");
+  improve->add_option("INPUT", improve_options.input, "Labelled tetrahedra (.mesh, .vtu)")
+      ->required();
+  improve
+      ->add_option("-o,--output", improve_options.output,
+                   "File for the improved tetrahedra (.mesh, .vtu); may be INPUT")
+      ->required();
+  improve->add_flag("--aggressive", improve_options.aggressive,
+                    "Take more time for better tetrahedra");
+  improve->add_option("--threshold", threshold,
+                      "Improve tetrahedra of a lower quality only; 1 is that of a regular one");
+  improve->add_option("--report", improve_options.report,
+                      "JSON file with the state before and after");
+  improve->add_flag("--quiet", improve_options.quiet, "Print nothing but errors");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
@@ -173,12 +201,19 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   }
 
   if (*info) {
-    require_extension(info_options.file, {"off", "obj", "ply", "stl", "dsc", "mesh"});
+    require_extension(info_options.file, {"off", "obj", "ply", "stl", "dsc", "mesh", "vtu"});
     return info_options;
   }
   if (*convert) {
     require_extension(convert_options.output, {"off", "obj", "ply", "stl", "vtu", "mesh"});
     return convert_options;
+  }
+  if (*improve) {
+    require_extension(improve_options.input, {"mesh", "vtu"});
+    require_extension(improve_options.output, {"mesh", "vtu"});
+    if (improve->count("--threshold") > 0)
+      improve_options.threshold = parse_threshold(threshold);
+    return improve_options;
   }
   if (*rotate)
     run_options.motion = Rotation{parse_axis(axis), parse_angle(angle)};

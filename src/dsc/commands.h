@@ -14,6 +14,7 @@ namespace dsc {
 int execute(const Run_options& options);
 int execute(const Info_options& options);
 int execute(const Convert_options& options);
+int execute(const Improve_options& options);
 
 } // namespace dsc
 

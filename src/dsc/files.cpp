@@ -38,11 +38,21 @@ void require_writable(const std::string& path) {
   fs::remove(probe, error);
 }
 
+<<<<<<< HEAD
 std::string unused_name(const std::string& stem, const std::string& extension) {
   std::string name = stem + extension;
   for (int number = 2; fs::exists(name); ++number)
     name = stem + '_' + std::to_string(number) + extension;
   return name;
+=======
+bool same_file(const std::string& a, const std::string& b) {
+  const auto canonical = [](const std::string& path) {
+    std::error_code error;
+    const fs::path result = fs::weakly_canonical(fs::absolute(path, error), error);
+    return error ? fs::path(path) : result;
+  };
+  return canonical(a) == canonical(b);
+>>>>>>> improve-program
 }
 
 } // namespace dsc

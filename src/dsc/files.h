@@ -19,6 +19,9 @@ void require_writable(const std::string& path);
 /// `stem` + `extension`, with a number between if there is a file of that name.
 std::string unused_name(const std::string& stem, const std::string& extension);
 
+/// Whether two names stand for one file, which need not exist.
+bool same_file(const std::string& a, const std::string& b);
+
 } // namespace dsc
 
 #endif // DSC_FILES_H

@@ -45,7 +45,7 @@ void print(const Surface_statistics& statistics) {
 
 int execute(const Info_options& options) {
   const std::string format = extension(options.file);
-  if (format == "mesh")
+  if (format == "mesh" || format == "vtu")
     print(Tracked_complex::from_mesh(options.file).statistics());
   else if (format == "dsc") {
     std::string metadata;

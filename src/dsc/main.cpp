@@ -40,7 +40,8 @@ int main(int argc, char** argv) {
   } catch (const dsc::Usage_error& error) {
     return fail(error.what(), bad_usage);
   } catch (const std::bad_alloc&) {
-    return fail("there is not enough memory; choose fewer --triangles", bad_input);
+    return fail("there is not enough memory; choose fewer --triangles or a smaller mesh",
+                bad_input);
   } catch (const std::exception& error) {
     return fail(error.what(), bad_input);
   } catch (...) {

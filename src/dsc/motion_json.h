@@ -6,12 +6,9 @@
 #define DSC_MOTION_JSON_H
 
 #include "options.h"
-
-#include <nlohmann/json.hpp>
+#include "report_json.h"
 
 namespace dsc {
-
-using Json = nlohmann::ordered_json;
 
 /// The subcommand and its own options.
 inline Json motion_json(const Motion& motion) {

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -59,7 +60,18 @@ struct Convert_options
   bool quiet = false;
 };
 
-using Options = std::variant<Info_options, Run_options, Convert_options>;
+/// What `dsc improve` is asked to do.
+struct Improve_options
+{
+  std::string input;  ///< labelled tetrahedra
+  std::string output; ///< may be the input
+  bool aggressive = false;
+  std::optional<double> threshold; ///< of the quality, in (0, 1]; that of the library if not set
+  std::string report;              ///< file; empty for none
+  bool quiet = false;
+};
+
+using Options = std::variant<Info_options, Run_options, Convert_options, Improve_options>;
 
 } // namespace dsc
 

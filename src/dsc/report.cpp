@@ -4,14 +4,10 @@
 
 #include "report.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/files.h>
+#include <utility>
 
 namespace dsc {
 namespace {
-
-template <class T> Json value_or_null(const T& value) {
-  return value == T() ? Json() : Json(value);
-}
 
 Json parameters_json(const Run_options& options, const Run_position& start) {
   Json json = motion_json(options.motion);
@@ -21,18 +17,6 @@ Json parameters_json(const Run_options& options, const Run_position& start) {
   json["output"] = value_or_null(options.output);
   json["every"] = options.every;
   json["resume"] = value_or_null(options.resume);
-  return json;
-}
-
-Json labels_json(const std::vector<Label_statistics>& labels) {
-  Json json = Json::array();
-  for (const Label_statistics& label : labels)
-    json.push_back({{"label", label.label},
-                    {"tetrahedra", label.tetrahedra},
-                    {"volume", label.volume},
-                    {"area", label.area},
-                    {"components", label.components},
-                    {"euler_characteristic", label.euler_characteristic}});
   return json;
 }
 
@@ -47,26 +31,16 @@ Report::Report(const Run_options& options, const Run_position& start, double swe
 
 void Report::add(const Run_position& position, const Step_outcome& outcome,
                  const Statistics& statistics) {
-  m_json["steps"].push_back({{"step", position.step},
-                             {"time", position.time},
-                             {"seconds", outcome.seconds},
-                             {"sweeps", outcome.seconds / m_sweep_seconds},
-                             {"complete", outcome.complete},
-                             {"unfinished_vertices", outcome.unfinished_vertices},
-                             {"passes", outcome.passes},
-                             {"vertices", statistics.vertices},
-                             {"tetrahedra", statistics.tetrahedra},
-                             {"interface_triangles", statistics.interface_triangles},
-                             {"labels", labels_json(statistics.labels)},
-                             {"min_dihedral", statistics.min_dihedral},
-                             {"max_dihedral", statistics.max_dihedral},
-                             {"dihedral_histogram", statistics.dihedral_histogram},
-                             {"dihedrals_outside_6_171", statistics.dihedrals_outside_6_171},
-                             {"min_quality", statistics.min_quality},
-                             {"split", outcome.split},
-                             {"collapsed", outcome.collapsed},
-                             {"flipped", outcome.flipped},
-                             {"relabeled", outcome.relabeled}});
+  Json step = {{"step", position.step},        {"time", position.time},
+               {"seconds", outcome.seconds},   {"sweeps", outcome.seconds / m_sweep_seconds},
+               {"complete", outcome.complete}, {"unfinished_vertices", outcome.unfinished_vertices},
+               {"passes", outcome.passes}};
+  step.update(statistics_json(statistics));
+  step.update({{"split", outcome.split},
+               {"collapsed", outcome.collapsed},
+               {"flipped", outcome.flipped},
+               {"relabeled", outcome.relabeled}});
+  m_json["steps"].push_back(std::move(step));
   if (std::chrono::steady_clock::now() >= m_next_write)
     write();
 }
@@ -74,10 +48,7 @@ void Report::add(const Run_position& position, const Step_outcome& outcome,
 void Report::write() {
   if (m_path.empty())
     return;
-  CGAL::Deformable_simplicial_complexes::internal::replace_file_by_stream(
-      m_path, [&](std::ostream& out) {
-        out << m_json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-      });
+  write_json(m_path, m_json);
   // A thousand short steps shall not write the long file a thousand times.
   m_next_write = std::chrono::steady_clock::now() + std::chrono::seconds(1);
 }

@@ -7,6 +7,7 @@
 
 #include "motion_json.h"
 #include "options.h"
+#include "report_json.h"
 #include "run_position.h"
 #include "statistics.h"
 

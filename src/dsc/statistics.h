@@ -50,6 +50,16 @@ struct Step_outcome
   std::size_t relabeled = 0;
 };
 
+/// What improving the tetrahedra did; the state before has all zeros.
+struct Improvement_outcome
+{
+  double seconds = 0; ///< of the improvement alone
+  std::size_t split = 0;
+  std::size_t collapsed = 0;
+  std::size_t flipped = 0;
+  std::size_t smoothed = 0;
+};
+
 /// A surface in numbers, whether or not it bounds anything; angles in degrees.
 struct Surface_statistics
 {

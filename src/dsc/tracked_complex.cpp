@@ -5,6 +5,7 @@
 #include "tracked_complex.h"
 
 #include "errors.h"
+#include "labelled_tetrahedra.h"
 #include "surface.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
@@ -15,6 +16,7 @@
 #include <CGAL/IO/labelled_surface_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/advect_interface_3.h>
+#include <CGAL/improve_mesh_3.h>
 #include <CGAL/interface_flows_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
 
@@ -122,16 +124,13 @@ Tracked_complex Tracked_complex::from_surfaces(const std::vector<std::string>& p
 }
 
 Tracked_complex Tracked_complex::from_mesh(const std::string& path) {
-  std::vector<Complex::Point_3> points;
-  std::vector<std::array<std::size_t, 4>> tetrahedra;
-  std::vector<int> labels;
-  CGAL::IO::read_MEDIT(path, points, tetrahedra, labels);
+  const Labelled_tetrahedra mesh = read_tetrahedra(path);
   try {
     return Tracked_complex(std::make_unique<Implementation>(
         Implementation{CGAL::make_deformable_simplicial_complex_3<Complex>(
-            points, tetrahedra, labels, parameters::improve(false))}));
+            mesh.points, mesh.tetrahedra, mesh.labels, parameters::improve(false))}));
   } catch (const Invalid_tetrahedra_error& error) {
-    throw Input_error(path + ": " + error.what());
+    throw Input_error(path + ": " + error.what() + place_of(error, mesh));
   }
 }
 
@@ -170,6 +169,17 @@ Step_outcome Tracked_complex::advance(const Motion& motion, double time, unsigne
     follow(CGAL::Normal_offset_3{offset.distance * unit});
   }
   return outcome;
+}
+
+Improvement_outcome Tracked_complex::improve(const Improve_options& options) {
+  Complex& complex = m_implementation->complex;
+  const auto aggressive = parameters::aggressive(options.aggressive);
+  const auto start = Clock::now();
+  const auto report =
+      options.threshold
+          ? CGAL::improve_mesh(complex, aggressive.quality_threshold(*options.threshold))
+          : CGAL::improve_mesh(complex, aggressive);
+  return {seconds_since(start), report.split, report.collapsed, report.flipped, report.smoothed};
 }
 
 Statistics Tracked_complex::statistics() const {

@@ -25,7 +25,7 @@ public:
   static Tracked_complex from_surfaces(const std::vector<std::string>& paths,
                                        std::size_t triangles);
 
-  /// The labelled tetrahedra of a MEDIT file.
+  /// The labelled tetrahedra of a MEDIT or VTU file; points that none of them uses are left out.
   static Tracked_complex from_mesh(const std::string& path);
 
   /// The complex in a checkpoint, and what was written with it.
@@ -36,6 +36,9 @@ public:
 
   /// Deforms the interface by one step, from `time` to `time` + 1.
   Step_outcome advance(const Motion& motion, double time, unsigned threads);
+
+  /// Improves the tetrahedra; neither the interface nor the boundary changes its shape.
+  Improvement_outcome improve(const Improve_options& options);
 
   Statistics statistics() const;
 

@@ -8,13 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstddef>
-#include <fstream>
-#include <iterator>
 #include <locale>
 #include <string>
-#include <vector>
 
 // Files do not depend on how numbers are written where the program runs.
 
@@ -34,11 +29,6 @@ protected:
   ~Locale() override { std::locale::global(std::locale::classic()); }
 };
 
-std::string contents(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 } // namespace
 
 TEST_F(Locale, does_not_change_files) {
@@ -56,9 +46,9 @@ TEST_F(Locale, does_not_change_files) {
   std::locale::global(std::locale::classic());
   write("point");
   for (const char* extension : {".off", ".obj", ".ply", ".stl", ".mesh", ".vtu", ".dsc"}) {
-    const std::string file = contents(folder / (std::string("comma") + extension));
+    const std::string file = file_bytes(folder / (std::string("comma") + extension));
     EXPECT_FALSE(file.empty()) << extension;
-    EXPECT_EQ(file, contents(folder / (std::string("point") + extension))) << extension;
+    EXPECT_EQ(file, file_bytes(folder / (std::string("point") + extension))) << extension;
   }
   EXPECT_EQ(surface.points, CGAL::IO::read_labelled_surface(folder / "point.off").points);
 }

@@ -1,37 +1,25 @@
-// The program as its users see it: exit codes, messages, files. Without a built program there is
-// nothing to test.
-#include <nlohmann/json.hpp>
+// Surfaces that move, and what all commands have in common.
+#include "program.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
-
-#include <sys/wait.h>
 
 namespace {
 
+using program::contents;
+using program::Json;
+using program::label_of;
+using program::Outcome;
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
-
-struct Outcome
-{
-  int exit_code;
-  std::string out, err;
-};
-
-std::string contents(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 // An axis-parallel box as an OFF file.
 std::string box(double x0, double y0, double z0, double x1, double y1, double z1) {
@@ -48,94 +36,20 @@ const char* const octahedron = "OFF\n6 8 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\
                                "3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n"
                                "3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n";
 
-// Every test has a folder of its own with the inputs, and runs the program in it.
-class Program : public testing::Test
+// Every test has the inputs in its folder.
+class Program : public program::Program_test
 {
 protected:
   void SetUp() override {
-#ifndef DSC_PROGRAM
-    GTEST_SKIP() << "the program is not built";
-#endif
-    std::string pattern = (fs::temp_directory_path() / "dsc_program_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    m_folder = pattern;
+    Program_test::SetUp();
+    if (IsSkipped() || HasFatalFailure())
+      return;
     write("octahedron.off", octahedron);
     write("cube.off", box(0, 0, 0, 1, 1, 1));
     write("cube_beside.off", box(2, 0, 0, 3, 1, 1));
     write("cube_across.off", box(.5, .5, .5, 1.5, 1.5, 1.5));
   }
-
-  void TearDown() override {
-    if (!m_folder.empty())
-      fs::remove_all(m_folder);
-  }
-
-  fs::path path(const std::string& name) const { return m_folder / name; }
-
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
-  }
-
-  Outcome run(const std::string& arguments, const std::string& prefix = "") const {
-#ifdef DSC_PROGRAM
-    const std::string program = DSC_PROGRAM;
-#else
-    const std::string program = "false";
-#endif
-    const std::string command = "cd '" + m_folder.string() + "' && " + prefix + " '" + program +
-                                "' " + arguments + " 2>stderr.txt </dev/null";
-    Outcome outcome;
-    FILE* pipe = popen(command.c_str(), "r");
-    char buffer[4096];
-    for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;)
-      outcome.out.append(buffer, n);
-    const int status = pclose(pipe);
-    outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    outcome.err = contents(path("stderr.txt"));
-    return outcome;
-  }
-
-  // One line on stderr that says what is wrong and what to do, nothing else.
-  void expect_error(const std::string& arguments, int exit_code) const {
-    SCOPED_TRACE(arguments);
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_code, exit_code);
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(outcome.err.rfind("dsc: ", 0), 0u) << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_NE(outcome.err.find_first_of(";:", 5), std::string::npos) << outcome.err;
-  }
-
-  void expect_success(const std::string& arguments) const {
-    SCOPED_TRACE(arguments);
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_code, 0);
-    EXPECT_EQ(outcome.err, "");
-  }
-
-  Json report(const std::string& name) const { return Json::parse(contents(path(name))); }
-
-  // The number in the line of `dsc info` that starts with `key`.
-  double info(const std::string& file, const std::string& key) const {
-    const Outcome outcome = run("info " + file);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    std::istringstream lines(outcome.out);
-    for (std::string line; std::getline(lines, line);)
-      if (line.rfind(key, 0) == 0)
-        return std::atof(line.c_str() + key.size());
-    ADD_FAILURE() << "no " << key << " in\n" << outcome.out;
-    return 0;
-  }
-
-private:
-  fs::path m_folder;
 };
-
-const Json& label_of(const Json& step, int label) {
-  const Json& labels = step.at("labels");
-  return *std::find_if(labels.begin(), labels.end(),
-                       [&](const Json& entry) { return entry.at("label") == label; });
-}
 
 TEST_F(Program, refuses_wrong_usage) {
   const std::string rotate = "rotate cube.off --axis 0,0,1 --angle 5 ";
@@ -218,8 +132,8 @@ TEST_F(Program, finds_an_unwritable_folder_first) {
 }
 
 TEST_F(Program, prints_help) {
-  for (const std::string arguments :
-       {"--help", "info --help", "rotate --help", "offset --help", "convert --help"}) {
+  for (const std::string arguments : {"--help", "info --help", "rotate --help", "offset --help",
+                                      "convert --help", "improve --help"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_NE(outcome.out, "");

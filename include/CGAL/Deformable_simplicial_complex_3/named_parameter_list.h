@@ -1,5 +1,6 @@
 // List of the package's named parameters, in the format of CGAL's own list:
-// CGAL_add_named_parameter(tag type, tag, function)
+// CGAL_add_named_parameter(tag type, tag, function). No include guard: included several times.
+
 // clang-format off
 CGAL_add_named_parameter(normalize_t, normalize, normalize)
 CGAL_add_named_parameter(enclosing_box_t, enclosing_box, enclosing_box)
@@ -11,4 +12,5 @@ CGAL_add_named_parameter(maximum_number_of_passes_t, maximum_number_of_passes, m
 CGAL_add_named_parameter(scheme_t, scheme, scheme)
 CGAL_add_named_parameter(number_of_threads_t, number_of_threads, number_of_threads)
 CGAL_add_named_parameter(topology_control_t, topology_control, topology_control)
-    // clang-format on
+CGAL_add_named_parameter(aggressive_t, aggressive, aggressive)
+// clang-format on

@@ -9,9 +9,11 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/Vertex_numbering.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Vtu_document.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/files.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/read_vtu_tetrahedra.h>
 #include <CGAL/IO/PVD_series.h>
 #include <CGAL/extract_interface_3.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <ostream>
@@ -117,6 +119,42 @@ void write_interface_VTU(const std::string& path,
   document.points(surface.points);
   document.cells(connectivity, internal::Vtu_document::triangle);
   internal::replace_file_by_stream(path, [&](std::ostream& out) { document.write(out); });
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+reads labelled tetrahedra from a VTK unstructured grid (`.vtu`), as
+`make_deformable_simplicial_complex_3()` and `Deformable_simplicial_complex_3::assign()` take them.
+
+The grid is a single piece of tetrahedra (cells of type 10). Numbers may be text, base64 or
+appended, in base64 or in binary form, but not compressed. Labels are those of the first of the
+arrays `label`, `medit:ref`, `gmsh:physical` and `MaterialIDs` that is among the cell data, and 1 if
+there is none. What the tetrahedra look like is not checked.
+
+\tparam Point is a point type that can be constructed from three coordinates.
+
+\param path is the name of the file.
+\param points, tetrahedra, labels are replaced by what was read; indices start from 0.
+
+\throws Deformable_simplicial_complexes::File_error if the file cannot be opened or is no such grid,
+arrays are missing or do not have as many numbers as there are points or cells, there are other
+cells than tetrahedra or none at all, a coordinate is not finite, an index refers to no point, or a
+label is not an integer. The arrays are unchanged then.
+
+Linear in the size of the file; takes memory for a few copies of it.
+*/
+template <class Point>
+void read_VTU(const std::string& path, std::vector<Point>& points,
+              std::vector<std::array<std::size_t, 4>>& tetrahedra, std::vector<int>& labels) {
+  auto read = Deformable_simplicial_complexes::internal::read_vtu_tetrahedra(path);
+  std::vector<Point> new_points;
+  new_points.reserve(read.coordinates.size() / 3);
+  for (std::size_t i = 0; i < read.coordinates.size(); i += 3)
+    new_points.emplace_back(read.coordinates[i], read.coordinates[i + 1], read.coordinates[i + 2]);
+  points.swap(new_points);
+  tetrahedra.swap(read.tetrahedra);
+  labels.swap(read.labels);
 }
 
 } // namespace IO

@@ -17,9 +17,10 @@ namespace internal {
 
 // The unsigned integer of the size of a number.
 template <class Number>
-using Bits =
-    std::conditional_t<sizeof(Number) == 1, std::uint8_t,
-                       std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>>;
+using Bits = std::conditional_t<
+    sizeof(Number) == 1, std::uint8_t,
+    std::conditional_t<sizeof(Number) == 2, std::uint16_t,
+                       std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>>>;
 
 // Numbers as bytes, lowest first. Compilers turn the loops into single moves where that is the
 // order of the machine.

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands.h"
+#include "errors.h"
+#include "files.h"
+#include "report_json.h"
+#include "tracked_complex.h"
+
+#include <cstdio>
+
+namespace dsc {
+namespace {
+
+Json parameters_json(const Improve_options& options) {
+  return {{"command", "improve"},
+          {"output", options.output},
+          {"aggressive", options.aggressive},
+          {"threshold", options.threshold ? Json(*options.threshold) : Json()}};
+}
+
+Json state_json(const Statistics& statistics, const Improvement_outcome& outcome) {
+  Json json = statistics_json(statistics);
+  json.update({{"split", outcome.split},
+               {"collapsed", outcome.collapsed},
+               {"flipped", outcome.flipped},
+               {"smoothed", outcome.smoothed}});
+  return json;
+}
+
+void print_summary(const Statistics& before, const Statistics& after, double seconds) {
+  std::printf("dsc: %zu -> %zu tetrahedra, dihedral angles %.3g to %.4g -> %.3g to %.4g degrees; "
+              "%.3g s\n",
+              before.tetrahedra, after.tetrahedra, before.min_dihedral, before.max_dihedral,
+              after.min_dihedral, after.max_dihedral, seconds);
+}
+
+} // namespace
+
+int execute(const Improve_options& options) {
+  // What cannot work is refused before anything is computed.
+  if (!options.report.empty()) {
+    if (same_file(options.report, options.input) || same_file(options.report, options.output))
+      throw Usage_error("--report would replace '" + options.report +
+                        "', which is a mesh; choose another name for the report");
+    require_writable(options.report);
+  }
+  require_writable(options.output);
+
+  Tracked_complex complex = Tracked_complex::from_mesh(options.input);
+  const Statistics before = complex.statistics();
+  const Improvement_outcome outcome = complex.improve(options);
+  const Statistics after = complex.statistics();
+
+  if (extension(options.output) == "vtu")
+    complex.write_volume_vtu(options.output);
+  else
+    complex.write_mesh(options.output);
+  if (!options.report.empty())
+    write_json(options.report, {{"input", options.input},
+                                {"parameters", parameters_json(options)},
+                                {"seconds", outcome.seconds},
+                                {"before", state_json(before, Improvement_outcome())},
+                                {"after", state_json(after, outcome)}});
+  if (!options.quiet)
+    print_summary(before, after, outcome.seconds);
+  return 0;
+}
+
+} // namespace dsc

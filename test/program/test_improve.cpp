@@ -1,0 +1,353 @@
+// Tetrahedra from elsewhere that are improved.
+#include "program.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iomanip>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using program::contents;
+using program::Json;
+using program::label_of;
+using program::Outcome;
+namespace fs = std::filesystem;
+
+struct Mesh
+{
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::size_t, 4>> tetrahedra;
+  std::vector<int> labels;
+};
+
+// Cubes of edge length 1 in a grid of (nx, ny, nz), each of six tetrahedra around a diagonal. The
+// cubes for which there is no label are left out. Points are bent but not flattened in the x
+// direction where there is only one label.
+template <class Label> Mesh cubes(int nx, int ny, int nz, Label label, double bend = 0) {
+  Mesh mesh;
+  const auto index = [=](const std::array<int, 3>& p) {
+    return static_cast<std::size_t>((p[2] * (ny + 1) + p[1]) * (nx + 1) + p[0]);
+  };
+  for (int z = 0; z <= nz; ++z)
+    for (int y = 0; y <= ny; ++y)
+      for (int x = 0; x <= nx; ++x) {
+        const bool is_inside = 0 < x && x < nx && 0 < y && y < ny && 0 < z && z < nz;
+        const bool may_move =
+            is_inside && label(x, y, z) == label(x - 1, y - 1, z - 1); // interfaces are level
+        mesh.points.push_back(
+            {x + (may_move ? x % 2 == 0 ? -bend : bend : 0), double(y), double(z)});
+      }
+  for (int z = 0; z < nz; ++z)
+    for (int y = 0; y < ny; ++y)
+      for (int x = 0; x < nx; ++x) {
+        if (label(x, y, z) < 0)
+          continue;
+        std::array<std::size_t, 3> axes = {0, 1, 2};
+        do {
+          std::array<int, 3> corner = {x, y, z};
+          std::array<std::size_t, 4> tetrahedron = {index(corner)};
+          for (std::size_t i = 0; i < 3; ++i) {
+            ++corner[axes[i]];
+            tetrahedron[i + 1] = index(corner);
+          }
+          const bool is_odd_permutation = (axes[0] + 1) % 3 != axes[1];
+          if (is_odd_permutation)
+            std::swap(tetrahedron[2], tetrahedron[3]);
+          mesh.tetrahedra.push_back(tetrahedron);
+          mesh.labels.push_back(label(x, y, z));
+        } while (std::next_permutation(axes.begin(), axes.end()));
+      }
+  return mesh;
+}
+
+// Two layers of labels 5 and 2 in a box of 4 x 4 x 4, with cells a tenth as thick as they should
+// be.
+Mesh layers() {
+  return cubes(
+      4, 4, 4, [](int, int, int z) { return z < 2 ? 5 : 2; }, 0.45);
+}
+
+std::string numbers(const std::array<double, 3>& p) {
+  std::ostringstream text;
+  text << std::setprecision(std::numeric_limits<double>::max_digits10) << p[0] << ' ' << p[1] << ' '
+       << p[2];
+  return text.str();
+}
+
+std::string medit(const Mesh& mesh) {
+  std::ostringstream text;
+  text << "MeshVersionFormatted 2\nDimension\n3\nVertices\n" << mesh.points.size() << '\n';
+  for (const auto& p : mesh.points)
+    text << numbers(p) << " 0\n";
+  text << "Tetrahedra\n" << mesh.tetrahedra.size() << '\n';
+  for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
+    for (const std::size_t v : mesh.tetrahedra[i])
+      text << v + 1 << ' ';
+    text << mesh.labels[i] << '\n';
+  }
+  text << "End\n";
+  return text.str();
+}
+
+// `attributes` of the root, as programs write them.
+std::string vtu(const Mesh& mesh, const std::string& name_of_labels,
+                const std::string& attributes = "") {
+  const auto array = [](const std::string& type, const std::string& name, int components,
+                        const auto& values, const auto& write) {
+    std::ostringstream text;
+    text << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\""
+         << components << "\" format=\"ascii\">\n";
+    for (const auto& value : values) {
+      write(text, value);
+      text << '\n';
+    }
+    text << "</DataArray>\n";
+    return text.str();
+  };
+  const auto plain = [](std::ostream& out, const auto& value) { out << value; };
+  std::vector<std::size_t> offsets(mesh.tetrahedra.size());
+  for (std::size_t i = 0; i < offsets.size(); ++i)
+    offsets[i] = 4 * (i + 1);
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" " +
+         attributes + ">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
+         std::to_string(mesh.points.size()) + "\" NumberOfCells=\"" +
+         std::to_string(mesh.tetrahedra.size()) + "\">\n<CellData>\n" +
+         array("Int32", name_of_labels, 1, mesh.labels, plain) + "</CellData>\n<Points>\n" +
+         array("Float64", "Points", 3, mesh.points,
+               [](std::ostream& out, const auto& p) { out << numbers(p); }) +
+         "</Points>\n<Cells>\n" +
+         array("Int64", "connectivity", 1, mesh.tetrahedra,
+               [](std::ostream& out, const auto& t) {
+                 out << t[0] << ' ' << t[1] << ' ' << t[2] << ' ' << t[3];
+               }) +
+         array("Int64", "offsets", 1, offsets, plain) +
+         array("UInt8", "types", 1, std::vector<int>(mesh.tetrahedra.size(), 10), plain) +
+         "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+}
+
+// The triangles of the interface in a mesh that the program wrote: coordinates as text, sorted.
+std::set<std::set<std::string>> interface_triangles(const std::string& mesh) {
+  std::istringstream in(mesh);
+  std::vector<std::string> points;
+  std::set<std::set<std::string>> triangles;
+  for (std::string line; std::getline(in, line);) {
+    std::size_t n = 0;
+    if (line == "Vertices") {
+      in >> n;
+      std::array<std::string, 4> words;
+      for (; n > 0 && in >> words[0] >> words[1] >> words[2] >> words[3]; --n)
+        points.push_back(words[0] + ' ' + words[1] + ' ' + words[2]);
+    } else if (line == "Triangles") {
+      in >> n;
+      std::array<std::size_t, 4> v;
+      for (; n > 0 && in >> v[0] >> v[1] >> v[2] >> v[3]; --n)
+        triangles.insert({points.at(v[0] - 1), points.at(v[1] - 1), points.at(v[2] - 1)});
+    }
+  }
+  return triangles;
+}
+
+class Improve : public program::Program_test
+{
+protected:
+  void SetUp() override {
+    Program_test::SetUp();
+    if (IsSkipped() || HasFatalFailure())
+      return;
+    write("layers.mesh", medit(layers()));
+    write("layers.vtu", vtu(layers(), "label"));
+  }
+
+  // Fails with one line, and neither writes nor changes a mesh.
+  void expect_refusal(const std::string& input, const std::string& text) const {
+    SCOPED_TRACE(input);
+    write(input, text);
+    write("old.mesh", "precious");
+    expect_error("improve " + input + " -o old.mesh --report report.json", 1);
+    EXPECT_EQ(contents(path("old.mesh")), "precious");
+    EXPECT_TRUE(contents(path(input)) == text);
+    EXPECT_FALSE(fs::exists(path("report.json")));
+    EXPECT_NE(contents(path("stderr.txt")).find(input), std::string::npos);
+    expect_error("improve " + input + " -o " + input, 1);
+    EXPECT_TRUE(contents(path(input)) == text);
+  }
+};
+
+TEST_F(Improve, refuses_wrong_usage) {
+  const std::string before = contents(path("layers.mesh"));
+  for (const std::string arguments :
+       {"", "layers.mesh", "-o out.mesh", "layers.off -o out.mesh", "layers.mesh -o out.off",
+        "layers.mesh -o out", "layers.mesh layers.vtu -o out.mesh",
+        "layers.mesh -o out.mesh --threshold 0", "layers.mesh -o out.mesh --threshold=-0.1",
+        "layers.mesh -o out.mesh --threshold 1.1", "layers.mesh -o out.mesh --threshold nan",
+        "layers.mesh -o out.mesh --threshold 0.3x", "layers.mesh -o out.mesh --threshold ''",
+        "layers.mesh -o out.mesh --aggressive=maybe", "layers.mesh -o out.mesh --steps 3",
+        "layers.mesh -o out.mesh --report layers.mesh", "layers.mesh -o out.mesh --report out.mesh",
+        "layers.mesh -o out.mesh --report ./out.mesh"})
+    expect_error("improve " + arguments, 2);
+  EXPECT_TRUE(contents(path("layers.mesh")) == before);
+  EXPECT_FALSE(fs::exists(path("out.mesh")));
+}
+
+TEST_F(Improve, refuses_bad_input) {
+  expect_error("improve missing.mesh -o out.mesh", 1);
+  expect_error("improve missing.vtu -o out.mesh", 1);
+  expect_error("improve layers.mesh -o missing/out.mesh", 1);
+  expect_error("improve layers.mesh -o out.mesh --report missing/report.json", 1);
+  fs::create_directory(path("folder.vtu"));
+  expect_error("improve layers.mesh -o folder.vtu", 1);
+  expect_error("improve folder.vtu -o out.mesh", 1);
+  EXPECT_FALSE(fs::exists(path("out.mesh")));
+
+  const std::string mesh = contents(path("layers.mesh")), grid = contents(path("layers.vtu"));
+  expect_refusal("empty.mesh", "");
+  expect_refusal("truncated.mesh", mesh.substr(0, mesh.size() / 2));
+  expect_refusal("empty.vtu", "");
+  expect_refusal("truncated.vtu", grid.substr(0, grid.size() / 2));
+  expect_refusal("no_grid.vtu", mesh);
+  Mesh bad = layers();
+  bad.points[bad.tetrahedra[7][1]] = bad.points[bad.tetrahedra[7][0]];
+  expect_refusal("flat.mesh", medit(bad));
+  expect_refusal("flat.vtu", vtu(bad, "label"));
+  bad = layers();
+  bad.points[3][1] = std::numeric_limits<double>::quiet_NaN();
+  expect_refusal("nan.mesh", medit(bad));
+  expect_refusal("nan.vtu", vtu(bad, "label"));
+  bad = layers();
+  bad.tetrahedra.push_back(bad.tetrahedra.front());
+  bad.labels.push_back(5);
+  expect_refusal("twice.mesh", medit(bad));
+}
+
+TEST_F(Improve, refuses_domains_that_are_no_ball) {
+  const auto two = [](int x, int, int) { return x == 1 ? -1 : 1; };
+  expect_refusal("two_cubes.mesh", medit(cubes(3, 1, 1, two)));
+  const auto ring = [](int x, int y, int) { return x == 1 && y == 1 ? -1 : 1; };
+  expect_refusal("ring.mesh", medit(cubes(3, 3, 1, ring)));
+  const auto shell = [](int x, int y, int z) { return x == 1 && y == 1 && z == 1 ? -1 : 1; };
+  expect_refusal("shell.vtu", vtu(cubes(3, 3, 3, shell), "label"));
+  const auto edge = [](int x, int y, int) { return x == y ? 1 : -1; };
+  expect_refusal("edge.vtu", vtu(cubes(2, 2, 1, edge), "label"));
+}
+
+TEST_F(Improve, says_where_tetrahedra_are_flat) {
+  Mesh bad = layers();
+  bad.points[bad.tetrahedra.back()[1]] = bad.points[bad.tetrahedra.back()[0]];
+  expect_refusal("flat.mesh", medit(bad));
+  EXPECT_NE(contents(path("stderr.txt")).find("at the point "), std::string::npos);
+}
+
+TEST_F(Improve, reports_before_and_after) {
+  expect_success("improve layers.mesh -o out.mesh --report report.json");
+  const Json report = this->report("report.json");
+  EXPECT_EQ(report.at("input"), "layers.mesh");
+  EXPECT_EQ(report.at("parameters"), (Json{{"command", "improve"},
+                                           {"output", "out.mesh"},
+                                           {"aggressive", false},
+                                           {"threshold", nullptr}}));
+  EXPECT_GT(report.at("seconds").get<double>(), 0);
+  EXPECT_EQ(report.size(), 5u);
+  for (const char* moment : {"before", "after"}) {
+    const Json& state = report.at(moment);
+    std::set<std::string> keys;
+    for (const auto& item : state.items())
+      keys.insert(item.key());
+    EXPECT_EQ(keys, (std::set<std::string>{
+                        "vertices", "tetrahedra", "interface_triangles", "labels", "min_dihedral",
+                        "max_dihedral", "dihedral_histogram", "dihedrals_outside_6_171",
+                        "min_quality", "split", "collapsed", "flipped", "smoothed"}));
+    EXPECT_EQ(state.at("interface_triangles"), 32);
+    ASSERT_EQ(state.at("labels").size(), 2u);
+    for (int label : {2, 5}) {
+      EXPECT_NEAR(label_of(state, label).at("volume").get<double>(), 32, 1e-9);
+      EXPECT_NEAR(label_of(state, label).at("area").get<double>(), 16, 1e-9);
+    }
+  }
+  const Json &before = report.at("before"), &after = report.at("after");
+  EXPECT_EQ(before.at("vertices"), 125);
+  EXPECT_EQ(before.at("tetrahedra"), 384);
+  for (const char* count : {"split", "collapsed", "flipped", "smoothed"})
+    EXPECT_EQ(before.at(count), 0);
+  EXPECT_GT(after.at("min_quality").get<double>(), before.at("min_quality").get<double>());
+  EXPECT_EQ(info("out.mesh", "tetrahedra"), after.at("tetrahedra").get<double>());
+}
+
+TEST_F(Improve, leaves_the_interface_as_it_was) {
+  expect_success("improve layers.mesh -o same.mesh --threshold 1e-9");
+  expect_success("improve layers.mesh -o better.mesh");
+  const std::string same = contents(path("same.mesh")), better = contents(path("better.mesh"));
+  EXPECT_EQ(interface_triangles(same).size(), 32u);
+  EXPECT_EQ(interface_triangles(better), interface_triangles(same));
+  EXPECT_FALSE(same == better);
+}
+
+TEST_F(Improve, prints_one_line_or_nothing) {
+  const Outcome loud = run("improve layers.mesh -o out.mesh");
+  EXPECT_EQ(loud.exit_code, 0) << loud.err;
+  EXPECT_EQ(std::count(loud.out.begin(), loud.out.end(), '\n'), 1) << loud.out;
+  EXPECT_EQ(loud.out.rfind("dsc: 384 -> ", 0), 0u) << loud.out;
+  EXPECT_EQ(run("improve layers.mesh -o out.mesh --quiet").out, "");
+}
+
+TEST_F(Improve, passes_parameters_on) {
+  expect_success("improve layers.mesh -o out.vtu --aggressive --threshold 0.5 --report r.json");
+  const Json parameters = report("r.json").at("parameters");
+  EXPECT_EQ(parameters.at("aggressive"), true);
+  EXPECT_EQ(parameters.at("threshold"), 0.5);
+  EXPECT_EQ(parameters.at("output"), "out.vtu");
+}
+
+TEST_F(Improve, may_replace_its_input) {
+  expect_success("improve layers.mesh -o out.mesh");
+  expect_success("improve layers.mesh -o layers.mesh");
+  EXPECT_TRUE(contents(path("layers.mesh")) == contents(path("out.mesh")));
+}
+
+TEST_F(Improve, formats_agree) {
+  expect_success("improve layers.mesh -o from_mesh.mesh");
+  expect_success("improve layers.mesh -o from_mesh.vtu");
+  write("compressed_text.vtu",
+        vtu(layers(), "medit:ref", "compressor=\"vtkZLibDataCompressor\" header_type=\"UInt32\""));
+  for (const std::string input : {"layers.vtu", "compressed_text.vtu"}) {
+    expect_success("improve " + input + " -o from_vtu.mesh");
+    expect_success("improve " + input + " -o from_vtu.vtu");
+    for (const std::string extension : {".mesh", ".vtu"})
+      EXPECT_TRUE(contents(path("from_mesh" + extension)) == contents(path("from_vtu" + extension)))
+          << input << extension;
+  }
+  for (const char* key : {"vertices", "tetrahedra", "interface triangles", "smallest quality"})
+    EXPECT_EQ(info("from_mesh.vtu", key), info("from_mesh.mesh", key));
+}
+
+// Points without tetrahedra, any orientation, line ends of another system
+TEST_F(Improve, takes_meshes_as_other_programs_write_them) {
+  expect_success("improve layers.mesh -o expected.mesh");
+  Mesh foreign = layers();
+  for (std::size_t i = 0; i < foreign.tetrahedra.size(); i += 3)
+    std::swap(foreign.tetrahedra[i][2], foreign.tetrahedra[i][3]);
+  foreign.points.insert(foreign.points.begin() + 5, 2, std::array<double, 3>{100, -50, 3});
+  for (auto& tetrahedron : foreign.tetrahedra)
+    for (std::size_t& v : tetrahedron)
+      v += v < 5 ? 0 : 2;
+  foreign.points.push_back({7, 7, 7});
+  std::string text;
+  for (const char c : medit(foreign))
+    text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  write("foreign.mesh", text);
+  write("foreign.vtu", vtu(foreign, "MaterialIDs"));
+  for (const std::string input : {"foreign.mesh", "foreign.vtu"}) {
+    expect_success("improve " + input + " -o out.mesh");
+    EXPECT_TRUE(contents(path("out.mesh")) == contents(path("expected.mesh"))) << input;
+  }
+}
+
+} // namespace
