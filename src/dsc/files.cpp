@@ -38,13 +38,12 @@ void require_writable(const std::string& path) {
   fs::remove(probe, error);
 }
 
-<<<<<<< HEAD
 std::string unused_name(const std::string& stem, const std::string& extension) {
   std::string name = stem + extension;
   for (int number = 2; fs::exists(name); ++number)
     name = stem + '_' + std::to_string(number) + extension;
   return name;
-=======
+
 bool same_file(const std::string& a, const std::string& b) {
   const auto canonical = [](const std::string& path) {
     std::error_code error;
@@ -52,7 +51,6 @@ bool same_file(const std::string& a, const std::string& b) {
     return error ? fs::path(path) : result;
   };
   return canonical(a) == canonical(b);
->>>>>>> improve-program
 }
 
 } // namespace dsc
