@@ -43,6 +43,7 @@ std::string unused_name(const std::string& stem, const std::string& extension) {
   for (int number = 2; fs::exists(name); ++number)
     name = stem + '_' + std::to_string(number) + extension;
   return name;
+}
 
 bool same_file(const std::string& a, const std::string& b) {
   const auto canonical = [](const std::string& path) {
