@@ -31,6 +31,11 @@ interface stays as it is, bit for bit.
     \cgalParamDescription{how many rounds at the most: each round works on what the last one made}
     \cgalParamType{`unsigned int`} \cgalParamDefault{10}
   \cgalParamNEnd
+  \cgalParamNBegin{aggressive}
+    \cgalParamDescription{whether to insert vertices, and to triangulate sets of facets anew, where
+                          nothing else helps}
+    \cgalParamType{`bool`} \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told of each change of the mesh}
     \cgalParamType{model of `DeformationVisitor_3`, by value or `std::reference_wrapper`}
@@ -54,6 +59,7 @@ Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedP
   auto given_visitor =
       choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Deformation_visitor_3());
   auto& visitor = Deformable_simplicial_complexes::internal::unwrap(given_visitor);
+  const bool aggressive = choose_parameter(get_parameter(np, tags::aggressive), false);
   const double threshold = choose_parameter(get_parameter(np, tags::quality_threshold), .3);
   Deformable_simplicial_complexes::internal::check_threshold(threshold);
   const unsigned rounds =
@@ -61,7 +67,7 @@ Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedP
 
   using Visitor = std::remove_reference_t<decltype(visitor)>;
   using Improver = Deformable_simplicial_complexes::internal::Mesh_improver_3<Complex, Visitor>;
-  Improver improver(dsc, visitor, threshold);
+  Improver improver(dsc, visitor, threshold, aggressive);
   typename Improver::Cells cells;
   for (auto c : dsc.triangulation().finite_cell_handles())
     if (improver.is_bad(c))

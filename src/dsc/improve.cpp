@@ -25,7 +25,8 @@ Json state_json(const Statistics& statistics, const Improvement_outcome& outcome
   json.update({{"split", outcome.split},
                {"collapsed", outcome.collapsed},
                {"flipped", outcome.flipped},
-               {"smoothed", outcome.smoothed}});
+               {"smoothed", outcome.smoothed},
+               {"inserted", outcome.inserted}});
   return json;
 }
 

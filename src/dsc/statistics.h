@@ -58,6 +58,7 @@ struct Improvement_outcome
   std::size_t collapsed = 0;
   std::size_t flipped = 0;
   std::size_t smoothed = 0;
+  std::size_t inserted = 0;
 };
 
 /// A surface in numbers, whether or not it bounds anything; angles in degrees.

@@ -179,7 +179,8 @@ Improvement_outcome Tracked_complex::improve(const Improve_options& options) {
       options.threshold
           ? CGAL::improve_mesh(complex, aggressive.quality_threshold(*options.threshold))
           : CGAL::improve_mesh(complex, aggressive);
-  return {seconds_since(start), report.split, report.collapsed, report.flipped, report.smoothed};
+  return {seconds_since(start), report.split,    report.collapsed,
+          report.flipped,       report.smoothed, report.inserted};
 }
 
 Statistics Tracked_complex::statistics() const {

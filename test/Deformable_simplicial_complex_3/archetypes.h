@@ -208,6 +208,7 @@ public:
   void before_collapse(Vertex_handle, Vertex_handle) {}
   void after_flip(const std::vector<Cell_handle>&) {}
   void after_relabel(Cell_handle, int) {}
+  template <class Vertex_handle> void after_insertion(Vertex_handle) {}
   template <class Event> void after_topology_event(const Event&) {}
   bool go_further(unsigned) { return true; }
 };

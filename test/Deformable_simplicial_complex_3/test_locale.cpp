@@ -39,10 +39,11 @@ TEST_F(Locale, does_not_change_files) {
       CGAL::IO::write_interface(folder / (name + extension), dsc);
     CGAL::IO::write_MEDIT(folder / (name + ".mesh"), dsc);
     CGAL::IO::write_VTU(folder / (name + ".vtu"), dsc);
-    CGAL::IO::write_checkpoint(folder / (name + ".dsc"), dsc);
+    CGAL::IO::write_checkpoint(folder / (name + ".dsc"), dsc.state());
   };
   write("comma");
-  const auto surface = CGAL::IO::read_labelled_surface(folder / "comma.off");
+  EXPECT_THROW(CGAL::IO::read_labelled_surface(folder / "comma.off"),
+               CGAL::Deformable_simplicial_complexes::File_error);
   std::locale::global(std::locale::classic());
   write("point");
   for (const char* extension : {".off", ".obj", ".ply", ".stl", ".mesh", ".vtu", ".dsc"}) {
@@ -50,5 +51,4 @@ TEST_F(Locale, does_not_change_files) {
     EXPECT_FALSE(file.empty()) << extension;
     EXPECT_EQ(file, file_bytes(folder / (std::string("point") + extension))) << extension;
   }
-  EXPECT_EQ(surface.points, CGAL::IO::read_labelled_surface(folder / "point.off").points);
 }

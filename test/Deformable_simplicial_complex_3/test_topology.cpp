@@ -85,7 +85,7 @@ TEST(Betti_numbers, of_known_shapes) {
 }
 
 TEST(Relabeling_topology, cells_at_the_side_of_a_solid_keep_it) {
-  const Complex dsc = make_complex(grid(4, small_meshes::cube));
+  const Complex dsc = make_complex(grid(8, small_meshes::cube));
   std::size_t kept = 0;
   for (Cell_handle c : dsc.cells()) {
     std::size_t facets = 0, vertices = 0;
@@ -120,7 +120,7 @@ TEST(Relabeling_topology, agrees_with_betti_numbers_on_random_labels) {
       Complex dsc = make_complex(grid(3, random_label));
       auto before = betti_numbers::of_complex(dsc);
       const auto cells = dsc.cells();
-      for (int i = 0; i < 300; ++i) {
+      for (int i = 0; i < 100; ++i) {
         const Cell_handle c = cells[random.below(cells.size())];
         const int label = int(random.below(std::size_t(number_of_labels)));
         if (label == c->label() || !relabeling_keeps_topology(dsc, c, label))
@@ -131,24 +131,28 @@ TEST(Relabeling_topology, agrees_with_betti_numbers_on_random_labels) {
         ASSERT_EQ(before, after);
       }
     }
-  EXPECT_GT(kept, 100u);
+  EXPECT_GT(kept, 30u);
 }
 
-// One phase: what is said to change does change something, where only one thing can.
-TEST(Relabeling_topology, finds_the_bridge_between_two_parts) {
-  Complex dsc = make_complex(grid(4, [](const Point& p) { return int(std::abs(p.x()) > .5); }));
-  std::size_t bridges = 0;
+// What is said to change does change something, where only one thing can: away from the box, around
+// a ball.
+TEST(Relabeling_topology, names_no_change_where_there_is_none) {
+  Complex dsc = make_complex(grid(6, small_meshes::ball));
+  std::size_t changes = 0;
   for (Cell_handle c : dsc.cells()) {
-    if (c->label() != 0)
+    bool is_far = true;
+    for (int i = 0; i < 4; ++i)
+      is_far = is_far && !dsc.is_boundary(c->vertex(i));
+    if (c->label() != 0 || !is_far || c->time_stamp() % 8 != 0)
       continue;
     const auto before = betti_numbers::of_complex(dsc);
     const bool keeps = relabeling_keeps_topology(dsc, c, 1);
     dsc.relabel(c, 1);
     EXPECT_EQ(keeps, betti_numbers::of_complex(dsc) == before);
-    bridges += betti_numbers::of_cells(dsc, has_label_1).components == 1;
+    changes += !keeps;
     dsc.relabel(c, 0);
   }
-  EXPECT_EQ(bridges, 0u); // the gap is two cells wide
+  EXPECT_GT(changes, 0u);
 }
 
 TEST(Topology_control, forbidden_cubes_do_not_merge) {

@@ -264,7 +264,7 @@ TEST_F(Improve, reports_before_and_after) {
     EXPECT_EQ(keys, (std::set<std::string>{
                         "vertices", "tetrahedra", "interface_triangles", "labels", "min_dihedral",
                         "max_dihedral", "dihedral_histogram", "dihedrals_outside_6_171",
-                        "min_quality", "split", "collapsed", "flipped", "smoothed"}));
+                        "min_quality", "split", "collapsed", "flipped", "smoothed", "inserted"}));
     EXPECT_EQ(state.at("interface_triangles"), 32);
     ASSERT_EQ(state.at("labels").size(), 2u);
     for (int label : {2, 5}) {
@@ -275,7 +275,7 @@ TEST_F(Improve, reports_before_and_after) {
   const Json &before = report.at("before"), &after = report.at("after");
   EXPECT_EQ(before.at("vertices"), 125);
   EXPECT_EQ(before.at("tetrahedra"), 384);
-  for (const char* count : {"split", "collapsed", "flipped", "smoothed"})
+  for (const char* count : {"split", "collapsed", "flipped", "smoothed", "inserted"})
     EXPECT_EQ(before.at(count), 0);
   EXPECT_GT(after.at("min_quality").get<double>(), before.at("min_quality").get<double>());
   EXPECT_EQ(info("out.mesh", "tetrahedra"), after.at("tetrahedra").get<double>());

@@ -22,6 +22,9 @@ struct Deformation_visitor_3
   template <class Vertex_handle>
   void after_split(Vertex_handle /*v*/, Vertex_handle /*a*/, Vertex_handle /*b*/) {}
 
+  /// `v` was created among the cells that are its star now.
+  template <class Vertex_handle> void after_insertion(Vertex_handle /*v*/) {}
+
   /// `removed` is about to disappear into `kept`; both are still there.
   template <class Vertex_handle>
   void before_collapse(Vertex_handle /*removed*/, Vertex_handle /*kept*/) {}

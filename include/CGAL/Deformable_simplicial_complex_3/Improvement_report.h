@@ -19,6 +19,7 @@ struct Improvement_report
   std::size_t collapsed = 0; ///< edges collapsed
   std::size_t flipped = 0;   ///< edges and sets of facets removed
   std::size_t smoothed = 0;  ///< vertices smoothed
+  std::size_t inserted = 0;  ///< vertices inserted into cells
 };
 
 } // namespace CGAL

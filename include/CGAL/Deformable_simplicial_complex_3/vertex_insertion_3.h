@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace CGAL {
 
@@ -29,8 +30,9 @@ namespace internal {
 // A set that is better than the present one and contains it must also contain the cell behind its
 // worst facet. So the cells that are absorbed across the worst facet, one after the other, are part
 // of the best set until they are that set: no search is needed, nor the cut of a graph by Klingner
-// and Shewchuk. It ends at a cell that may not be absorbed, as what forbids a set (another label,
-// the outside, a vertex all of whose cells are in it, the size) forbids all that contain it.
+// and Shewchuk. What is behind some facets may not be absorbed, as it has another label, is
+// outside, is too far away, or would enclose a vertex: such a facet bounds all sets that contain
+// the present one, so that these compete in the worst of the other facets.
 template <class Complex> class Star_shaped_set_3
 {
 public:
@@ -45,24 +47,30 @@ public:
 
   // Finds the best set of finite cells that contains the seed. Returns whether there is one.
   bool grow(Cell_handle seed) {
+    static constexpr double none = -std::numeric_limits<double>::infinity();
     std::size_t best_size = 0;
-    double best = -std::numeric_limits<double>::infinity();
-    bool may_grow = absorb(seed, 0);
-    while (may_grow) {
-      const Facet& worst =
-          *std::min_element(m_facets.begin(), m_facets.end(),
-                            [](const Facet& f, const Facet& g) { return f.quality < g.quality; });
-      if (worst.quality > best) {
-        best = worst.quality;
+    std::pair<double, double> best(none, none); // of all facets, of those that are not blocked
+    absorb(seed, 0);
+    for (;;) {
+      Facet* worst = nullptr;
+      double worst_of_all = std::numeric_limits<double>::infinity();
+      for (Facet& f : m_facets) {
+        worst_of_all = (std::min)(worst_of_all, f.quality);
+        if (!worst || f.quality < worst->quality)
+          worst = may_be_passed(f, seed) ? &f : worst;
+      }
+      const std::pair<double, double> now(
+          worst_of_all, worst ? worst->quality : std::numeric_limits<double>::infinity());
+      if (now > best) {
+        best = now;
         best_size = m_cells.size();
       }
-      const Cell_handle next = worst.cell->neighbor(worst.index);
-      may_grow = worst.depth < maximum_depth && m_cells.size() < maximum_size &&
-                 !m_complex.is_infinite(next) && next->label() == seed->label() &&
-                 absorb(next, worst.depth + 1);
+      if (!worst || m_cells.size() == maximum_size)
+        break;
+      absorb(worst->cell->neighbor(worst->index), worst->depth + 1);
     }
-    m_cells.resize(best_size);
-    return best_size > 0;
+    m_cells.resize(best.first > none ? best_size : 0);
+    return !m_cells.empty();
   }
 
   const auto& cells() const { return m_cells; }
@@ -92,8 +100,28 @@ private:
     return std::find(m_cells.begin(), m_cells.end(), c) != m_cells.end();
   }
 
-  // Adds a cell to the set. Returns whether all its vertices are still on the boundary of the set.
-  bool absorb(Cell_handle c, int depth) {
+  bool may_be_passed(const Facet& f, Cell_handle seed) const {
+    const Cell_handle next = f.cell->neighbor(f.index);
+    return f.depth < maximum_depth && !m_complex.is_infinite(next) &&
+           next->label() == seed->label() && !encloses_vertex(next);
+  }
+
+  // Whether a vertex would have all its cells in the set with this one.
+  bool encloses_vertex(Cell_handle c) const {
+    for (int i = 0; i < 4; ++i) {
+      bool is_open = false;
+      for (int j = 0; j < 4; ++j)
+        is_open = is_open || (j != i && !contains(c->neighbor(j)));
+      for (const Facet& f : m_facets)
+        is_open = is_open || (f.cell->neighbor(f.index) != c && f.cell->has_vertex(c->vertex(i)) &&
+                              f.cell->vertex(f.index) != c->vertex(i));
+      if (!is_open)
+        return true;
+    }
+    return false;
+  }
+
+  void absorb(Cell_handle c, int depth) {
     m_cells.push_back(c);
     std::array<Index, 4> vertices;
     for (int i = 0; i < 4; ++i)
@@ -111,12 +139,6 @@ private:
       t[i] = m_p;
       m_facets.push_back({c, i, depth, t, quality(t)});
     }
-    return std::all_of(vertices.begin(), vertices.end(), [&](Index v) {
-      return std::any_of(m_facets.begin(), m_facets.end(), [&](const Facet& f) {
-        const auto& t = f.with_new_point;
-        return std::find(t.begin(), t.end(), v) != t.end();
-      });
-    });
   }
 
   double quality(const std::array<Index, 4>& t) const {

@@ -93,6 +93,12 @@ inline Surface_format surface_format(const std::string& path) {
                                : Surface_format::none;
 }
 
+// CGAL reads lines with streams of its own.
+inline bool has_classic_numbers(const std::locale& locale) {
+  const auto& numbers = std::use_facet<std::numpunct<char>>(locale);
+  return numbers.decimal_point() == '.' && numbers.grouping().empty();
+}
+
 template <class Points, class Polygons>
 bool read_soup(std::istream& in, Surface_format format, Points& points, Polygons& polygons) {
   switch (format) {
@@ -161,7 +167,8 @@ points with the same coordinates become one. What the surface looks like is not 
 \param label is the label of the solid that the surface bounds.
 
 \throws Deformable_simplicial_complexes::File_error if the file cannot be opened or understood, has
-no polygons, or has a polygon that refers to a point that is not there or cannot be triangulated.
+no polygons, or has a polygon that refers to a point that is not there or cannot be triangulated;
+also if the global locale does not write numbers as the classic one does.
 
 Linear in the size of the file, for STL n log n.
 */
@@ -175,8 +182,10 @@ Labelled_surface_3<Point> read_labelled_surface(const std::string& path, int lab
   const internal::Surface_format format = internal::surface_format(path);
   require(format != internal::Surface_format::none,
           "this is no format for surfaces; choose a file .off, .obj, .ply or .stl");
+  require(internal::has_classic_numbers(std::locale()),
+          "the global locale writes numbers in another way than the file; set it to "
+          "std::locale::classic()");
   std::ifstream in(path, std::ios::binary);
-  in.imbue(std::locale::classic());
   require(in.good(), "cannot open the file; check that it exists and may be read");
 
   Labelled_surface_3<Point> surface;

@@ -13,7 +13,9 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/final_quality.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/multi_face_retriangulation_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/relabeling_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/vertex_insertion_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/vertex_optimization_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/vertex_smoothing_3.h>
 
@@ -36,8 +38,10 @@ public:
   using Cell_handle = typename Complex::Cell_handle;
   using Cells = Work_list<Cell_handle>;
 
-  Mesh_improver_3(Complex& complex, Visitor& visitor, double threshold)
-      : m_complex(complex), m_visitor(visitor), m_threshold(threshold), m_cavity(complex) {}
+  // Inserts vertices too where nothing else helps, if `aggressive`.
+  Mesh_improver_3(Complex& complex, Visitor& visitor, double threshold, bool aggressive = false)
+      : m_complex(complex), m_visitor(visitor), m_threshold(threshold), m_aggressive(aggressive),
+        m_cavity(complex) {}
 
   const Improvement_report& report() const { return m_report; }
 
@@ -52,7 +56,7 @@ public:
         if (!m_complex.is_alive(c, item.time_stamp) || !is_bad(c))
           continue;
         if (!(reconnect(c, touched) || smooth(c, touched) || collapse(c, touched) ||
-              split(c, touched)))
+              split(c, touched) || (m_aggressive && insert(c, touched))))
           m_complex.set_exhausted(c);
       }
       std::swap(cells, touched);
@@ -74,6 +78,9 @@ public:
       for (int j = i + 1; j < 4; ++j)
         if (propose_edge_removal(m_complex, c, i, j, m_cavity) && !covers_interface())
           return flip(touched);
+    for (int i = 0; m_aggressive && i < 4; ++i)
+      if (propose_multi_face_retriangulation(m_complex, c, i, m_cavity) && !covers_interface())
+        return flip(touched);
     return false;
   }
 
@@ -130,6 +137,17 @@ public:
     m_complex.replace(m_cavity);
     ++m_report.split;
     m_visitor.after_split(m_cavity.vertices().back().handle, v, w);
+    touch_created(touched);
+    return true;
+  }
+
+  // Puts a new vertex into the cell and gives it the cells around that it improves.
+  bool insert(Cell_handle c, Cells& touched) {
+    if (!propose_vertex_insertion(m_complex, c, m_cavity))
+      return false;
+    m_complex.replace(m_cavity);
+    ++m_report.inserted;
+    m_visitor.after_insertion(m_cavity.vertices().back().handle);
     touch_created(touched);
     return true;
   }
@@ -240,6 +258,7 @@ private:
   Complex& m_complex;
   Visitor& m_visitor;
   double m_threshold;
+  bool m_aggressive;
   Cavity_3<Complex> m_cavity;
   std::vector<Cell_handle> m_star;
   Improvement_report m_report;

@@ -109,6 +109,8 @@ private:
       f.value = value(f, m_position);
       before = (std::min)(before, f.value);
     }
+    if (!std::isfinite(before)) // a measure that gives no number
+      return false;
     // Those that are much better than the worst will not become the worst in one step. The worst
     // may be zero or less by rounding.
     const double relevant = before + std::abs(before), active = before + .05 * std::abs(before);

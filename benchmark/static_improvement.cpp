@@ -1,0 +1,156 @@
+// Measures improve_mesh() on the tetrahedra that TetGen makes of a surface in a box, and prints a
+// row of a table.
+
+#include "inputs.h"
+#include "measures.h"
+
+#include <CGAL/Tetgen_tetrahedralizer_3.h>
+#include <CGAL/improve_mesh_3.h>
+#include <CGAL/make_deformable_simplicial_complex_3.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dsc_benchmark {
+namespace {
+
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
+struct Angles
+{
+  double minimum = 180, maximum = 0;
+};
+
+// The dihedral angles of all cells but those that have two facets on the interface or one whose
+// smallest angle is below a bound: the interface is fixed, and dictates theirs.
+struct Statistics
+{
+  Angles all, free;
+  std::size_t dictated = 0;
+};
+
+double smallest_angle(const Complex& complex, const Complex::Facet& f) {
+  const auto v = complex.facet_vertices(f);
+  double smallest = 180;
+  for (int i = 0; i < 3; ++i) {
+    const Point p = complex.position(v[i]);
+    const Vector a = complex.position(v[(i + 1) % 3]) - p, b = complex.position(v[(i + 2) % 3]) - p;
+    smallest = (std::min)(smallest,
+                          std::atan2(std::sqrt(CGAL::cross_product(a, b).squared_length()), a * b) /
+                              degree);
+  }
+  return smallest;
+}
+
+Statistics statistics(const Complex& complex, double bound) {
+  using Frame = CGAL::Deformable_simplicial_complexes::internal::Tetrahedron_frame<Point>;
+  Statistics result;
+  for (const Complex::Cell_handle c : complex.triangulation().finite_cell_handles()) {
+    const auto p = [&](int i) { return complex.position(c->vertex(i)); };
+    const auto normals = Frame(p(0), p(1), p(2), p(3)).area_vectors();
+    Angles angles;
+    int fixed = 0;
+    bool is_sharp = false;
+    for (int i = 0; i < 4; ++i) {
+      if (complex.is_interface(std::make_pair(c, i))) {
+        ++fixed;
+        is_sharp = is_sharp || smallest_angle(complex, std::make_pair(c, i)) < bound;
+      }
+      for (int j = i + 1; j < 4; ++j) {
+        const double sine = std::sqrt(CGAL::cross_product(normals[i], normals[j]).squared_length());
+        const double angle = std::atan2(sine, -(normals[i] * normals[j])) / degree;
+        angles.minimum = (std::min)(angles.minimum, angle);
+        angles.maximum = (std::max)(angles.maximum, angle);
+      }
+    }
+    const auto include = [&](Angles& sum) {
+      sum.minimum = (std::min)(sum.minimum, angles.minimum);
+      sum.maximum = (std::max)(sum.maximum, angles.maximum);
+    };
+    include(result.all);
+    if (fixed > 1 || is_sharp)
+      ++result.dictated;
+    else
+      include(result.free);
+  }
+  return result;
+}
+
+using Interface = std::vector<std::array<std::array<double, 3>, 3>>;
+
+// As coordinates, bit for bit.
+Interface interface_of(const Complex& complex) {
+  Interface result;
+  for (const auto& f : complex.interface_facets()) {
+    std::array<std::array<double, 3>, 3> triangle;
+    const auto v = complex.facet_vertices(f);
+    for (int i = 0; i < 3; ++i) {
+      const Point p = complex.position(v[i]);
+      triangle[i] = {p.x(), p.y(), p.z()};
+    }
+    std::sort(triangle.begin(), triangle.end());
+    result.push_back(triangle);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+void print_angles(const Angles& angles) {
+  std::cout << angles.minimum << " – " << angles.maximum << " | ";
+}
+
+int measure(const std::string& input, std::size_t triangles, bool aggressive, double threshold,
+            unsigned rounds, double sharp) {
+  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+      std::vector<Surface>{read_input(input, triangles)}, CGAL::Tetgen_tetrahedralizer_3(),
+      parameters::normalize(true).improve(false));
+  const Interface before = interface_of(complex);
+  const Statistics start = statistics(complex, sharp);
+  const std::size_t tetrahedra = complex.number_of_cells();
+
+  const double begin = processor_seconds();
+  CGAL::improve_mesh(
+      complex,
+      parameters::aggressive(aggressive).quality_threshold(threshold).number_of_iterations(rounds));
+  const double seconds = processor_seconds() - begin;
+
+  const Statistics end = statistics(complex, sharp);
+  std::cout.precision(4);
+  std::cout << "| " << input.substr(input.find_last_of('/') + 1) << " | "
+            << (aggressive ? "aggressive" : "default") << " | " << tetrahedra << " | "
+            << complex.number_of_cells() << " | ";
+  print_angles(start.all);
+  print_angles(end.all);
+  print_angles(end.free);
+  std::cout << end.dictated << " | " << seconds << " | " << double(tetrahedra) / seconds << " |\n";
+  return check(complex) && interface_of(complex) == before ? 0 : 1;
+}
+
+} // namespace
+} // namespace dsc_benchmark
+
+int main(int argc, char** argv) {
+  CLI::App app("Measures the improvement of a mesh at rest.");
+  std::string input;
+  std::size_t triangles = 0;
+  bool aggressive = false;
+  double sharp = 15, threshold = .3;
+  unsigned rounds = 10;
+  app.add_option("input", input, "a closed surface")->required();
+  app.add_option("--triangles", triangles, "decimate it first");
+  app.add_flag("--aggressive", aggressive, "insert vertices, take more time");
+  app.add_option("--threshold", threshold, "of quality");
+  app.add_option("--rounds", rounds, "at the most");
+  app.add_option("--sharp", sharp,
+                 "angles of the surface below this dictate those around, degrees");
+  CLI11_PARSE(app, argc, argv);
+  return dsc_benchmark::measure(input, triangles, aggressive, threshold, rounds, sharp);
+}
