@@ -181,7 +181,7 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
                    "File for the improved tetrahedra (.mesh, .vtu); may be INPUT")
       ->required();
   improve->add_flag("--aggressive", improve_options.aggressive,
-                    "Take more time for better tetrahedra");
+                    "Insert vertices, too, where nothing else helps");
   improve->add_option("--threshold", threshold,
                       "Improve tetrahedra of a lower quality only; 1 is that of a regular one");
   improve->add_option("--report", improve_options.report,

@@ -311,6 +311,7 @@ TEST(Deformation, two_balls_merge) {
   EXPECT_EQ(changes.merged, 1u);
   EXPECT_EQ(dsc.number_of_components(1), 1u);
   EXPECT_EQ(dsc.number_of_components(0), 1u); // nothing is left between
+  EXPECT_EQ(dsc.euler_characteristic(1), 2);
 }
 
 // Visitors

@@ -44,12 +44,12 @@ public:
   }
 
   // Lk(a) and Lk(b) meet in Lk(ab), exactly: then the collapse keeps the topology of space, and if
-  // the same holds in the interface, that of the interface. The infinite vertex counts like any
-  // other.
+  // the same holds in the walls between labels and in the lines where more than two walls meet,
+  // that of these. The outside is a label like any other.
   bool fulfills_link_condition(const Star& star_a, const Star& star_b) const {
-    Links volume, interface_;
-    collect(star_a, m_a, m_b, volume.a, interface_.a);
-    collect(star_b, m_b, m_a, volume.b, interface_.b);
+    Links volume, walls, lines;
+    collect(star_a, m_a, m_b, volume.a, walls.a, lines.a);
+    collect(star_b, m_b, m_a, volume.b, walls.b, lines.b);
     for (Cell_handle c : star_a) {
       if (!c->has_vertex(m_b)) {
         if (c->neighbor(c->index(m_a))->has_vertex(m_b))
@@ -62,12 +62,12 @@ public:
         if (i != ia && i != ib) {
           *out++ = c->vertex(i)->time_stamp();
           volume.ab.push_back({out[-1], out[-1]});
-          if (m_complex.is_interface(std::make_pair(c, 6 - ia - ib - i)))
-            interface_.ab.push_back({out[-1], out[-1]});
+          if (is_wall(c, 6 - ia - ib - i))
+            walls.ab.push_back({out[-1], out[-1]});
         }
       volume.ab.push_back(std::minmax(ring[0], ring[1]));
     }
-    return volume.agree() && interface_.agree();
+    return volume.agree() && walls.agree() && lines.agree();
   }
 
 private:
@@ -89,9 +89,18 @@ private:
     }
   };
 
-  // Vertices and edges of the link of `center`, without `other`.
+  bool has_same_label(Cell_handle c, Cell_handle d) const {
+    return m_complex.is_infinite(c) == m_complex.is_infinite(d) && c->label() == d->label();
+  }
+
+  bool is_wall(Cell_handle c, int i) const { return !has_same_label(c, c->neighbor(i)); }
+
+  // Vertices and edges of the links of `center`, without `other`: in space, in the walls, and in
+  // the lines.
   void collect(const Star& star, Vertex_handle center, Vertex_handle other,
-               std::vector<Simplex>& volume, std::vector<Simplex>& interface_) const {
+               std::vector<Simplex>& volume, std::vector<Simplex>& walls,
+               std::vector<Simplex>& lines) const {
+    std::vector<Simplex> ends_of_walls; // one for each side of a wall
     for (Cell_handle c : star)
       for (int i = 0; i < 4; ++i) {
         if (c->vertex(i) == center)
@@ -100,25 +109,33 @@ private:
         for (int j = 0; j < 4; ++j)
           if (j != i && c->vertex(j) != center)
             *out++ = c->vertex(j);
-        const bool is_interface = m_complex.is_interface(std::make_pair(c, i));
+        const bool is_in_wall = is_wall(c, i);
         const auto add = [&](Simplex s) {
           volume.push_back(s);
-          if (is_interface)
-            interface_.push_back(s);
+          if (is_in_wall)
+            walls.push_back(s);
         };
         for (Vertex_handle v : ends)
-          if (v != other)
+          if (v != other) {
             add({v->time_stamp(), v->time_stamp()});
+            if (is_in_wall)
+              ends_of_walls.push_back(walls.back());
+          }
         if (ends[0] != other && ends[1] != other)
           add(std::minmax(ends[0]->time_stamp(), ends[1]->time_stamp()));
       }
+    std::sort(ends_of_walls.begin(), ends_of_walls.end());
+    static constexpr std::ptrdiff_t sides_in_a_sheet = 4; // of the two walls at an edge
+    for (auto first = ends_of_walls.begin(); first != ends_of_walls.end();) {
+      const auto last = std::upper_bound(first, ends_of_walls.end(), *first);
+      if (last - first > sides_in_a_sheet)
+        lines.push_back(*first);
+      first = last;
+    }
   }
 
   // Connected sets of cells of one label, infinite cells having a label of their own.
   std::size_t sectors(const Star& cells) const {
-    const auto same = [&](Cell_handle c, Cell_handle d) {
-      return m_complex.is_infinite(c) == m_complex.is_infinite(d) && c->label() == d->label();
-    };
     std::size_t count = 0;
     Star front;
     for (Cell_handle c : cells)
@@ -133,7 +150,7 @@ private:
         const Cell_handle c = front.back();
         front.pop_back();
         for (int i = 0; i < 4; ++i)
-          if (c->neighbor(i)->tds_data().is_in_conflict() && same(c, c->neighbor(i))) {
+          if (c->neighbor(i)->tds_data().is_in_conflict() && has_same_label(c, c->neighbor(i))) {
             c->neighbor(i)->tds_data().clear();
             front.push_back(c->neighbor(i));
           }
@@ -158,10 +175,10 @@ Proposes to collapse an edge: its first vertex is removed, its second one stays 
 \param cell, i, j the vertex i of the cell goes, the vertex j stays.
 \param minimum_quality no new tetrahedron may be worse.
 \param cavity filled with the proposal if there is one.
-\return whether the collapse keeps every topology (exact link conditions, in the tetrahedra and in
-       the interface), leaves sides of the domain, sheets, lines and points where labels meet in
-       place or moves them only along themselves, and makes only positive tetrahedra of sufficient
-       quality.
+\return whether the collapse keeps every topology (exact link conditions, in the tetrahedra, in
+       the interface, and in the lines where labels meet), leaves sides of the domain, sheets, lines
+and points where labels meet in place or moves them only along themselves, and makes only positive
+tetrahedra of sufficient quality.
 
 n log n in the size of the two stars.
 */

@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Polygon_triangulation_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/topology_of_relabeling_3.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -16,9 +17,6 @@ namespace CGAL {
 
 namespace Deformable_simplicial_complexes {
 namespace internal {
-
-// An index of a cell besides two others.
-inline int other_index(int i, int j) { return i != 0 && j != 0 ? 0 : i != 1 && j != 1 ? 1 : 2; }
 
 // The ring of cells around an edge a -> b: ring vertex k and k + 1 belong to cell k.
 template <class Complex> class Edge_ring_3
@@ -128,16 +126,11 @@ bool propose_interface_edge_flip(const Complex& complex, typename Complex::Cell_
   }
   if (sheets.size() != 2)
     return false;
-  // A side of one cell has the other diagonal already; in the interface it would become singular.
+  // Where one cell is all of a side, the other side takes it over.
   for (std::size_t k : sheets)
-    if (ring.cell(k)->label() != ring.cell(k + 1)->label()) {
-      const auto c = ring.cell(k);
-      const int u = Deformable_simplicial_complexes::internal::other_index(
-          c->index(cell->vertex(i)), c->index(cell->vertex(j)));
-      if (complex.is_interface(typename Complex::Edge(
-              c, u, 6 - u - c->index(cell->vertex(i)) - c->index(cell->vertex(j)))))
-        return false;
-    }
+    if (ring.cell(k)->label() != ring.cell(k + 1)->label() &&
+        !relabeling_keeps_topology(complex, ring.cell(k), ring.cell(k + 1)->label()))
+      return false;
   return ring.triangulate(sheets[0], sheets[1], cavity.quality_before()) &&
          ring.triangulate(sheets[1], sheets[0] + n, cavity.quality_before()) &&
          cavity.is_positive();

@@ -8,12 +8,10 @@
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Topology_log_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/final_quality.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Trapped_cells_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/harmonic_extension_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/simultaneous_motion_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/topology_of_relabeling_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,8 +36,8 @@ public:
   Interface_deformer_3(Complex& complex, Visitor& visitor, TopologyControl& topology_control,
                        double quality_threshold, double relabeling_threshold,
                        const For_each_index& for_each_index)
-      : m_complex(complex), m_visitor(visitor), m_topology_control(topology_control),
-        m_improver(complex, visitor, quality_threshold), m_topology_log(complex),
+      : m_complex(complex), m_visitor(visitor), m_improver(complex, visitor, quality_threshold),
+        m_trapped_cells(complex, visitor, topology_control, relabeling_threshold),
         m_relabeling_threshold(relabeling_threshold), m_for_each_index(for_each_index) {}
 
   // No destination survives the deformation, even if a visitor ends it by an exception.
@@ -66,7 +64,7 @@ public:
     if (!refused.empty())
       throw Invalid_destination_error(
           "a destination is not a finite point; check the velocities and the time step", refused);
-    m_topology_log.begin();
+    m_trapped_cells.log().begin();
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       m_complex.set_destination(vertices[i],
                                 m_complex.admissible_destination(vertices[i], destinations[i]));
@@ -126,8 +124,7 @@ public:
   // Cells flattened between two parts of the interface: where its topology changes.
   void relabel_degenerate_cells() {
     m_touched.sort();
-    for (const auto& item : m_touched)
-      relabel_if_trapped(item.cell, m_relabeling_threshold);
+    m_trapped_cells.relabel(handles(m_touched), m_relabeling_threshold);
   }
 
   // What keeps vertices from their destinations: cells that the interface is about to sweep away,
@@ -139,12 +136,12 @@ public:
     for (Vertex_handle v : unfinished()) {
       m_complex.star(v, m_star);
       for (Cell_handle c : m_star)
-        if (!m_complex.is_infinite(c)) {
+        if (!m_complex.is_infinite(c))
           cells.push(c);
-          relabel_if_trapped(c, swept);
-        }
     }
     cells.sort();
+    m_trapped_cells.relabel(handles(cells), swept);
+    m_trapped_cells.remove_small_components(handles(cells));
     for (const auto& item : cells)
       if (m_complex.is_alive(item.cell, item.time_stamp))
         m_improver.remove_degenerate_facet(item.cell, cosine, m_touched);
@@ -160,7 +157,7 @@ public:
     m_last_distance = distance;
   }
 
-  void end_pass(unsigned pass) { m_topology_log.end_pass(pass, m_visitor); }
+  void end_pass(unsigned pass) { m_trapped_cells.log().end_pass(pass, m_visitor); }
 
   Report report(unsigned passes) {
     Report report;
@@ -173,8 +170,8 @@ public:
     report.collapsed = m_improver.report().collapsed;
     report.flipped = m_improver.report().flipped;
     report.smoothed = m_improver.report().smoothed;
-    report.relabeled = m_relabeled;
-    m_topology_log.report(passes, report);
+    report.relabeled = m_trapped_cells.number_of_relabeled();
+    m_trapped_cells.log().report(passes, report);
     return report;
   }
 
@@ -210,22 +207,11 @@ private:
     return std::hypot(way.x(), way.y(), way.z());
   }
 
-  // A cell that is flat only on the way is left alone.
-  void relabel_if_trapped(Cell_handle c, double threshold) {
-    const auto before = c->label();
-    auto label = before;
-    if (!propose_relabeling(m_complex, c, threshold, label) ||
-        !(final_quality(m_complex, {c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)}) <
-          m_relabeling_threshold))
-      return;
-    if (!relabeling_keeps_topology(m_complex, c, label)) {
-      if (!m_topology_control(std::as_const(m_complex), c, label))
-        return;
-      m_topology_log.record(c, label);
-    }
-    m_complex.relabel(c, label);
-    m_visitor.after_relabel(c, before);
-    ++m_relabeled;
+  static std::vector<Cell_handle> handles(const Work_list<Cell_handle>& cells) {
+    std::vector<Cell_handle> result;
+    for (const auto& item : cells)
+      result.push_back(item.cell);
+    return result;
   }
 
   void touch(Cell_handle c) {
@@ -264,9 +250,8 @@ private:
 
   Complex& m_complex;
   Visitor& m_visitor;
-  TopologyControl& m_topology_control;
   Mesh_improver_3<Complex, Visitor> m_improver;
-  Topology_log_3<Complex> m_topology_log;
+  Trapped_cells_3<Complex, Visitor, TopologyControl> m_trapped_cells;
   double m_relabeling_threshold;
   const For_each_index& m_for_each_index;
   std::vector<Item> m_unfinished;
@@ -274,7 +259,7 @@ private:
   std::vector<Cell_handle> m_star;
   double m_last_distance = std::numeric_limits<double>::infinity();
   unsigned m_idle_passes = 0;
-  std::size_t m_relabeled = 0, m_vanished = 0;
+  std::size_t m_vanished = 0;
 };
 
 } // namespace internal

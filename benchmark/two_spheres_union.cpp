@@ -1,0 +1,92 @@
+// Offsets two spheres into each other and prints rows of a table: the volume of what they become
+// against the exact volume of the union.
+
+#include "inputs.h"
+#include "measures.h"
+
+#include <CGAL/Deformable_simplicial_complex_3/topology_control.h>
+#include <CGAL/Tetgen_tetrahedralizer_3.h>
+#include <CGAL/advect_interface_3.h>
+#include <CGAL/interface_flows_3.h>
+#include <CGAL/make_deformable_simplicial_complex_3.h>
+#include <CGAL/number_utils.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <vector>
+
+namespace dsc_benchmark {
+namespace {
+
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+using CGAL::Deformable_simplicial_complexes::Forbid_topology_changes;
+
+constexpr double start_radius = .2, half_distance = .25;
+
+// Two spheres of this radius that overlap; algorithm of the two caps.
+double exact_volume(double r) {
+  const double d = 2 * half_distance, spheres = 8 * CGAL_PI * r * r * r / 3;
+  return r <= half_distance ? spheres
+                            : spheres - CGAL_PI * (4 * r + d) * (2 * r - d) * (2 * r - d) / 12;
+}
+
+Surface spheres(std::size_t n) {
+  Surface surface;
+  for (double x : {-half_distance, half_distance})
+    append_sphere(surface, Kernel::Vector_3(x / start_radius, 0, 0), n);
+  for (auto& p : surface.points)
+    p = CGAL::ORIGIN + start_radius * (p - CGAL::ORIGIN);
+  return surface;
+}
+
+// In steps of a quarter of a mean edge, the last one before each radius shorter.
+int measure(std::size_t n, bool forbid) {
+  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+      std::vector<Surface>{spheres(n)}, CGAL::Tetgen_tetrahedralizer_3());
+  const std::size_t triangles = complex.interface_facets().size();
+  const double step = complex.mean_interface_edge() / 4;
+  const double volume_at_start = complex.volume(1) / exact_volume(start_radius);
+  double r = start_radius;
+  std::size_t merged = 0, unfinished = 0;
+  const double begin = processor_seconds();
+  for (double target : {.3, .35, .4}) {
+    while (r < target) {
+      const double dt = (std::min)(step, target - r);
+      const auto report =
+          forbid ? CGAL::advect_interface(complex, CGAL::Normal_offset_3{1}, r, dt,
+                                          parameters::topology_control(Forbid_topology_changes()))
+                 : CGAL::advect_interface(complex, CGAL::Normal_offset_3{1}, r, dt);
+      r = r + dt < target ? r + dt : target;
+      unfinished = report.unfinished.size();
+      for (const auto& event : report.events) {
+        std::cerr << "r = " << r << ", label " << event.label << ": " << event.before.size()
+                  << " -> " << event.after.size() << " at " << event.where << '\n';
+        merged += event.label == 1 && event.kind == CGAL::Component_event::Kind::merged;
+      }
+    }
+    std::cout.precision(4);
+    std::cout << "| " << triangles << " | " << (forbid ? "forbidden" : "allowed") << " | " << r
+              << " | " << complex.number_of_components(1) << " | "
+              << complex.euler_characteristic(1) << " | " << complex.volume(1) << " | "
+              << exact_volume(r) << " | " << 100 * (complex.volume(1) / exact_volume(r) - 1)
+              << " | " << 100 * (volume_at_start - 1) << " | " << unfinished << " | " << merged
+              << " | " << processor_seconds() - begin << " |" << std::endl;
+  }
+  return check(complex) ? 0 : 1;
+}
+
+} // namespace
+} // namespace dsc_benchmark
+
+int main(int argc, char** argv) {
+  CLI::App app("Offsets two spheres into each other.");
+  std::size_t n = 9;
+  bool forbid = false;
+  app.add_option("-n", n, "20 n^2 triangles a sphere");
+  app.add_flag("--forbid", forbid, "changes of topology");
+  CLI11_PARSE(app, argc, argv);
+  return dsc_benchmark::measure(n, forbid);
+}

@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_TRAPPED_CELLS_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_TRAPPED_CELLS_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/internal/Topology_log_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/final_quality.h>
+#include <CGAL/Deformable_simplicial_complex_3/relabeling_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/topology_of_relabeling_3.h>
+
+#include <boost/container/flat_map.hpp>
+#include <boost/container/flat_set.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Relabels cells that are trapped between parts of the interface. Those that keep the topology go
+// first, and draw their neighbors along; one that changes it is relabeled when nothing else is left
+// to do, and then again first those that keep it. So two parts that meet grow together from one
+// place, instead of touching in many.
+template <class Complex, class Visitor, class TopologyControl> class Trapped_cells_3
+{
+public:
+  using Cell_handle = typename Complex::Cell_handle;
+  using Label = typename Complex::Label;
+
+  // No cell of at least `final_threshold` with its vertices at their destinations is relabeled: it
+  // is flat only on the way.
+  Trapped_cells_3(Complex& complex, Visitor& visitor, TopologyControl& topology_control,
+                  double final_threshold)
+      : m_complex(complex), m_visitor(visitor), m_topology_control(topology_control),
+        m_final_threshold(final_threshold), m_log(complex) {}
+
+  Topology_log_3<Complex>& log() { return m_log; }
+  std::size_t number_of_relabeled() const { return m_relabeled; }
+
+  // Relabels those of the cells, and of those around, that are trapped and below the threshold. No
+  // cell is relabeled twice.
+  void relabel(const std::vector<Cell_handle>& cells, double threshold) {
+    m_done.clear();
+    std::vector<Cell_handle> front = cells;
+    spread(front, threshold);
+    for (Cell_handle c : cells) {
+      Label label;
+      if (!is_trapped(c, threshold, label) || relabeling_keeps_topology(m_complex, c, label) ||
+          !m_topology_control(std::as_const(m_complex), c, label))
+        continue;
+      m_log.record(c, label);
+      relabel(c, label);
+      front.clear();
+      add_neighbors(c, front);
+      remove_small_components(front); // what has just been cut off
+      spread(front, threshold);
+    }
+  }
+
+  // Gives components that are too small to be moved, those of the cells, to the phases around them.
+  void remove_small_components(const std::vector<Cell_handle>& cells) {
+    std::vector<Cell_handle> component;
+    for (Cell_handle c : cells)
+      if (is_small_component(c, component)) {
+        const Label label = surrounding_label(component);
+        if (label == c->label() || !m_topology_control(std::as_const(m_complex), c, label))
+          continue;
+        m_log.record(c, label);
+        for (Cell_handle d : component)
+          relabel(d, label);
+      }
+  }
+
+private:
+  // Finds the component of a cell if it has few cells, and less volume than a regular tetrahedron
+  // whose edges are as long as those of the interface.
+  bool is_small_component(Cell_handle seed, std::vector<Cell_handle>& component) const {
+    static constexpr std::size_t few = 30;
+    const double edge = m_complex.mean_interface_edge();
+    const double small = edge * edge * edge / (6 * std::sqrt(2.));
+    const auto volume = m_complex.geom_traits().compute_approximate_volume_3_object();
+    double sum = 0;
+    component.assign(1, seed);
+    for (std::size_t i = 0; i < component.size(); ++i) {
+      const Cell_handle c = component[i];
+      const auto p = [&](int k) { return m_complex.position(c->vertex(k)); };
+      sum += volume(p(0), p(1), p(2), p(3));
+      if (component.size() > few || sum > small)
+        return false;
+      for (int k = 0; k < 4; ++k) {
+        const Cell_handle n = c->neighbor(k);
+        if (!m_complex.is_infinite(n) && n->label() == c->label() &&
+            std::find(component.begin(), component.end(), n) == component.end())
+          component.push_back(n);
+      }
+    }
+    return true;
+  }
+
+  // The label that shares most area with a component; its own if it has no neighbors.
+  Label surrounding_label(const std::vector<Cell_handle>& component) const {
+    boost::container::flat_map<Label, double> areas;
+    for (Cell_handle c : component)
+      for (int i = 0; i < 4; ++i)
+        if (m_complex.is_interface(std::make_pair(c, i))) {
+          const auto v = m_complex.facet_vertices({c, i});
+          const auto p = m_complex.position(v[0]);
+          areas[c->neighbor(i)->label()] +=
+              std::sqrt(cross_product(m_complex.position(v[1]) - p, m_complex.position(v[2]) - p)
+                            .squared_length());
+        }
+    const auto largest =
+        std::max_element(areas.begin(), areas.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    return largest == areas.end() ? component.front()->label() : largest->first;
+  }
+
+  // Relabels cells that keep the topology, and those around them.
+  void spread(std::vector<Cell_handle>& front, double threshold) {
+    for (std::size_t i = 0; i < front.size(); ++i) {
+      const Cell_handle c = front[i];
+      Label label;
+      if (is_trapped(c, threshold, label) && relabeling_keeps_topology(m_complex, c, label)) {
+        relabel(c, label);
+        add_neighbors(c, front);
+      }
+    }
+  }
+
+  bool is_trapped(Cell_handle c, double threshold, Label& label) const {
+    return m_done.count(c->time_stamp()) == 0 &&
+           propose_relabeling(m_complex, c, threshold, label) &&
+           final_quality(m_complex, {c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)}) <
+               m_final_threshold;
+  }
+
+  void add_neighbors(Cell_handle c, std::vector<Cell_handle>& front) const {
+    for (int i = 0; i < 4; ++i)
+      if (!m_complex.is_infinite(c->neighbor(i)))
+        front.push_back(c->neighbor(i));
+  }
+
+  void relabel(Cell_handle c, Label label) {
+    const Label before = c->label();
+    m_complex.relabel(c, label);
+    m_visitor.after_relabel(c, before);
+    m_done.insert(c->time_stamp());
+    ++m_relabeled;
+  }
+
+  Complex& m_complex;
+  Visitor& m_visitor;
+  TopologyControl& m_topology_control;
+  double m_final_threshold;
+  Topology_log_3<Complex> m_log;
+  boost::container::flat_set<std::size_t> m_done; // by time stamp
+  std::size_t m_relabeled = 0;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_TRAPPED_CELLS_3_H
