@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Builds the benchmarks, runs them on the meshes of CGAL, and writes tables and raw results into
 # BUILD_DIR/benchmark-results. See README.md for what is measured.
-# Usage: benchmark/run.sh [BUILD_DIR [motion] [memory] [operations] [abuse] [meshes]]
+# Usage: benchmark/run.sh [BUILD_DIR [motion] [topology] [improvement] [memory] [operations] [abuse]
+#                                   [meshes]]
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
 build=$(realpath --canonicalize-missing "${1:-$source/build}")
 parts=("${@:2}")
-[ ${#parts[@]} -gt 0 ] || parts=(motion memory operations abuse meshes)
+[ ${#parts[@]} -gt 0 ] || parts=(motion topology improvement memory operations abuse meshes)
 mesh_seconds=${MESH_SECONDS:-600} # the time limit of one mesh in `meshes`
 
 programs=$build/benchmark
@@ -49,6 +50,26 @@ measure_motion() {
 measure_one_motion() { # NAME INPUT..., in the variable `mode`
   add_row "$results/$mode.md" "$programs/motion_benchmark" "$mode" "${@:2}" \
     --json "$results/$mode-$1.json"
+}
+
+measure_topology() {
+  local table=$results/two_spheres_union.md n
+  begin_table "$table" triangles "changes of topology" radius components \
+    "Euler characteristic" volume "exact volume" "error (%)" "error of the input (%)" \
+    "unfinished vertices" merges seconds
+  for n in 9 18 35; do
+    add_row "$table" "$programs/two_spheres_union" -n "$n"
+  done
+  add_row "$table" "$programs/two_spheres_union" -n 9 --forbid
+}
+
+measure_improvement() {
+  local table=$results/static_improvement.md
+  begin_table "$table" input mode "tetrahedra before" after "angles before" after \
+    "but for dictated ones" dictated seconds "tetrahedra / s"
+  add_row "$table" "$programs/static_improvement" "$meshes/bunny00.off" --triangles 13900
+  add_row "$table" "$programs/static_improvement" "$meshes/bunny00.off" --triangles 13900 \
+    --aggressive
 }
 
 measure_memory() {

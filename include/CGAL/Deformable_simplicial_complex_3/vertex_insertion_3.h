@@ -156,6 +156,41 @@ private:
   boost::container::small_vector<Facet, 40> m_facets;      // of the boundary of the set
 };
 
+// Fills a cavity with the best set for a vertex at p and moves the vertex, and p, to where the
+// worst quality of its star is locally highest. Returns whether there is a set.
+template <class Complex>
+bool fill_with_star(const Complex& complex, typename Complex::Cell_handle seed,
+                    typename Complex::Approximate_point_3& p, Cavity_3<Complex>& cavity) {
+  using Cell_handle = typename Complex::Cell_handle;
+  using Index = typename Cavity_3<Complex>::Index;
+  const auto exact = complex.geom_traits().construct_exact_point_3_object();
+  cavity.clear();
+  Star_shaped_set_3<Complex> set(complex, exact(p), cavity);
+  if (!set.grow(seed))
+    return false;
+
+  Star_optimizer_3<Complex> optimizer(complex, p);
+  set.for_each_facet([&](Cell_handle c, int i) {
+    std::array<typename Complex::Approximate_point_3, 4> points;
+    for (int k = 0; k < 4; ++k)
+      points[k] = k == i ? p : complex.position(c->vertex(k));
+    optimizer.add(points, i);
+  });
+  p = optimizer.run();
+
+  cavity.clear();
+  for (Cell_handle c : set.cells())
+    cavity.remove(c);
+  const Index inserted = cavity.add(exact(p), Boundary_class::inside);
+  set.for_each_facet([&](Cell_handle c, int i) {
+    std::array<Index, 4> t;
+    for (int k = 0; k < 4; ++k)
+      t[k] = k == i ? inserted : cavity.add(c->vertex(k));
+    cavity.create(t, c);
+  });
+  return true;
+}
+
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 
@@ -166,7 +201,7 @@ Proposes to insert a vertex: cells around a bad one are replaced by the star of 
 (Klingner and Shewchuk 2007). Of all sets of cells that contain the bad one, and whose boundary its
 barycenter sees, the one is taken for which the worst quality of the star of the barycenter is
 highest. Then the new vertex goes to where that quality is locally highest, as in
-`propose_optimal_position()`.
+`propose_optimal_position()`, and the best set for that position is sought, as long as this helps.
 
 \param complex is not changed.
 \param cell the bad cell.
@@ -180,42 +215,24 @@ Constant time, as the number of cells is bounded; quadratic in it.
 template <class Complex>
 bool propose_vertex_insertion(const Complex& complex, typename Complex::Cell_handle cell,
                               Cavity_3<Complex>& cavity) {
-  using Cell_handle = typename Complex::Cell_handle;
-  using Index = typename Cavity_3<Complex>::Index;
+  static constexpr int maximum_number_of_rounds = 3;
   if (complex.is_infinite(cell))
     return false;
-  const auto exact = complex.geom_traits().construct_exact_point_3_object();
   typename Complex::Approximate_vector_3 sum(0, 0, 0);
   for (int i = 0; i < 4; ++i)
     sum = sum + (complex.position(cell->vertex(i)) - CGAL::ORIGIN);
-  const typename Complex::Approximate_point_3 barycenter = CGAL::ORIGIN + sum / 4;
+  typename Complex::Approximate_point_3 p = CGAL::ORIGIN + sum / 4;
 
-  cavity.clear();
-  Deformable_simplicial_complexes::internal::Star_shaped_set_3<Complex> set(
-      complex, exact(barycenter), cavity);
-  if (!set.grow(cell))
-    return false;
-
-  Deformable_simplicial_complexes::internal::Star_optimizer_3<Complex> optimizer(complex,
-                                                                                 barycenter);
-  set.for_each_facet([&](Cell_handle c, int i) {
-    std::array<typename Complex::Approximate_point_3, 4> points;
-    for (int k = 0; k < 4; ++k)
-      points[k] = k == i ? barycenter : complex.position(c->vertex(k));
-    optimizer.add(points, i);
-  });
-
-  cavity.clear();
-  for (Cell_handle c : set.cells())
-    cavity.remove(c);
-  const Index inserted = cavity.add(exact(optimizer.run()), Boundary_class::inside);
-  set.for_each_facet([&](Cell_handle c, int i) {
-    std::array<Index, 4> t;
-    for (int k = 0; k < 4; ++k)
-      t[k] = k == i ? inserted : cavity.add(c->vertex(k));
-    cavity.create(t, c);
-  });
-  return cavity.quality_after() > cavity.quality_before() && cavity.is_positive();
+  double best = -std::numeric_limits<double>::infinity();
+  Cavity_3<Complex> trial(complex);
+  for (int round = 0; round < maximum_number_of_rounds; ++round) {
+    if (!Deformable_simplicial_complexes::internal::fill_with_star(complex, cell, p, trial) ||
+        !(trial.quality_after() > best))
+      break;
+    best = trial.quality_after();
+    std::swap(cavity, trial);
+  }
+  return best > cavity.quality_before() && cavity.is_positive();
 }
 
 } // namespace CGAL
