@@ -250,6 +250,7 @@ public:
 
   double volume(Label label) const { return m_totals.volume(label); }            ///< constant time
   size_type number_of_cells(Label label) const { return m_totals.cells(label); } ///< constant time
+  double area(const Facet& f) const; ///< \pre f is finite
   double area(Label label) const; ///< of the label's interface, without the boundary of the domain
   double area(Label a, Label b) const; ///< of the interface between two labels
   /// V - E + F of the label's interface: 2 for a ball.
@@ -350,7 +351,6 @@ private:
   double cell_volume(Cell_handle c) const;
   double cell_quality(Cell_handle c) const;
   bool is_positive(Cell_handle c) const;
-  double area(const Facet& f) const;
   bool has_interface_facet(Vertex_handle v) const;
   void sew(Cavity& cavity);
   void initialize_caches();

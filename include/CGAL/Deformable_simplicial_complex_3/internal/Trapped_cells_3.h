@@ -108,13 +108,8 @@ private:
     boost::container::flat_map<Label, double> areas;
     for (Cell_handle c : component)
       for (int i = 0; i < 4; ++i)
-        if (m_complex.is_interface(std::make_pair(c, i))) {
-          const auto v = m_complex.facet_vertices({c, i});
-          const auto p = m_complex.position(v[0]);
-          areas[c->neighbor(i)->label()] +=
-              std::sqrt(cross_product(m_complex.position(v[1]) - p, m_complex.position(v[2]) - p)
-                            .squared_length());
-        }
+        if (m_complex.is_interface(std::make_pair(c, i)))
+          areas[c->neighbor(i)->label()] += m_complex.area(std::make_pair(c, i));
     const auto largest =
         std::max_element(areas.begin(), areas.end(),
                          [](const auto& a, const auto& b) { return a.second < b.second; });
