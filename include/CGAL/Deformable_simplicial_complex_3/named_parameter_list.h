@@ -13,4 +13,3 @@ CGAL_add_named_parameter(scheme_t, scheme, scheme)
 CGAL_add_named_parameter(number_of_threads_t, number_of_threads, number_of_threads)
 CGAL_add_named_parameter(topology_control_t, topology_control, topology_control)
 CGAL_add_named_parameter(aggressive_t, aggressive, aggressive)
-// clang-format on
