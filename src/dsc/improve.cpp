@@ -22,11 +22,11 @@ Json parameters_json(const Improve_options& options) {
 
 Json state_json(const Statistics& statistics, const Improvement_outcome& outcome) {
   Json json = statistics_json(statistics);
-  json.update({{"split", outcome.split},
-               {"collapsed", outcome.collapsed},
-               {"flipped", outcome.flipped},
-               {"smoothed", outcome.smoothed},
-               {"inserted", outcome.inserted}});
+  json.update({{"split", outcome.changes.split},
+               {"collapsed", outcome.changes.collapsed},
+               {"flipped", outcome.changes.flipped},
+               {"smoothed", outcome.changes.smoothed},
+               {"inserted", outcome.changes.inserted}});
   return json;
 }
 

@@ -5,6 +5,8 @@
 #ifndef DSC_STATISTICS_H
 #define DSC_STATISTICS_H
 
+#include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
+
 #include <array>
 #include <cstddef>
 #include <string>
@@ -54,11 +56,7 @@ struct Step_outcome
 struct Improvement_outcome
 {
   double seconds = 0; ///< of the improvement alone
-  std::size_t split = 0;
-  std::size_t collapsed = 0;
-  std::size_t flipped = 0;
-  std::size_t smoothed = 0;
-  std::size_t inserted = 0;
+  CGAL::Improvement_report changes;
 };
 
 /// A surface in numbers, whether or not it bounds anything; angles in degrees.

@@ -158,9 +158,7 @@ Step_outcome Tracked_complex::advance(const Motion& motion, double time, unsigne
   };
   if (const Rotation* rotation = std::get_if<Rotation>(&motion)) {
     const auto [x, y, z] = rotation->axis;
-    const double length = std::hypot(x, y, z); // neither overflows nor underflows
-    follow(CGAL::Rigid_rotation_3(centre_of_domain(complex),
-                                  Vector(x / length, y / length, z / length),
+    follow(CGAL::Rigid_rotation_3(centre_of_domain(complex), Vector(x, y, z),
                                   rotation->degrees * degree));
   } else {
     const Offset& offset = std::get<Offset>(motion);
@@ -179,8 +177,7 @@ Improvement_outcome Tracked_complex::improve(const Improve_options& options) {
       options.threshold
           ? CGAL::improve_mesh(complex, aggressive.quality_threshold(*options.threshold))
           : CGAL::improve_mesh(complex, aggressive);
-  return {seconds_since(start), report.split,    report.collapsed,
-          report.flipped,       report.smoothed, report.inserted};
+  return {seconds_since(start), report};
 }
 
 Statistics Tracked_complex::statistics() const {
