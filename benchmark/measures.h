@@ -35,7 +35,9 @@ inline double processor_seconds() {
 }
 
 /// Whether a complex is valid; says on `std::cerr` why it is not.
-inline bool check(const Complex& complex) { return complex.is_valid() || complex.is_valid(true); }
+template <class Complex> bool check(const Complex& complex) {
+  return complex.is_valid() || complex.is_valid(true);
+}
 
 inline CGAL::Bbox_3 bounding_box(const Complex& complex) {
   CGAL::Bbox_3 box;

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,17 +25,22 @@ namespace {
 
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
+using Complex =
+    CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
+                                          CGAL::Default, CGAL::Biased_minimum_sine_3>;
+
 struct Angles
 {
   double minimum = 180, maximum = 0;
 };
 
-// The dihedral angles of all cells but those that have two facets on the interface or one whose
-// smallest angle is below a bound: the interface is fixed, and dictates theirs.
+// The dihedral angles of all cells, and of those that are free. The fixed interface dictates those
+// of cells that have two facets on it, or one whose smallest angle is below a bound; and around a
+// facet that is all but a segment there is no room.
 struct Statistics
 {
   Angles all, free;
-  std::size_t dictated = 0;
+  std::size_t dictated = 0, cramped = 0;
 };
 
 double smallest_angle(const Complex& complex, const Complex::Facet& f) {
@@ -50,27 +56,46 @@ double smallest_angle(const Complex& complex, const Complex::Facet& f) {
   return smallest;
 }
 
-Statistics statistics(const Complex& complex, double bound) {
+// The vertices of facets of the interface with an angle below a bound, degrees.
+std::set<Complex::Vertex_handle> corners_of_segments(const Complex& complex, double bound) {
+  std::set<Complex::Vertex_handle> result;
+  for (const auto& f : complex.interface_facets())
+    if (smallest_angle(complex, f) < bound)
+      for (const auto v : complex.facet_vertices(f))
+        result.insert(v);
+  return result;
+}
+
+Angles dihedral_angles(const Complex& complex, Complex::Cell_handle c) {
   using Frame = CGAL::Deformable_simplicial_complexes::internal::Tetrahedron_frame<Point>;
+  const auto p = [&](int i) { return complex.position(c->vertex(i)); };
+  const auto normals = Frame(p(0), p(1), p(2), p(3)).area_vectors();
+  Angles angles;
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j) {
+      const double sine = std::sqrt(CGAL::cross_product(normals[i], normals[j]).squared_length());
+      const double angle = std::atan2(sine, -(normals[i] * normals[j])) / degree;
+      angles.minimum = (std::min)(angles.minimum, angle);
+      angles.maximum = (std::max)(angles.maximum, angle);
+    }
+  return angles;
+}
+
+Statistics statistics(const Complex& complex, double sharp) {
+  static constexpr double segment = 3; // degrees
+  const auto corners = corners_of_segments(complex, segment);
   Statistics result;
   for (const Complex::Cell_handle c : complex.triangulation().finite_cell_handles()) {
-    const auto p = [&](int i) { return complex.position(c->vertex(i)); };
-    const auto normals = Frame(p(0), p(1), p(2), p(3)).area_vectors();
-    Angles angles;
     int fixed = 0;
-    bool is_sharp = false;
+    bool is_sharp = false, is_cramped = false;
     for (int i = 0; i < 4; ++i) {
+      is_cramped = is_cramped || corners.count(c->vertex(i)) > 0;
       if (complex.is_interface(std::make_pair(c, i))) {
         ++fixed;
-        is_sharp = is_sharp || smallest_angle(complex, std::make_pair(c, i)) < bound;
-      }
-      for (int j = i + 1; j < 4; ++j) {
-        const double sine = std::sqrt(CGAL::cross_product(normals[i], normals[j]).squared_length());
-        const double angle = std::atan2(sine, -(normals[i] * normals[j])) / degree;
-        angles.minimum = (std::min)(angles.minimum, angle);
-        angles.maximum = (std::max)(angles.maximum, angle);
+        is_sharp = is_sharp || smallest_angle(complex, std::make_pair(c, i)) < sharp;
       }
     }
+    const Angles angles = dihedral_angles(complex, c);
     const auto include = [&](Angles& sum) {
       sum.minimum = (std::min)(sum.minimum, angles.minimum);
       sum.maximum = (std::max)(sum.maximum, angles.maximum);
@@ -78,6 +103,8 @@ Statistics statistics(const Complex& complex, double bound) {
     include(result.all);
     if (fixed > 1 || is_sharp)
       ++result.dictated;
+    else if (is_cramped)
+      ++result.cramped;
     else
       include(result.free);
   }
@@ -107,8 +134,7 @@ void print_angles(const Angles& angles) {
   std::cout << angles.minimum << " – " << angles.maximum << " | ";
 }
 
-int measure(const std::string& input, std::size_t triangles, bool aggressive, double threshold,
-            unsigned rounds, double sharp) {
+int measure(const std::string& input, std::size_t triangles, bool aggressive, double sharp) {
   Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
       std::vector<Surface>{read_input(input, triangles)}, CGAL::Tetgen_tetrahedralizer_3(),
       parameters::normalize(true).improve(false));
@@ -117,9 +143,7 @@ int measure(const std::string& input, std::size_t triangles, bool aggressive, do
   const std::size_t tetrahedra = complex.number_of_cells();
 
   const double begin = processor_seconds();
-  CGAL::improve_mesh(
-      complex,
-      parameters::aggressive(aggressive).quality_threshold(threshold).number_of_iterations(rounds));
+  CGAL::improve_mesh(complex, parameters::aggressive(aggressive));
   const double seconds = processor_seconds() - begin;
 
   const Statistics end = statistics(complex, sharp);
@@ -130,7 +154,8 @@ int measure(const std::string& input, std::size_t triangles, bool aggressive, do
   print_angles(start.all);
   print_angles(end.all);
   print_angles(end.free);
-  std::cout << end.dictated << " | " << seconds << " | " << double(tetrahedra) / seconds << " |\n";
+  std::cout << end.dictated << " | " << end.cramped << " | " << seconds << " | "
+            << double(tetrahedra) / seconds << " |\n";
   return check(complex) && interface_of(complex) == before ? 0 : 1;
 }
 
@@ -142,15 +167,12 @@ int main(int argc, char** argv) {
   std::string input;
   std::size_t triangles = 0;
   bool aggressive = false;
-  double sharp = 15, threshold = .3;
-  unsigned rounds = 10;
+  double sharp = 15;
   app.add_option("input", input, "a closed surface")->required();
   app.add_option("--triangles", triangles, "decimate it first");
-  app.add_flag("--aggressive", aggressive, "insert vertices, take more time");
-  app.add_option("--threshold", threshold, "of quality");
-  app.add_option("--rounds", rounds, "at the most");
+  app.add_flag("--aggressive", aggressive, "take more time");
   app.add_option("--sharp", sharp,
                  "angles of the surface below this dictate those around, degrees");
   CLI11_PARSE(app, argc, argv);
-  return dsc_benchmark::measure(input, triangles, aggressive, threshold, rounds, sharp);
+  return dsc_benchmark::measure(input, triangles, aggressive, sharp);
 }

@@ -326,6 +326,9 @@ public:
   /// Remembers that improving c was tried in vain.
   void set_exhausted(Cell_handle c) { c->set_exhausted_quality(float(c->quality())); }
 
+  /// Forgets that, as what is around c has changed.
+  void clear_exhausted(Cell_handle c) { c->set_exhausted_quality(2); }
+
   /// Sets where an interface vertex is to go, in the coordinates of the complex.
   void set_destination(Vertex_handle v, const Point_3& q) { v->set_destination(q); }
   /// Forgets where v is to go.

@@ -15,9 +15,14 @@ namespace CGAL {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Improves the tetrahedra of a complex by reconnection, smoothing and collapses, each done only if it
-raises the worst quality where it acts, and by splits of long edges (Algorithm 3 of the paper). The
-interface stays as it is, bit for bit.
+Improves the tetrahedra of a complex by reconnection, smoothing, collapses and insertion of
+vertices, each done only if it raises the worst quality where it acts, and by splits of long edges
+(Algorithm 3 of the paper; insertion: Klingner and Shewchuk 2007). Where cells stay bad, those
+around are improved beyond the threshold, to give them room. The interface stays as it is, bit for
+bit.
+
+What is improved is the measure of the complex. Where dihedral angles count,
+`Biased_minimum_sine_3` is the one to choose.
 
 \param dsc the complex.
 \param np named parameters:
@@ -25,15 +30,15 @@ interface stays as it is, bit for bit.
 \cgalNamedParamsBegin
   \cgalParamNBegin{quality_threshold}
     \cgalParamDescription{only cells of lower quality are improved, in (0, 1]}
-    \cgalParamType{`double`} \cgalParamDefault{0.3}
+    \cgalParamType{`double`} \cgalParamDefault{0.25; 0.35 if `aggressive`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{how many rounds at the most: each round works on what the last one made}
     \cgalParamType{`unsigned int`} \cgalParamDefault{10}
   \cgalParamNEnd
   \cgalParamNBegin{aggressive}
-    \cgalParamDescription{whether to insert vertices, and to triangulate sets of facets anew, where
-                          nothing else helps}
+    \cgalParamDescription{whether to raise the threshold in steps, worst cells first, and so to
+                          take several times as long for better cells}
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
@@ -60,19 +65,20 @@ Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedP
       choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Deformation_visitor_3());
   auto& visitor = Deformable_simplicial_complexes::internal::unwrap(given_visitor);
   const bool aggressive = choose_parameter(get_parameter(np, tags::aggressive), false);
-  const double threshold = choose_parameter(get_parameter(np, tags::quality_threshold), .3);
+  const double threshold =
+      choose_parameter(get_parameter(np, tags::quality_threshold), aggressive ? .35 : .25);
   Deformable_simplicial_complexes::internal::check_threshold(threshold);
   const unsigned rounds =
       choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 10u);
 
   using Visitor = std::remove_reference_t<decltype(visitor)>;
-  using Improver = Deformable_simplicial_complexes::internal::Mesh_improver_3<Complex, Visitor>;
-  Improver improver(dsc, visitor, threshold, aggressive);
-  typename Improver::Cells cells;
-  for (auto c : dsc.triangulation().finite_cell_handles())
-    if (improver.is_bad(c))
-      cells.push(c);
-  improver.improve(std::move(cells), rounds);
+  Deformable_simplicial_complexes::internal::Mesh_improver_3<Complex, Visitor> improver(
+      dsc, visitor, threshold, true);
+  static constexpr double first = .25, step = 1.2;
+  if (aggressive)
+    for (double t = first; t < threshold; t *= step)
+      improver.improve_all(t, rounds);
+  improver.improve_all(threshold, rounds);
   return improver.report();
 }
 

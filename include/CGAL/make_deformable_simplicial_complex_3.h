@@ -5,15 +5,16 @@
 #ifndef CGAL_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
 #define CGAL_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Labelled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Tetrahedralization_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/check_surfaces_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/check_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/enclosing_box_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/label_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
-#include <CGAL/improve_mesh_3.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -32,11 +33,19 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// Improves the mesh as each step of a deformation will. More vertices would only slow that down.
 template <class Complex, class NP> void finish(Complex& dsc, const NP& np) {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  if (choose_parameter(get_parameter(np, internal_np::improve), true))
-    improve_mesh(dsc, np);
+  const double threshold = choose_parameter(get_parameter(np, internal_np::quality_threshold), .3);
+  check_threshold(threshold);
+  const unsigned rounds =
+      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 10u);
+  if (choose_parameter(get_parameter(np, internal_np::improve), true)) {
+    Deformation_visitor_3 visitor;
+    Mesh_improver_3<Complex, Deformation_visitor_3> improver(dsc, visitor, threshold);
+    improver.improve_all(threshold, rounds);
+  }
   dsc.sort_storage();
 }
 
@@ -122,7 +131,7 @@ their coordinates, bit for bit unless `normalize` is set.
 
 \param surfaces with the labels of what they enclose; coordinates are rounded to `double`
 \param tetrahedralizer fills the box with tetrahedra
-\param np named parameters: those of `improve_mesh()`, and
+\param np named parameters:
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{normalize}
@@ -145,9 +154,20 @@ their coordinates, bit for bit unless `normalize` is set.
     \cgalParamDefault{4}
   \cgalParamNEnd
   \cgalParamNBegin{improve}
-    \cgalParamDescription{Whether `improve_mesh()` is called at the end.}
+    \cgalParamDescription{Whether the mesh is improved at the end, as it will be in each step of a
+                          deformation. `improve_mesh()` does more, by inserting vertices.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{quality_threshold}
+    \cgalParamDescription{Only cells of lower quality are improved, in [0, 1].}
+    \cgalParamType{`double`}
+    \cgalParamDefault{0.3}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{How many rounds of improvement at the most.}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{10}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -228,7 +248,7 @@ way. The interface stays what it is, bit for bit.
 \param points the vertices, each in a tetrahedron
 \param tetrahedra indices into `points`
 \param labels one label for each tetrahedron
-\param np named parameters: `improve`, as above, and those of `improve_mesh()`
+\param np named parameters: `improve`, `quality_threshold`, `number_of_iterations`, as above
 
 \throws Deformable_simplicial_complexes::Invalid_tetrahedra_error if coordinates are not finite,
         sizes or indices do not fit, a tetrahedron is flat, or the union is no ball

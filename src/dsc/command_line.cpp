@@ -181,9 +181,10 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
                    "File for the improved tetrahedra (.mesh, .vtu); may be INPUT")
       ->required();
   improve->add_flag("--aggressive", improve_options.aggressive,
-                    "Insert vertices, too, where nothing else helps");
+                    "Take several times as long for better tetrahedra");
   improve->add_option("--threshold", threshold,
-                      "Improve tetrahedra of a lower quality only; 1 is that of a regular one");
+                      "Improve tetrahedra of a lower quality only: the least sine of a dihedral "
+                      "angle, obtuse ones times 0.7, in units of the regular tetrahedron");
   improve->add_option("--report", improve_options.report,
                       "JSON file with the state before and after");
   improve->add_flag("--quiet", improve_options.quiet, "Print nothing but errors");

@@ -33,6 +33,10 @@ namespace dsc {
 namespace {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
+// At rest, angles count.
+using Complex_at_rest =
+    CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
+                                          CGAL::Default, CGAL::Biased_minimum_sine_3>;
 using Point = Complex::Approximate_point_3;
 using Vector = Complex::Approximate_vector_3;
 using Clock = std::chrono::steady_clock;
@@ -170,13 +174,15 @@ Step_outcome Tracked_complex::advance(const Motion& motion, double time, unsigne
 }
 
 Improvement_outcome Tracked_complex::improve(const Improve_options& options) {
-  Complex& complex = m_implementation->complex;
   const auto aggressive = parameters::aggressive(options.aggressive);
   const auto start = Clock::now();
+  Complex_at_rest complex;
+  complex.restore(m_implementation->complex.state());
   const auto report =
       options.threshold
           ? CGAL::improve_mesh(complex, aggressive.quality_threshold(*options.threshold))
           : CGAL::improve_mesh(complex, aggressive);
+  m_implementation->complex.restore(complex.state());
   return {seconds_since(start), report};
 }
 

@@ -71,6 +71,16 @@ double slow(const CGAL::Minimum_sine_3&, const Tetrahedron& t) {
   return minimum / (2 * std::sqrt(2.) / 3);
 }
 
+double slow(const CGAL::Biased_minimum_sine_3&, const Tetrahedron& t) {
+  double minimum = 1;
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j) {
+      const double angle = dihedral_angle(t, i, j);
+      minimum = (std::min)(minimum, (std::cos(angle) < 0 ? .7 : 1) * std::sin(angle));
+    }
+  return minimum / (2 * std::sqrt(2.) / 3);
+}
+
 double slow(const CGAL::Radius_ratio_3&, const Tetrahedron& t) {
   double area = 0;
   for (int i = 0; i < 4; ++i)
@@ -80,6 +90,7 @@ double slow(const CGAL::Radius_ratio_3&, const Tetrahedron& t) {
 
 double of_corner(const CGAL::Volume_length_ratio_3&) { return 4 / (3 * std::sqrt(3.)); }
 double of_corner(const CGAL::Minimum_sine_3&) { return std::sqrt(3.) / 2; }
+double of_corner(const CGAL::Biased_minimum_sine_3&) { return std::sqrt(3.) / 2; }
 double of_corner(const CGAL::Radius_ratio_3&) { return std::sqrt(3.) - 1; }
 
 Tetrahedron regular() {
@@ -108,8 +119,8 @@ protected:
   mesh_helpers::Random random{7};
 };
 
-using Measures =
-    testing::Types<CGAL::Volume_length_ratio_3, CGAL::Minimum_sine_3, CGAL::Radius_ratio_3>;
+using Measures = testing::Types<CGAL::Volume_length_ratio_3, CGAL::Minimum_sine_3,
+                                CGAL::Biased_minimum_sine_3, CGAL::Radius_ratio_3>;
 TYPED_TEST_SUITE(Quality_measures, Measures);
 
 } // namespace

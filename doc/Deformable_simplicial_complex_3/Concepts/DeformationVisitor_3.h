@@ -24,8 +24,7 @@ public:
   /// `v` was created on the edge between `a` and `b`, which it replaced by two.
   void after_split(Complex::Vertex_handle v, Complex::Vertex_handle a, Complex::Vertex_handle b);
 
-  /// `v` was created; its star has replaced other cells. Only called by `CGAL::improve_mesh()`, if it
-  /// is to be aggressive.
+  /// `v` was created; its star has replaced other cells. Only called by `CGAL::improve_mesh()`.
   void after_insertion(Complex::Vertex_handle v);
 
   /// `removed` is about to disappear into `kept`, which stays where it is. Both are still there.

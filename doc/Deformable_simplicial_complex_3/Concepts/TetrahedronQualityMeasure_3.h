@@ -10,6 +10,7 @@ tetrahedra by this measure get better. It is called often: its time decides that
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Volume_length_ratio_3}
 \cgalHasModels{CGAL::Minimum_sine_3}
+\cgalHasModels{CGAL::Biased_minimum_sine_3}
 \cgalHasModels{CGAL::Radius_ratio_3}
 \cgalHasModelsEnd
 */

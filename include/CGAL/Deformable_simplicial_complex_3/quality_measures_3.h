@@ -39,6 +39,37 @@ template <class Point> struct Tetrahedron_frame
   double six_volumes;
 };
 
+// The smallest sine of a dihedral angle over that of the regular tetrahedron, those of obtuse
+// angles times a weight.
+template <class Point>
+double minimum_sine(const Point& p, const Point& q, const Point& r, const Point& s,
+                    double obtuse_weight) {
+  const Tetrahedron_frame<Point> t(p, q, r, s);
+  const auto normals = t.area_vectors();
+  const auto edges = t.edges();
+  // Facets opposite to two vertices meet in the edge of the two others.
+  static constexpr int facets[6][2] = {{2, 3}, {0, 1}, {1, 3}, {0, 2}, {1, 2}, {0, 3}};
+  std::array<double, 4> squared_areas;
+  for (int i = 0; i < 4; ++i)
+    squared_areas[i] = normals[i].squared_length();
+  // The least square of a sine over that of six volumes, as a fraction: divisions cost most.
+  const double squared_weight = obtuse_weight * obtuse_weight;
+  double numerator = 1, denominator = 0;
+  for (int i = 0; i < 6; ++i) {
+    const int f = facets[i][0], g = facets[i][1];
+    const double squared_edge = edges[i].squared_length();
+    const double n = normals[f] * normals[g] > 0 ? squared_weight * squared_edge : squared_edge;
+    const double d = squared_areas[f] * squared_areas[g];
+    const bool is_less = n * denominator < numerator * d;
+    numerator = is_less ? n : numerator;
+    denominator = is_less ? d : denominator;
+  }
+  if (denominator == 0)
+    return 0;
+  static constexpr double of_regular = 0.94280904158206337; // sqrt(8) / 3
+  return t.six_volumes * std::sqrt(numerator / denominator) / of_regular;
+}
+
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 
@@ -74,20 +105,22 @@ struct Minimum_sine_3
   /// \tparam Point a point of a kernel whose coordinates are of type `double`
   template <class Point>
   double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const {
-    const Deformable_simplicial_complexes::internal::Tetrahedron_frame<Point> t(p, q, r, s);
-    const auto n = t.area_vectors();
-    const auto e = t.edges();
-    // Facets opposite to two vertices meet in the edge of the two others.
-    static constexpr int facets[6][2] = {{2, 3}, {0, 1}, {1, 3}, {0, 2}, {1, 2}, {0, 3}};
-    double minimum = 1;
-    for (int i = 0; i < 6; ++i) {
-      const double areas =
-          std::sqrt(n[facets[i][0]].squared_length()) * std::sqrt(n[facets[i][1]].squared_length());
-      if (areas == 0)
-        return 0;
-      minimum = (std::min)(minimum, t.six_volumes * std::sqrt(e[i].squared_length()) / areas);
-    }
-    return minimum * 3 / std::sqrt(8.);
+    return Deformable_simplicial_complexes::internal::minimum_sine(p, q, r, s, 1);
+  }
+};
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+The same with the sines of obtuse angles times 0.7 (Klingner and Shewchuk 2007): angles near 180
+degrees do more harm than those near 0. The measure for meshes at rest, where angles count.
+*/
+struct Biased_minimum_sine_3
+{
+  /// returns the quality of pqrs. \pre the points are not all on a line
+  /// \tparam Point a point of a kernel whose coordinates are of type `double`
+  template <class Point>
+  double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const {
+    return Deformable_simplicial_complexes::internal::minimum_sine(p, q, r, s, .7);
   }
 };
 

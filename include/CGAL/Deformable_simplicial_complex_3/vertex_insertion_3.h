@@ -47,29 +47,34 @@ public:
 
   // Finds the best set of finite cells that contains the seed. Returns whether there is one.
   bool grow(Cell_handle seed) {
-    static constexpr double none = -std::numeric_limits<double>::infinity();
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
     std::size_t best_size = 0;
-    std::pair<double, double> best(none, none); // of all facets, of those that are not blocked
+    std::pair<double, double> best(-infinity,
+                                   -infinity); // of all facets, of those that are not blocked
     absorb(seed, 0);
     for (;;) {
-      Facet* worst = nullptr;
-      double worst_of_all = std::numeric_limits<double>::infinity();
+      Facet* worst = nullptr; // of those that may be passed
+      double open = infinity, blocked = infinity;
       for (Facet& f : m_facets) {
-        worst_of_all = (std::min)(worst_of_all, f.quality);
-        if (!worst || f.quality < worst->quality)
-          worst = may_be_passed(f, seed) ? &f : worst;
+        if (f.quality >= (std::max)(open, blocked))
+          continue;
+        if (!may_be_passed(f, seed)) {
+          blocked = (std::min)(blocked, f.quality);
+        } else if (f.quality < open) {
+          open = f.quality;
+          worst = &f;
+        }
       }
-      const std::pair<double, double> now(
-          worst_of_all, worst ? worst->quality : std::numeric_limits<double>::infinity());
+      const std::pair<double, double> now((std::min)(open, blocked), open);
       if (now > best) {
         best = now;
         best_size = m_cells.size();
       }
-      if (!worst || m_cells.size() == maximum_size)
+      if (!worst || blocked < best.first || m_cells.size() == maximum_size)
         break;
       absorb(worst->cell->neighbor(worst->index), worst->depth + 1);
     }
-    m_cells.resize(best.first > none ? best_size : 0);
+    m_cells.resize(best.first > -infinity ? best_size : 0);
     return !m_cells.empty();
   }
 

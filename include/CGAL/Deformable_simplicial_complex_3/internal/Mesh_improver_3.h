@@ -38,12 +38,31 @@ public:
   using Cell_handle = typename Complex::Cell_handle;
   using Cells = Work_list<Cell_handle>;
 
-  // Inserts vertices too where nothing else helps, if `aggressive`.
-  Mesh_improver_3(Complex& complex, Visitor& visitor, double threshold, bool aggressive = false)
-      : m_complex(complex), m_visitor(visitor), m_threshold(threshold), m_aggressive(aggressive),
+  // Where nothing else helps, one that is thorough triangulates sets of facets anew and inserts
+  // vertices.
+  Mesh_improver_3(Complex& complex, Visitor& visitor, double threshold, bool is_thorough = false)
+      : m_complex(complex), m_visitor(visitor), m_threshold(threshold), m_is_thorough(is_thorough),
         m_cavity(complex) {}
 
   const Improvement_report& report() const { return m_report; }
+
+  // Improves all cells below a threshold. Those that stay are often held by neighbors that are but
+  // a little better: if thorough, the cells around them are improved to a higher one.
+  void improve_all(double threshold, unsigned rounds) {
+    static constexpr double higher = 1.1;
+    static constexpr int number_of_attempts = 5;
+    m_threshold = threshold;
+    Cells cells;
+    for (Cell_handle c : m_complex.triangulation().finite_cell_handles())
+      push_afresh(c, cells);
+    improve(std::move(cells), rounds);
+    for (int i = 0; m_is_thorough && i < number_of_attempts; ++i) {
+      m_threshold = (std::min)(1., higher * m_threshold);
+      cells.clear();
+      push_neighbors_of_stuck(threshold, cells);
+      improve(std::move(cells), rounds);
+    }
+  }
 
   // Improves the cells below the threshold, then those that arose from them, and so on.
   void improve(Cells cells, unsigned rounds) {
@@ -56,7 +75,7 @@ public:
         if (!m_complex.is_alive(c, item.time_stamp) || !is_bad(c))
           continue;
         if (!(reconnect(c, touched) || smooth(c, touched) || collapse(c, touched) ||
-              split(c, touched) || (m_aggressive && insert(c, touched))))
+              split(c, touched) || (m_is_thorough && insert(c, touched))))
           m_complex.set_exhausted(c);
       }
       std::swap(cells, touched);
@@ -78,7 +97,7 @@ public:
       for (int j = i + 1; j < 4; ++j)
         if (propose_edge_removal(m_complex, c, i, j, m_cavity) && !covers_interface())
           return flip(touched);
-    for (int i = 0; m_aggressive && i < 4; ++i)
+    for (int i = 0; m_is_thorough && i < 4; ++i)
       if (propose_multi_face_retriangulation(m_complex, c, i, m_cavity) && !covers_interface())
         return flip(touched);
     return false;
@@ -207,6 +226,32 @@ private:
         });
   }
 
+  // Adds the cells below the threshold around those that stayed below a bound. Two facets on the
+  // interface dictate their angle.
+  void push_neighbors_of_stuck(double bound, Cells& cells) {
+    for (Cell_handle c : m_complex.triangulation().finite_cell_handles())
+      if (c->quality() < bound && number_of_interface_facets(c) < 2)
+        for (int i = 0; i < 4; ++i) {
+          m_complex.star(c->vertex(i), m_star);
+          for (Cell_handle d : m_star)
+            push_afresh(d, cells);
+        }
+  }
+
+  // Adds a cell below the threshold, whether or not it was tried in vain.
+  void push_afresh(Cell_handle c, Cells& cells) {
+    m_complex.clear_exhausted(c);
+    if (!m_complex.is_infinite(c) && is_bad(c))
+      cells.push(c);
+  }
+
+  int number_of_interface_facets(Cell_handle c) const {
+    int result = 0;
+    for (int i = 0; i < 4; ++i)
+      result += m_complex.is_interface(std::make_pair(c, i));
+    return result;
+  }
+
   // How many facets of a planned tetrahedron are on the interface.
   int number_of_interface_facets(const std::array<Vertex_handle, 4>& vertices) const {
     int result = 0;
@@ -258,7 +303,7 @@ private:
   Complex& m_complex;
   Visitor& m_visitor;
   double m_threshold;
-  bool m_aggressive;
+  bool m_is_thorough;
   Cavity_3<Complex> m_cavity;
   std::vector<Cell_handle> m_star;
   Improvement_report m_report;
