@@ -2,125 +2,96 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Deforms small complexes by displacement fields that no physics would come up with, and checks
-// that they stay valid. What it prints and writes depends on nothing but the options: compare it
-// between runs, also with and without address space randomization (`setarch -R`).
+// Deforms small complexes by displacement fields that no physics would come up with, under all
+// policies in turn, and checks that they stay valid, that nothing hangs, and that no topology
+// changes but where the policy grants it. What it prints and writes depends on nothing but the
+// number of fields and the seed: compare it between runs, with other threads, also with and without
+// address space randomization (`setarch -R`).
 
+#include "betti_numbers.h"
 #include "measures.h"
+#include "random_fields.h"
 #include "small_meshes.h"
 
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/topology_control.h>
 #include <CGAL/IO/checkpoint_3.h>
 #include <CGAL/advect_interface_3.h>
 
 #include <CLI/CLI.hpp>
 #include <boost/crc.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
+#include <functional>
 #include <iostream>
-#include <limits>
-#include <random>
+#include <iterator>
+#include <map>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
+
+#include <unistd.h>
 
 namespace {
 
 using dsc_benchmark::Complex;
+using dsc_benchmark::Field;
 using dsc_benchmark::Point;
-using dsc_benchmark::Vector;
-using Field = std::vector<Vector>; // displacements in the order of `interface_vertices()`
+using dsc_benchmark::Random_fields;
+using Report = CGAL::Deformation_report<Complex>;
+using Topology_control = std::function<bool(const Complex&, Complex::Cell_handle, int)>;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
-// Displacements of up to three mean edges of the interface.
-class Random_fields
+constexpr unsigned seconds_per_field = 120; // what takes longer hangs
+std::string work;                           // what is being done, for messages
+
+extern "C" void stop_hanging(int) {
+  static constexpr char text[] = " hangs\n";
+  const bool is_told = ::write(STDERR_FILENO, work.data(), work.size()) >= 0 &&
+                       ::write(STDERR_FILENO, text, sizeof text - 1) >= 0;
+  std::_Exit(is_told ? EXIT_FAILURE : 2);
+}
+
+// What a deformation is allowed to do and how.
+struct Policy
 {
-public:
-  explicit Random_fields(std::uint64_t seed) : m_engine(seed) {}
+  std::string name; // a cell of the table for each choice, but for threads: they change nothing
+  Topology_control topology_control;
+  unsigned maximum_number_of_passes;
+  unsigned number_of_threads;
 
-  Field operator()(const Complex& complex) {
-    const std::vector<Complex::Vertex_handle> vertices = complex.interface_vertices();
-    const double amplitude = 3 * complex.mean_interface_edge() * number(0, 1);
-    const double kind = number(0, 1);
-    if (kind < .4)
-      return waves(complex, vertices, amplitude);
-    if (kind < .8)
-      return noise(vertices.size(), amplitude);
-    if (kind < .9)
-      return Field(vertices.size(), towards_side(amplitude));
-    Field field = noise(vertices.size(), amplitude);
-    for (std::size_t i = 0; i < field.size(); ++i)
-      field[i] = complex.is_boundary(vertices[i]) ? field[i] : Vector(0, 0, 0);
-    return field;
+  // All combinations follow each other as the number increases. Each choice is a digit of it.
+  static Policy decode(std::size_t number, unsigned threads) {
+    using namespace CGAL::Deformable_simplicial_complexes;
+    static const std::pair<const char*, Topology_control> controls[] = {
+        {"allow", Allow_topology_changes()},
+        {"forbid", Forbid_topology_changes()},
+        {"labels 1, 3", Allow_topology_changes_between({std::pair<int, int>(1, 3)})},
+        {"right half", [](const Complex& complex, Complex::Cell_handle c, int) {
+           return complex.position(c->vertex(0)).x() > 0;
+         }}};
+    const auto choose = [&](std::size_t choices) {
+      const std::size_t digit = number % choices;
+      number /= choices;
+      return digit;
+    };
+    Policy policy;
+    const auto& [name, control] = controls[choose(std::size(controls))];
+    policy.topology_control = control;
+    policy.maximum_number_of_passes = choose(2) == 0 ? 20 : 3;
+    policy.number_of_threads = choose(2) == 0 ? threads : 1;
+    policy.name = name + (" | " + std::to_string(policy.maximum_number_of_passes));
+    return policy;
   }
-
-  // Makes a field that is to be refused, now and then. Returns whether it did.
-  bool spoil(Field& field) {
-    if (number(0, 1) > .02)
-      return false;
-    static constexpr double infinity = std::numeric_limits<double>::infinity();
-    const double bad[] = {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity};
-    Vector& v = field[std::size_t(number(0, double(field.size())))];
-    std::array<double, 3> coordinates = {v.x(), v.y(), v.z()};
-    coordinates[std::size_t(number(0, 3))] = bad[std::size_t(number(0, 3))];
-    v = Vector(coordinates[0], coordinates[1], coordinates[2]);
-    return true;
-  }
-
-private:
-  // Not a distribution of the standard library, as these differ.
-  double number(double minimum, double maximum) {
-    return minimum + (maximum - minimum) * std::ldexp(double(m_engine() >> 11), -53);
-  }
-
-  Vector vector(double bound) {
-    const double x = number(-bound, bound), y = number(-bound, bound);
-    return Vector(x, y, number(-bound, bound));
-  }
-
-  Field noise(std::size_t n, double amplitude) {
-    Field field;
-    while (field.size() < n) {
-      const Vector v = vector(1);
-      if (v.squared_length() <= 1)
-        field.push_back(amplitude * v);
-    }
-    return field;
-  }
-
-  Field waves(const Complex& complex, const std::vector<Complex::Vertex_handle>& vertices,
-              double amplitude) {
-    static constexpr std::size_t number_of_waves = 3;
-    const Field directions = noise(number_of_waves, amplitude / number_of_waves);
-    Field field(vertices.size(), Vector(0, 0, 0));
-    for (const Vector& direction : directions) {
-      const Vector wave = vector(CGAL_PI); // the domain is 2 wide
-      const double phase = number(0, 2 * CGAL_PI);
-      for (std::size_t i = 0; i < field.size(); ++i)
-        field[i] =
-            field[i] +
-            std::sin(wave * (complex.position(vertices[i]) - CGAL::ORIGIN) + phase) * direction;
-    }
-    return field;
-  }
-
-  Vector towards_side(double amplitude) {
-    const double side = number(0, 6), distance = side < 3 ? amplitude : -amplitude;
-    std::array<double, 3> v = {0, 0, 0};
-    v[std::size_t(side) % 3] = distance;
-    return Vector(v[0], v[1], v[2]);
-  }
-
-  std::mt19937_64 m_engine;
 };
 
 // The CRC-32 of what a checkpoint would hold, over all states so far.
@@ -141,11 +112,11 @@ private:
 
 struct Counts
 {
-  std::size_t refused = 0, complete = 0, incomplete = 0, restarts = 0;
+  std::size_t fields = 0, refused = 0, complete = 0, incomplete = 0, restarts = 0;
   std::size_t split = 0, collapsed = 0, flipped = 0, relabeled = 0;
   std::size_t merged_components = 0, split_components = 0, vanished_components = 0;
 
-  void add(const CGAL::Deformation_report<Complex>& report) {
+  void add(const Report& report) {
     ++(report.complete ? complete : incomplete);
     split += report.split;
     collapsed += report.collapsed;
@@ -159,66 +130,135 @@ struct Counts
   }
 };
 
-void deform(Complex& complex, const Field& field, bool is_bad, unsigned threads, Counts& counts) {
-  using CGAL::Deformable_simplicial_complexes::Integration_scheme;
-  const Complex::State before = is_bad ? complex.state() : Complex::State();
-  const auto velocity = [&](const CGAL::Interface_snapshot_3<Complex>&, const std::vector<Point>&,
-                            double, Field& velocities) { velocities = field; };
-  try {
-    counts.add(CGAL::advect_interface(
-        complex, velocity, 0., 1.,
-        parameters::scheme(Integration_scheme::euler).number_of_threads(threads)));
-    if (is_bad)
-      throw std::runtime_error("a destination that is not finite was accepted");
-  } catch (const CGAL::Deformable_simplicial_complexes::Invalid_destination_error&) {
-    if (!is_bad)
-      throw;
-    if (complex.state() != before)
-      throw std::runtime_error("a deformation was refused, but not without a change");
-    ++counts.refused;
+// A complex that is deformed again and again, and all that must hold after each time.
+class Victim
+{
+public:
+  explicit Victim(const Complex& initial) : m_initial(initial) { restart(); }
+
+  const Complex& complex() const { return m_complex; }
+
+  void restart() {
+    m_complex = m_initial;
+    m_topology = betti_numbers::of_complex(m_complex);
   }
-  if (!dsc_benchmark::check(complex))
-    throw std::runtime_error("the complex is invalid");
+
+  // Whether a label or most of the interface is gone.
+  bool is_worn() const {
+    return 4 * m_complex.interface_vertices().size() < m_initial.interface_vertices().size() ||
+           m_complex.labels() != m_initial.labels();
+  }
+
+  void deform(const Field& field, const Policy& policy, Counts& counts) {
+    std::set<int> granted; // labels whose topology may change
+    const auto control = [&](const Complex& complex, Complex::Cell_handle c, int label) {
+      const bool is_granted = policy.topology_control(complex, c, label);
+      if (is_granted)
+        granted.insert({c->label(), label});
+      return is_granted;
+    };
+    counts.add(advect(field, policy, control));
+    require(dsc_benchmark::check(m_complex), "the complex is invalid");
+    const auto topology = betti_numbers::of_complex(m_complex);
+    require(differ_only_in(granted, m_topology, topology), "a change of topology was not granted");
+    m_topology = topology;
+  }
+
+  void refuse(const Field& bad_field, const Policy& policy) {
+    const Complex::State before = m_complex.state();
+    bool is_refused = false;
+    try {
+      advect(bad_field, policy, policy.topology_control);
+    } catch (const CGAL::Deformable_simplicial_complexes::Invalid_destination_error&) {
+      is_refused = true;
+    }
+    require(is_refused, "a destination that is not finite was accepted");
+    require(m_complex.state() == before, "a deformation was refused, but not without a change");
+    require(dsc_benchmark::check(m_complex), "the complex is invalid");
+  }
+
+private:
+  static void require(bool condition, const char* message) {
+    if (!condition)
+      throw std::runtime_error(message);
+  }
+
+  Report advect(const Field& field, const Policy& policy, const Topology_control& control) {
+    using CGAL::Deformable_simplicial_complexes::Integration_scheme;
+    const auto velocity = [&](const CGAL::Interface_snapshot_3<Complex>&, const std::vector<Point>&,
+                              double, Field& velocities) { velocities = field; };
+    return CGAL::advect_interface(m_complex, velocity, 0., 1.,
+                                  parameters::scheme(Integration_scheme::euler)
+                                      .topology_control(control)
+                                      .maximum_number_of_passes(policy.maximum_number_of_passes)
+                                      .number_of_threads(policy.number_of_threads));
+  }
+
+  const Complex m_initial;
+  Complex m_complex;
+  betti_numbers::Topology m_topology;
+};
+
+void print(const std::string& mesh, const std::string& policy, const Counts& c, std::ostream& out) {
+  out << "| " << mesh << " | " << policy;
+  for (std::size_t count :
+       {c.fields, c.refused, c.complete, c.incomplete, c.restarts, c.split, c.collapsed, c.flipped,
+        c.relabeled, c.merged_components, c.split_components, c.vanished_components})
+    out << " | " << count;
+  out << " |\n";
 }
 
-// Prints a row of the table and returns the last complex.
-Complex abuse(const std::string& name, const Complex& initial, std::size_t number_of_fields,
+// Prints the rows of a mesh and returns its last complex.
+Complex abuse(const std::string& mesh, const Complex& initial, std::size_t number_of_fields,
               unsigned threads, Random_fields& fields, Checksum& checksum, std::ostream& out) {
-  const std::size_t few = initial.interface_vertices().size() / 4;
-  Complex complex = initial;
-  Counts counts;
+  std::map<std::string, Counts> counts; // by policy
+  Victim victim(initial);
   for (std::size_t i = 0; i < number_of_fields; ++i) {
-    if (complex.interface_vertices().size() < few) {
-      complex = initial;
-      ++counts.restarts;
+    const Policy policy = Policy::decode(i, threads);
+    work = mesh + ", field " + std::to_string(i) + ", " + policy.name;
+    ::alarm(seconds_per_field);
+    Counts& c = counts[policy.name];
+    ++c.fields;
+    Field field = fields(victim.complex());
+    if (fields.spoil(field)) {
+      victim.refuse(field, policy);
+      ++c.refused;
+    } else {
+      victim.deform(field, policy, c);
     }
-    Field field = fields(complex);
-    const bool is_bad = fields.spoil(field);
-    deform(complex, field, is_bad, threads, counts);
-    checksum.add(complex.state());
+    checksum.add(victim.complex().state());
+    if (victim.is_worn()) {
+      victim.restart();
+      ++c.restarts;
+    }
   }
-  out << "| " << name << " | " << number_of_fields << " | " << counts.refused << " | "
-      << counts.complete << " | " << counts.incomplete << " | " << counts.restarts << " | "
-      << counts.split << " | " << counts.collapsed << " | " << counts.flipped << " | "
-      << counts.relabeled << " | " << counts.merged_components << " | " << counts.split_components
-      << " | " << counts.vanished_components << " |\n";
-  return complex;
+  ::alarm(0);
+  for (const auto& [policy, c] : counts)
+    print(mesh, policy, c, out);
+  return victim.complex();
 }
 
 void run(std::size_t number_of_fields, std::uint64_t seed, unsigned threads,
          const std::string& checkpoint) {
+  using namespace small_meshes;
+  const std::pair<const char*, Complex> meshes[] = {
+      {"ball", make_complex(grid(6, ball))},
+      {"quadrants", make_complex(grid(6, four_phases))},
+      {"octants", make_complex(grid(6, eight_phases))}};
   Random_fields fields(seed);
   Checksum checksum;
   std::ostringstream out;
-  out << "| mesh | fields | refused | complete | incomplete | restarts | split | collapsed | "
-         "flipped | relabeled | merged | divided | vanished |\n"
-         "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | "
-         "---: |\n";
-  abuse("ball", small_meshes::make_complex(small_meshes::grid(8, small_meshes::ball)),
-        number_of_fields / 2, threads, fields, checksum, out);
-  const Complex last = abuse(
-      "quadrants", small_meshes::make_complex(small_meshes::grid(6, small_meshes::four_phases)),
-      number_of_fields - number_of_fields / 2, threads, fields, checksum, out);
+  out << "| mesh | topology | passes | fields | refused | complete | incomplete | restarts | split "
+         "| collapsed | flipped | relabeled | merged | divided | vanished |\n"
+         "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: "
+         "| ---: | ---: |\n";
+  Complex last;
+  std::size_t done = 0, left = std::size(meshes);
+  for (const auto& [name, initial] : meshes) {
+    const std::size_t n = (number_of_fields - done) / left--;
+    last = abuse(name, initial, n, threads, fields, checksum, out);
+    done += n;
+  }
   out << "\nEvery state was valid. CRC-32 of all states: " << std::hex << checksum.value() << '\n';
   std::cout << out.str();
   if (!checkpoint.empty())
@@ -229,20 +269,21 @@ void run(std::size_t number_of_fields, std::uint64_t seed, unsigned threads,
 
 int main(int argc, char** argv) {
   CLI::App app("Deforms small complexes at random and checks that they stay valid.");
-  std::size_t number_of_fields = 2000;
+  std::size_t number_of_fields = 10000;
   std::uint64_t seed = 1;
-  unsigned threads = 1;
+  unsigned threads = 2;
   std::string checkpoint;
   app.add_option("--fields", number_of_fields, "number of displacement fields");
   app.add_option("--seed", seed, "of the random numbers");
-  app.add_option("--threads", threads, "number of threads");
+  app.add_option("--threads", threads, "number of threads where a policy uses several");
   app.add_option("--checkpoint", checkpoint, "a file for the last complex and what is printed");
   CLI11_PARSE(app, argc, argv);
+  std::signal(SIGALRM, stop_hanging);
   try {
     run(number_of_fields, seed, threads, checkpoint);
     return EXIT_SUCCESS;
   } catch (const std::exception& error) {
-    std::cerr << "random_abuse: " << error.what() << '\n';
+    std::cerr << "random_abuse: " << work << ": " << error.what() << '\n';
     return EXIT_FAILURE;
   }
 }

@@ -94,7 +94,7 @@ measure_abuse() {
   local table=$results/random_abuse.md abuse=$programs/random_abuse run
   : >"$table"
   add_row "$table" "$abuse" --checkpoint "$results/random_abuse-1.dsc"
-  add_row /dev/null "$abuse" --checkpoint "$results/random_abuse-2.dsc" --threads 2
+  add_row /dev/null "$abuse" --checkpoint "$results/random_abuse-2.dsc" --threads 1
   add_row /dev/null setarch "$(uname -m)" --addr-no-randomize \
     "$abuse" --checkpoint "$results/random_abuse-3.dsc"
   for run in 2 3; do

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
+#include <map>
 #include <ostream>
 #include <set>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 // Betti numbers of labels and interfaces, counted from scratch.
@@ -24,21 +26,28 @@ struct Betti_numbers
   }
 };
 
-// Sets of numbers that are joined one by one.
+// Sets of numbers that are joined one by one. Numbers may be large: time stamps are.
 class Joined_sets
 {
 public:
+  // The number that stands for the set of i, which is a set of its own the first time.
   std::size_t find(std::size_t i) {
-    while (i >= m_parents.size())
-      m_parents.push_back(m_parents.size());
-    while (m_parents[i] != i)
-      i = m_parents[i] = m_parents[m_parents[i]];
-    return i;
+    std::size_t& parent = m_parents.try_emplace(i, i).first->second;
+    if (parent != i)
+      parent = find(parent);
+    return parent;
   }
-  void join(std::size_t a, std::size_t b) { m_parents[find(a)] = find(b); }
+  void join(std::size_t a, std::size_t b) {
+    const std::size_t root = find(a);
+    m_parents[root] = find(b);
+  }
+  long number_of_sets() const {
+    return std::count_if(m_parents.begin(), m_parents.end(),
+                         [](const auto& item) { return item.first == item.second; });
+  }
 
 private:
-  std::vector<std::size_t> m_parents;
+  std::unordered_map<std::size_t, std::size_t> m_parents;
 };
 
 // Numbers of distinct simplices of a set of simplices and all their faces.
@@ -48,31 +57,33 @@ public:
   template <std::size_t N> void add(std::array<std::size_t, N> simplex) {
     std::sort(simplex.begin(), simplex.end());
     for (unsigned face = 1; face < (1u << N); ++face) {
-      std::vector<std::size_t> vertices;
+      Simplex vertices = {};
+      std::size_t n = 0;
       for (std::size_t i = 0; i < N; ++i)
         if ((face >> i & 1) != 0)
-          vertices.push_back(simplex[i]);
-      m_simplices.insert(vertices);
+          vertices[n++] = simplex[i];
+      m_simplices[n - 1].push_back(vertices);
     }
     for (std::size_t i = 1; i < N; ++i)
       m_sets.join(simplex[0], simplex[i]);
   }
 
-  long euler_characteristic() const {
-    return std::accumulate(m_simplices.begin(), m_simplices.end(), 0L,
-                           [](long sum, const std::vector<std::size_t>& s) {
-                             return sum + (s.size() % 2 == 1 ? 1 : -1);
-                           });
-  }
-  long components() {
-    long result = 0;
-    for (const auto& s : m_simplices)
-      result += s.size() == 1 && m_sets.find(s[0]) == s[0];
+  long euler_characteristic() {
+    long result = 0, sign = 1;
+    for (std::vector<Simplex>& simplices : m_simplices) {
+      std::sort(simplices.begin(), simplices.end());
+      simplices.erase(std::unique(simplices.begin(), simplices.end()), simplices.end());
+      result += sign * long(simplices.size());
+      sign = -sign;
+    }
     return result;
   }
+  long components() const { return m_sets.number_of_sets(); }
 
 private:
-  std::set<std::vector<std::size_t>> m_simplices;
+  using Simplex = std::array<std::size_t, 4>; // vertices, increasing, then zeros
+
+  std::array<std::vector<Simplex>, 4> m_simplices; // by dimension
   Joined_sets m_sets;
 };
 
@@ -80,21 +91,21 @@ private:
 // for which it holds. Facets for which `is_wall` holds are not passed.
 template <class Complex, class Condition, class Wall>
 long parts_with_outside(const Complex& dsc, const Condition& condition, const Wall& is_wall) {
+  static constexpr std::size_t outside = 0;
   Joined_sets sets;
-  const auto number = [&](auto c) { return dsc.is_infinite(c) ? 0 : c->time_stamp() + 1; };
-  std::set<std::size_t> cells = {0};
+  sets.find(outside);
+  const auto number = [&](auto c) { return dsc.is_infinite(c) ? outside : c->time_stamp() + 1; };
   for (auto c : dsc.triangulation().finite_cell_handles()) {
     if (!condition(c))
       continue;
-    cells.insert(number(c));
+    sets.find(number(c));
     for (int i = 0; i < 4; ++i) {
       const auto n = c->neighbor(i);
       if ((dsc.is_infinite(n) || condition(n)) && !is_wall(c, n))
         sets.join(number(c), number(n));
     }
   }
-  return std::count_if(cells.begin(), cells.end(),
-                       [&](std::size_t i) { return sets.find(i) == i; });
+  return sets.number_of_sets();
 }
 
 inline Betti_numbers from(Simplex_count& count, long parts_of_complement) {
@@ -131,16 +142,40 @@ template <class Complex> Betti_numbers of_interface(const Complex& dsc) {
                   [&](auto c, auto n) { return !dsc.is_infinite(n) && c->label() != n->label(); }));
 }
 
-// Of everything that a deformation with topology control keeps: of each label, of what it leaves,
-// which tells of its interior, and of the interface.
-template <class Complex> std::vector<Betti_numbers> of_complex(const Complex& dsc) {
-  std::vector<Betti_numbers> result;
-  for (auto label : dsc.labels()) {
-    result.push_back(of_cells(dsc, [&](auto c) { return c->label() == label; }));
-    result.push_back(of_cells(dsc, [&](auto c) { return c->label() != label; }));
+// Of everything that a deformation with topology control keeps.
+struct Topology
+{
+  // of each label, and of what it leaves, which tells of its interior
+  std::map<int, std::pair<Betti_numbers, Betti_numbers>> labels;
+  Betti_numbers surface; // the interface
+
+  friend bool operator==(const Topology& a, const Topology& b) {
+    return a.labels == b.labels && a.surface == b.surface;
   }
-  result.push_back(of_interface(dsc));
+  friend std::ostream& operator<<(std::ostream& out, const Topology& t) {
+    for (const auto& [label, numbers] : t.labels)
+      out << label << ": " << numbers.first << " in " << numbers.second << ", ";
+    return out << "interface: " << t.surface;
+  }
+};
+
+template <class Complex> Topology of_complex(const Complex& dsc) {
+  Topology result;
+  for (auto label : dsc.labels())
+    result.labels[label] = {of_cells(dsc, [&](auto c) { return c->label() == label; }),
+                            of_cells(dsc, [&](auto c) { return c->label() != label; })};
+  result.surface = of_interface(dsc);
   return result;
+}
+
+// Whether nothing differs but the topology of some labels, and with it that of the interface.
+inline bool differ_only_in(const std::set<int>& labels, Topology a, Topology b) {
+  for (int label : labels) {
+    a.labels.erase(label);
+    b.labels.erase(label);
+    a.surface = b.surface;
+  }
+  return a == b;
 }
 
 } // namespace betti_numbers

@@ -43,6 +43,12 @@ inline int four_phases(const Point& p) { return (p.x() < 0 ? 0 : 1) + (p.y() < 0
 // a ball of radius 0.6 about the origin has label 1
 inline int ball(const Point& p) { return (p - CGAL::ORIGIN).squared_length() < 0.36; }
 
+// the octants of a ball of radius 0.8 have the labels 0 to 7, and around them is 0; n must be even
+inline int eight_phases(const Point& p) {
+  const bool is_inside = (p - CGAL::ORIGIN).squared_length() < 0.64;
+  return is_inside ? four_phases(p) + (p.z() < 0 ? 0 : 4) : 0;
+}
+
 // two disjoint balls of radius 0.3, both with label 1
 inline int two_balls(const Point& p) {
   const double x = std::abs(p.x()) - 0.5;

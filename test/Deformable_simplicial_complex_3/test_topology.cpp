@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -214,6 +215,43 @@ TEST(Topology_control, forbidden_changes_do_not_happen_under_random_abuse) {
       ASSERT_EQ(betti_numbers::of_complex(dsc), before) << field;
     }
   }
+}
+
+// Whoever grants changes, only the labels between which one was granted may change.
+TEST(Topology_control, eight_labels_change_only_where_granted) {
+  using Control = std::function<bool(const Complex&, Cell_handle, int)>;
+  const auto is_at_the_right = [](const Complex& complex, Cell_handle c, int) {
+    return complex.position(c->vertex(0)).x() > 0;
+  };
+  Random random(4);
+  std::size_t granted_in_all = 0;
+  for (const Control& control :
+       {Control(CGAL::Deformable_simplicial_complexes::Allow_topology_changes()),
+        Control(Forbid_topology_changes()),
+        Control(Allow_topology_changes_between({std::pair<int, int>(1, 3)})),
+        Control(is_at_the_right)}) {
+    Complex dsc = make_complex(grid(4, small_meshes::eight_phases));
+    auto before = betti_numbers::of_complex(dsc);
+    ASSERT_EQ(before.labels.size(), 8u);
+    for (int field = 0; field < 4; ++field) {
+      std::set<int> granted;
+      const auto recorded = [&](const Complex& complex, Cell_handle c, int label) {
+        const bool is_granted = control(complex, c, label);
+        if (is_granted)
+          granted.insert({c->label(), label});
+        return is_granted;
+      };
+      const double length = random(.5, 2) * dsc.mean_interface_edge();
+      deform(
+          dsc, [&](const Position&) { return random.vector<Complex>(length); },
+          parameters::topology_control(recorded).maximum_number_of_passes(4));
+      const auto after = betti_numbers::of_complex(dsc);
+      EXPECT_TRUE(differ_only_in(granted, before, after)) << before << '\n' << after;
+      granted_in_all += granted.size();
+      before = after;
+    }
+  }
+  EXPECT_GT(granted_in_all, 0u);
 }
 
 namespace {
