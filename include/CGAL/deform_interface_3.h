@@ -56,6 +56,13 @@ the way of vertices that have not arrived, and improves what became bad.
     \cgalParamType{model of `TopologyControl_3`, by value or `std::reference_wrapper`}
     \cgalParamDefault{`Deformable_simplicial_complexes::Allow_topology_changes`}
   \cgalParamNEnd
+  \cgalParamNBegin{manifold_interface}
+    \cgalParamDescription{whether the boundary of each phase stays a 2-manifold: cells whose new
+                          label would pinch it take others along or keep theirs, see
+                          `propose_manifold_relabeling()`. Where it is pinched to begin with, it may
+                          stay so, at no more vertices.}
+    \cgalParamType{`bool`} \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told of each change of the mesh and may end the deformation}
     \cgalParamType{model of `DeformationVisitor_3`, by value or `std::reference_wrapper`}
@@ -92,6 +99,8 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
   Deformable_simplicial_complexes::internal::check_threshold(quality_threshold);
   Deformable_simplicial_complexes::internal::check_threshold(relabeling_threshold);
 
+  const bool manifold_interface =
+      choose_parameter(get_parameter(np, tags::manifold_interface), false);
   const unsigned number_of_threads =
       choose_parameter(get_parameter(np, tags::number_of_threads), 1u);
 
@@ -100,7 +109,7 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
   using TopologyControl = std::remove_reference_t<decltype(topology_control)>;
   Deformable_simplicial_complexes::internal::Interface_deformer_3<Complex, Visitor, TopologyControl>
       deformer(dsc, visitor, topology_control, quality_threshold, relabeling_threshold,
-               for_each_index);
+               manifold_interface, for_each_index);
   deformer.set_destinations(destination);
   unsigned pass = 0;
   while (!deformer.is_complete() && deformer.is_progressing() && pass < maximum_number_of_passes &&

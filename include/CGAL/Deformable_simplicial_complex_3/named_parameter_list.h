@@ -12,4 +12,5 @@ CGAL_add_named_parameter(maximum_number_of_passes_t, maximum_number_of_passes, m
 CGAL_add_named_parameter(scheme_t, scheme, scheme)
 CGAL_add_named_parameter(number_of_threads_t, number_of_threads, number_of_threads)
 CGAL_add_named_parameter(topology_control_t, topology_control, topology_control)
+CGAL_add_named_parameter(manifold_interface_t, manifold_interface, manifold_interface)
 CGAL_add_named_parameter(aggressive_t, aggressive, aggressive)

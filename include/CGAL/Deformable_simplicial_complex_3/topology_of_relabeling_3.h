@@ -63,6 +63,38 @@ private:
   std::array<bool, 15> m_has = {}; // the tetrahedron itself, 15, is no part of its boundary
 };
 
+// The criterion of relabeling_keeps_topology(), for labels that cells need not carry yet.
+template <class Complex, class LabelOf>
+bool keeps_topology(const Complex& complex, typename Complex::Cell_handle cell,
+                    typename Complex::Label label, const LabelOf& label_of) {
+  enum { of_old, of_new, of_all_but_old, of_all_but_new };
+  std::array<Trace_on_tetrahedron, 4> traces;
+  Trace_on_tetrahedron outside;
+  std::vector<typename Complex::Cell_handle> star;
+  for (int i = 0; i < 4; ++i) {
+    complex.star(cell->vertex(i), star);
+    for (auto c : star) {
+      if (c == cell)
+        continue;
+      unsigned common = 0;
+      for (int j = 0; j < 4; ++j)
+        common |= c->has_vertex(cell->vertex(j)) ? 1u << j : 0;
+      if (complex.is_infinite(c)) {
+        outside.add(common);
+        continue;
+      }
+      traces[label_of(c) == label_of(cell) ? of_old : of_all_but_old].add(common);
+      traces[label_of(c) == label ? of_new : of_all_but_new].add(common);
+    }
+  }
+  return std::all_of(traces.begin(), traces.end(), [&](Trace_on_tetrahedron& trace) {
+    if (!trace.is_contractible())
+      return false;
+    trace.add(outside);
+    return trace.is_contractible();
+  });
+}
+
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 
@@ -90,33 +122,41 @@ Linear in the stars of the vertices of the cell.
 template <class Complex>
 bool relabeling_keeps_topology(const Complex& complex, typename Complex::Cell_handle cell,
                                typename Complex::Label label) {
-  using Trace = Deformable_simplicial_complexes::internal::Trace_on_tetrahedron;
-  enum { of_old, of_new, of_all_but_old, of_all_but_new };
-  std::array<Trace, 4> traces;
-  Trace outside;
-  std::vector<typename Complex::Cell_handle> star;
-  for (int i = 0; i < 4; ++i) {
-    complex.star(cell->vertex(i), star);
-    for (auto c : star) {
-      if (c == cell)
-        continue;
-      unsigned common = 0;
-      for (int j = 0; j < 4; ++j)
-        common |= c->has_vertex(cell->vertex(j)) ? 1u << j : 0;
-      if (complex.is_infinite(c)) {
-        outside.add(common);
-        continue;
-      }
-      traces[c->label() == cell->label() ? of_old : of_all_but_old].add(common);
-      traces[c->label() == label ? of_new : of_all_but_new].add(common);
-    }
-  }
-  return std::all_of(traces.begin(), traces.end(), [&](Trace& trace) {
-    if (!trace.is_contractible())
+  return Deformable_simplicial_complexes::internal::keeps_topology(
+      complex, cell, label, [](typename Complex::Cell_handle c) { return c->label(); });
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Tells whether several cells can get another label one after the other so that each of them keeps the
+topology, as the function above says.
+
+\param complex is not changed.
+\param cells finite cells, each once.
+\param label the new label, different from those of the cells.
+\return whether an order was found. It is sought cell by cell, without ever going back, so that in
+        rare cases one is missed; then a change is named that there is none.
+
+Quadratic in the number of cells if the first order tried is one, else cubic.
+*/
+template <class Complex>
+bool relabeling_keeps_topology(const Complex& complex,
+                               std::vector<typename Complex::Cell_handle> cells,
+                               typename Complex::Label label) {
+  using Cell_handle = typename Complex::Cell_handle;
+  for (auto next = cells.begin(); next != cells.end(); ++next) {
+    const auto label_of = [&](Cell_handle c) {
+      return std::find(cells.begin(), next, c) != next ? label : c->label();
+    };
+    const auto keeping = std::find_if(next, cells.end(), [&](Cell_handle c) {
+      return Deformable_simplicial_complexes::internal::keeps_topology(complex, c, label, label_of);
+    });
+    if (keeping == cells.end())
       return false;
-    trace.add(outside);
-    return trace.is_contractible();
-  });
+    std::iter_swap(next, keeping);
+  }
+  return true;
 }
 
 } // namespace CGAL

@@ -35,9 +35,10 @@ public:
 
   Interface_deformer_3(Complex& complex, Visitor& visitor, TopologyControl& topology_control,
                        double quality_threshold, double relabeling_threshold,
-                       const For_each_index& for_each_index)
+                       bool manifold_interface, const For_each_index& for_each_index)
       : m_complex(complex), m_visitor(visitor), m_improver(complex, visitor, quality_threshold),
-        m_trapped_cells(complex, visitor, topology_control, relabeling_threshold),
+        m_trapped_cells(complex, visitor, topology_control, relabeling_threshold,
+                        manifold_interface),
         m_relabeling_threshold(relabeling_threshold), m_for_each_index(for_each_index) {}
 
   // No destination survives the deformation, even if a visitor ends it by an exception.

@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_TRAPPED_CELLS_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_TRAPPED_CELLS_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/internal/Manifold_relabeling_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Topology_log_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/final_quality.h>
 #include <CGAL/Deformable_simplicial_complex_3/relabeling_3.h>
@@ -26,7 +27,8 @@ namespace internal {
 // Relabels cells that are trapped between parts of the interface. Those that keep the topology go
 // first, and draw their neighbors along; one that changes it is relabeled when nothing else is left
 // to do, and then again first those that keep it. So two parts that meet grow together from one
-// place, instead of touching in many.
+// place, instead of touching in many. Where the interface is to be manifold, a cell takes others
+// along with it, or keeps its label.
 template <class Complex, class Visitor, class TopologyControl> class Trapped_cells_3
 {
 public:
@@ -36,9 +38,10 @@ public:
   // No cell of at least `final_threshold` with its vertices at their destinations is relabeled: it
   // is flat only on the way.
   Trapped_cells_3(Complex& complex, Visitor& visitor, TopologyControl& topology_control,
-                  double final_threshold)
+                  double final_threshold, bool manifold_interface)
       : m_complex(complex), m_visitor(visitor), m_topology_control(topology_control),
-        m_final_threshold(final_threshold), m_log(complex) {}
+        m_final_threshold(final_threshold), m_manifold_interface(manifold_interface),
+        m_log(complex) {}
 
   Topology_log_3<Complex>& log() { return m_log; }
   std::size_t number_of_relabeled() const { return m_relabeled; }
@@ -49,15 +52,17 @@ public:
     m_done.clear();
     std::vector<Cell_handle> front = cells;
     spread(front, threshold);
+    std::vector<Cell_handle> proposed;
     for (Cell_handle c : cells) {
       Label label;
-      if (!is_trapped(c, threshold, label) || relabeling_keeps_topology(m_complex, c, label) ||
+      if (!propose(c, threshold, proposed, label) ||
+          relabeling_keeps_topology(m_complex, proposed, label) ||
           !m_topology_control(std::as_const(m_complex), c, label))
         continue;
-      m_log.record(c, label);
-      relabel(c, label);
+      record(proposed, label);
+      relabel(proposed, label);
       front.clear();
-      add_neighbors(c, front);
+      add_neighbors(proposed, front);
       remove_small_components(front); // what has just been cut off
       spread(front, threshold);
     }
@@ -69,11 +74,11 @@ public:
     for (Cell_handle c : cells)
       if (is_small_component(c, component)) {
         const Label label = surrounding_label(component);
-        if (label == c->label() || !m_topology_control(std::as_const(m_complex), c, label))
+        if (label == c->label() || !complete(component, label) ||
+            !m_topology_control(std::as_const(m_complex), c, label))
           continue;
-        m_log.record(c, label);
-        for (Cell_handle d : component)
-          relabel(d, label);
+        record(component, label);
+        relabel(component, label);
       }
   }
 
@@ -118,41 +123,71 @@ private:
 
   // Relabels cells that keep the topology, and those around them.
   void spread(std::vector<Cell_handle>& front, double threshold) {
+    std::vector<Cell_handle> proposed;
     for (std::size_t i = 0; i < front.size(); ++i) {
-      const Cell_handle c = front[i];
       Label label;
-      if (is_trapped(c, threshold, label) && relabeling_keeps_topology(m_complex, c, label)) {
-        relabel(c, label);
-        add_neighbors(c, front);
+      if (propose(front[i], threshold, proposed, label) &&
+          relabeling_keeps_topology(m_complex, proposed, label)) {
+        relabel(proposed, label);
+        add_neighbors(proposed, front);
       }
     }
   }
 
+  // Finds the cells to be relabeled with a trapped one, which comes first, and their new label.
+  bool propose(Cell_handle c, double threshold, std::vector<Cell_handle>& cells,
+               Label& label) const {
+    if (!is_trapped(c, threshold, label))
+      return false;
+    cells.assign(1, c);
+    return complete(cells, label) &&
+           std::none_of(cells.begin(), cells.end(), [&](Cell_handle d) { return is_done(d); });
+  }
+
+  // Appends what else must be relabeled for the sake of a manifold interface. Returns whether that
+  // is possible.
+  bool complete(std::vector<Cell_handle>& cells, Label label) const {
+    return !m_manifold_interface ||
+           Manifold_relabeling_3<Complex>(m_complex, cells, label).complete();
+  }
+
   bool is_trapped(Cell_handle c, double threshold, Label& label) const {
-    return m_done.count(c->time_stamp()) == 0 &&
-           propose_relabeling(m_complex, c, threshold, label) &&
+    return !is_done(c) && propose_relabeling(m_complex, c, threshold, label) &&
            final_quality(m_complex, {c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)}) <
                m_final_threshold;
   }
 
-  void add_neighbors(Cell_handle c, std::vector<Cell_handle>& front) const {
-    for (int i = 0; i < 4; ++i)
-      if (!m_complex.is_infinite(c->neighbor(i)))
-        front.push_back(c->neighbor(i));
+  bool is_done(Cell_handle c) const { return m_done.count(c->time_stamp()) != 0; }
+
+  void add_neighbors(const std::vector<Cell_handle>& cells, std::vector<Cell_handle>& front) const {
+    for (Cell_handle c : cells)
+      for (int i = 0; i < 4; ++i)
+        if (!m_complex.is_infinite(c->neighbor(i)))
+          front.push_back(c->neighbor(i));
   }
 
-  void relabel(Cell_handle c, Label label) {
-    const Label before = c->label();
-    m_complex.relabel(c, label);
-    m_visitor.after_relabel(c, before);
-    m_done.insert(c->time_stamp());
-    ++m_relabeled;
+  void record(const std::vector<Cell_handle>& cells, Label label) {
+    for (Cell_handle c : cells)
+      m_log.record(c, label);
+  }
+
+  // Cells of one label. The visitor is told when all of them have the new one.
+  void relabel(const std::vector<Cell_handle>& cells, Label label) {
+    const Label before = cells.front()->label();
+    for (Cell_handle c : cells) {
+      m_complex.relabel(c, label);
+      m_done.insert(c->time_stamp());
+    }
+    m_relabeled += cells.size();
+    for (Cell_handle c : cells)
+      m_visitor.after_relabel(c, before);
   }
 
   Complex& m_complex;
   Visitor& m_visitor;
   TopologyControl& m_topology_control;
   double m_final_threshold;
+  bool m_manifold_interface;
   Topology_log_3<Complex> m_log;
   boost::container::flat_set<std::size_t> m_done; // by time stamp
   std::size_t m_relabeled = 0;

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABELLED_STAR_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABELLED_STAR_3_H
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The cells around a vertex with their labels, or with others that they might get. Each is a
+// triangle of the link, which is a sphere.
+template <class Complex> class Labelled_star_3
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Label = std::optional<typename Complex::Label>; // none outside the domain
+
+  static constexpr std::size_t none = std::size_t(-1);
+
+  // Sets of cells that are connected through facets.
+  struct Parts
+  {
+    std::vector<std::size_t> of_cell; // the number of its part, `none` if it is in no part
+    std::size_t number = 0;
+  };
+
+  // `label_of(c)` is the label of a finite cell.
+  template <class LabelOf>
+  Labelled_star_3(const Complex& complex, Vertex_handle v, const LabelOf& label_of) {
+    complex.star(v, m_cells);
+    for (Cell_handle c : m_cells) {
+      m_labels.push_back(complex.is_infinite(c) ? Label() : Label(label_of(c)));
+      std::array<std::size_t, 3> neighbors = {};
+      auto out = neighbors.begin();
+      for (int k = 0; k < 4; ++k)
+        if (c->vertex(k) != v)
+          *out++ = std::size_t(std::find(m_cells.begin(), m_cells.end(), c->neighbor(k)) -
+                               m_cells.begin());
+      m_neighbors.push_back(neighbors);
+    }
+  }
+
+  std::size_t size() const { return m_cells.size(); }
+  Cell_handle cell(std::size_t i) const { return m_cells[i]; }
+  const Label& label(std::size_t i) const { return m_labels[i]; }
+  const std::array<std::size_t, 3>& neighbors(std::size_t i) const { return m_neighbors[i]; }
+
+  // The parts of the cells for whose labels a condition holds, numbered in the order of the star.
+  template <class Condition> Parts parts(const Condition& holds) const {
+    Parts result;
+    result.of_cell.assign(size(), none);
+    std::vector<std::size_t> front;
+    const auto visit = [&](std::size_t i) {
+      if (result.of_cell[i] != none || !holds(m_labels[i]))
+        return;
+      result.of_cell[i] = result.number;
+      front.push_back(i);
+    };
+    for (std::size_t seed = 0; seed < size(); ++seed) {
+      visit(seed);
+      if (front.empty())
+        continue;
+      while (!front.empty()) {
+        const std::size_t i = front.back();
+        front.pop_back();
+        for (std::size_t n : m_neighbors[i])
+          visit(n);
+      }
+      ++result.number;
+    }
+    return result;
+  }
+
+  // Whether each label has one part and leaves one part. On a sphere, both are discs then, and
+  // their common boundary is one closed curve that passes no vertex twice.
+  bool is_manifold() const {
+    std::vector<Label> labels = m_labels;
+    std::sort(labels.begin(), labels.end());
+    labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+    return std::all_of(labels.begin(), labels.end(), [&](const Label& label) {
+      return parts([&](const Label& other) { return other == label; }).number <= 1 &&
+             parts([&](const Label& other) { return other != label; }).number <= 1;
+    });
+  }
+
+private:
+  std::vector<Cell_handle> m_cells;
+  std::vector<Label> m_labels;
+  std::vector<std::array<std::size_t, 3>> m_neighbors;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABELLED_STAR_3_H

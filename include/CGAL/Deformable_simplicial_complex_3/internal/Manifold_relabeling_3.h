@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_MANIFOLD_RELABELING_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_MANIFOLD_RELABELING_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/internal/Labelled_star_3.h>
+
+#include <boost/container/flat_set.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Cells of one label that are to get another one together. Where that would pinch the interface at
+// a vertex, more cells of the old label around it join them: what opens a tunnel between parts that
+// touch only there.
+template <class Complex> class Manifold_relabeling_3
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Label = typename Complex::Label;
+
+  // `cells` are finite and of one label; those that join them are appended.
+  Manifold_relabeling_3(const Complex& complex, std::vector<Cell_handle>& cells, Label label)
+      : m_complex(complex), m_cells(cells), m_old(cells.front()->label()), m_new(label) {
+    for (Cell_handle c : cells)
+      enlist(c);
+  }
+
+  // Appends cells until the interface would be manifold at all their vertices. Returns whether few
+  // cells are enough for that.
+  bool complete() {
+    static constexpr std::size_t few = 60;
+    for (std::size_t i = 0; i < m_vertices.size(); ++i) {
+      const Vertex_handle v = m_vertices[i];
+      if (std::find(m_vertices.begin() + std::ptrdiff_t(i) + 1, m_vertices.end(), v) !=
+          m_vertices.end())
+        continue; // its turn comes
+      const Star star(m_complex, v, [&](Cell_handle c) {
+        return m_time_stamps.count(c->time_stamp()) != 0 ? m_new : c->label();
+      });
+      if (star.is_manifold())
+        continue;
+      const std::size_t before = m_cells.size();
+      widen(star);
+      if (m_cells.size() == before || m_cells.size() > few)
+        return false;
+    }
+    return true;
+  }
+
+private:
+  using Star = Labelled_star_3<Complex>;
+  using Parts = typename Star::Parts;
+
+  void enlist(Cell_handle c) {
+    m_time_stamps.insert(c->time_stamp());
+    for (int i = 0; i < 4; ++i)
+      m_vertices.push_back(c->vertex(i));
+  }
+
+  void add(Cell_handle c) {
+    m_cells.push_back(c);
+    enlist(c);
+  }
+
+  // Repairs one defect of a star, if cells of the old label can.
+  void widen(const Star& star) {
+    using Label_or_none = typename Star::Label;
+    const auto is_old = [&](const Label_or_none& label) { return label == m_old; };
+    const auto is_new = [&](const Label_or_none& label) { return label == m_new; };
+    const Parts joined = star.parts(is_new), left = star.parts(is_old);
+    const Parts others = star.parts([&](const Label_or_none& label) { return !is_new(label); });
+    if (joined.number > 1)
+      join(star, joined);
+    else if (left.number > 1)
+      absorb(star, left, largest(star, left));
+    else if (others.number > 1)
+      absorb(star, left, Star::none);
+    else // the old label may lie all around the new one
+      join(star, star.parts([&](const Label_or_none& label) { return !is_old(label); }));
+  }
+
+  // Adds the cells of the old label, of least volume, that join the first of the parts to another
+  // one; none if there is no way. Dijkstra's algorithm.
+  void join(const Star& star, const Parts& parts) {
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::vector<double> distances(star.size(), infinity);
+    std::vector<std::size_t> previous(star.size(), Star::none);
+    std::vector<bool> is_done(star.size());
+    for (std::size_t i = 0; i < star.size(); ++i)
+      if (parts.of_cell[i] == 0)
+        distances[i] = 0;
+    for (;;) {
+      std::size_t nearest = Star::none;
+      for (std::size_t i = 0; i < star.size(); ++i)
+        if (!is_done[i] && distances[i] < infinity &&
+            (nearest == Star::none || distances[i] < distances[nearest]))
+          nearest = i;
+      if (nearest == Star::none)
+        return;
+      const bool is_between = parts.of_cell[nearest] == Star::none;
+      if (!is_between && parts.of_cell[nearest] != 0) {
+        for (std::size_t i = previous[nearest]; parts.of_cell[i] == Star::none; i = previous[i])
+          add(star.cell(i));
+        return;
+      }
+      is_done[nearest] = true;
+      for (std::size_t n : star.neighbors(nearest)) {
+        const bool is_old = star.label(n) == m_old;
+        if (!is_old && parts.of_cell[n] == Star::none)
+          continue;
+        const double distance = distances[nearest] + (is_old ? volume(star.cell(n)) : 0);
+        if (distance < distances[n]) {
+          distances[n] = distance;
+          previous[n] = nearest;
+        }
+      }
+    }
+  }
+
+  // Adds all parts but one.
+  void absorb(const Star& star, const Parts& parts, std::size_t kept) {
+    for (std::size_t i = 0; i < star.size(); ++i)
+      if (parts.of_cell[i] != Star::none && parts.of_cell[i] != kept)
+        add(star.cell(i));
+  }
+
+  // The part of most volume.
+  std::size_t largest(const Star& star, const Parts& parts) const {
+    std::vector<double> volumes(parts.number);
+    for (std::size_t i = 0; i < star.size(); ++i)
+      if (parts.of_cell[i] != Star::none)
+        volumes[parts.of_cell[i]] += volume(star.cell(i));
+    return std::size_t(std::max_element(volumes.begin(), volumes.end()) - volumes.begin());
+  }
+
+  // Not below zero, where rounding might take it.
+  double volume(Cell_handle c) const {
+    const auto p = [&](int i) { return m_complex.position(c->vertex(i)); };
+    const auto volume = m_complex.geom_traits().compute_approximate_volume_3_object();
+    return (std::max)(0., double(volume(p(0), p(1), p(2), p(3))));
+  }
+
+  const Complex& m_complex;
+  std::vector<Cell_handle>& m_cells;
+  Label m_old, m_new;
+  boost::container::flat_set<std::size_t> m_time_stamps; // of the cells
+  std::vector<Vertex_handle> m_vertices;                 // of the cells, in the order of visits
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_MANIFOLD_RELABELING_3_H
