@@ -4,8 +4,10 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Triangulation_data_structure_3.h>
 #include <CGAL/advect_interface_3.h>
+#include <CGAL/control_detail_3.h>
 #include <CGAL/deform_interface_3.h>
 #include <CGAL/improve_mesh_3.h>
+#include <CGAL/remove_degeneracies_3.h>
 
 #include <gtest/gtest.h>
 
@@ -74,6 +76,18 @@ TEST(Archetypes, complex) {
 
 TEST(Archetypes, improve_mesh) {
   expect_same([](auto& dsc) { CGAL::improve_mesh(dsc, parameters::quality_threshold(.6)); });
+}
+
+TEST(Archetypes, control_detail) {
+  expect_same([](auto& dsc) {
+    CGAL::control_detail(dsc, parameters::change_interface(true).interface_split_length(1.2));
+  });
+}
+
+TEST(Archetypes, remove_degeneracies) {
+  expect_same([](auto& dsc) {
+    CGAL::remove_degeneracies(dsc, parameters::degenerate_quality(.3).degenerate_cosine(.9));
+  });
 }
 
 TEST(Archetypes, deform_interface) {

@@ -2,9 +2,10 @@
 \ingroup PkgDeformableSimplicialComplex3Concepts
 \cgalConcept
 
-An object that is told of each change that `CGAL::deform_interface()`, `CGAL::advect_interface()`
-and `CGAL::improve_mesh()` make to the simplices of a complex, so that data attached to them can
-follow, and that may end a deformation. Motion is not told of.
+An object that is told of each change that `CGAL::deform_interface()`, `CGAL::advect_interface()`,
+`CGAL::improve_mesh()`, `CGAL::control_detail()` and `CGAL::remove_degeneracies()` make to the
+simplices of a complex, so that data attached to them can follow, and that may end a deformation.
+Motion is not told of. Only the first two relabel cells, change the topology or have passes.
 
 The functions are called in an order that does not depend on the number of threads, by one thread at
 a time. None of them may change the complex. If one throws, the exception reaches the caller, and
@@ -34,14 +35,14 @@ public:
   /// interface was removed.
   void after_flip(const std::vector<Complex::Cell_handle>& cells);
 
-  /// `cell` had the label `before` and has another one now. Not called by `CGAL::improve_mesh()`.
+  /// `cell` had the label `before` and has another one now.
   void after_relabel(Complex::Cell_handle cell, int before);
 
   /// Components of a label merged, split, vanished or appeared. Called at the end of the pass, once
-  /// for each event. Not called by `CGAL::improve_mesh()`.
+  /// for each event.
   void after_topology_event(const CGAL::Topology_event<Complex>& event);
 
   /// is asked before each pass of a deformation, the first one being 1; `false` ends the
-  /// deformation, which is then reported as incomplete. Not asked by `CGAL::improve_mesh()`.
+  /// deformation, which is then reported as incomplete.
   bool go_further(unsigned int pass);
 };

@@ -65,7 +65,7 @@ public:
     m_removed.clear();
     m_tetrahedra.clear();
     m_created.clear();
-    m_vanishing_vertex = Vertex_handle();
+    m_vanishing_vertex = m_kept_vertex = Vertex_handle();
     m_quality_before = m_quality_after = std::numeric_limits<double>::infinity();
   }
 
@@ -95,8 +95,11 @@ public:
       m_quality_before = (std::min)(m_quality_before, c->quality());
   }
 
-  /// Plans the removal of a vertex all of whose cells are removed.
-  void remove(Vertex_handle v) { m_vanishing_vertex = v; }
+  /// Plans the removal of a vertex all of whose cells are removed; it collapses into `kept`.
+  void remove(Vertex_handle v, Vertex_handle kept) {
+    m_vanishing_vertex = v;
+    m_kept_vertex = kept;
+  }
 
   /// Plans a tetrahedron in the place of `parent`, a removed cell. Returns its quality.
   double create(const std::array<Index, 4>& vertices, Cell_handle parent) {
@@ -138,6 +141,8 @@ public:
   const std::vector<Tetrahedron>& tetrahedra() const { return m_tetrahedra; }
   /// The vertex to be removed, null if there is none.
   Vertex_handle vanishing_vertex() const { return m_vanishing_vertex; }
+  /// The vertex that it collapses into, null if there is none.
+  Vertex_handle kept_vertex() const { return m_kept_vertex; }
 
   /// The cells that a commit made, parallel to `tetrahedra()`; empty before.
   const std::vector<Cell_handle>& created() const { return m_created; }
@@ -155,7 +160,7 @@ private:
   std::vector<Cell_handle> m_removed;
   std::vector<Tetrahedron> m_tetrahedra;
   std::vector<Cell_handle> m_created;
-  Vertex_handle m_vanishing_vertex;
+  Vertex_handle m_vanishing_vertex, m_kept_vertex;
   double m_quality_before = std::numeric_limits<double>::infinity();
   double m_quality_after = std::numeric_limits<double>::infinity();
 };

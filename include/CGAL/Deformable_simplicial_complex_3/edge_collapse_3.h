@@ -197,7 +197,7 @@ bool propose_edge_collapse(const Complex& complex, typename Complex::Cell_handle
   cavity.clear();
   for (auto c : star_a)
     cavity.remove(c);
-  cavity.remove(a);
+  cavity.remove(a, b);
   const auto b_index = cavity.add(b);
   for (auto c : star_a) {
     if (c->has_vertex(b))

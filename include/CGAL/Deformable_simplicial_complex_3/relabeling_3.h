@@ -5,7 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_RELABELING_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_RELABELING_3_H
 
-#include <array>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Facet_normals_3.h>
+
 #include <cmath>
 #include <utility>
 
@@ -32,18 +33,10 @@ Constant time.
 template <class Complex>
 bool propose_relabeling(const Complex& complex, typename Complex::Cell_handle cell,
                         double threshold, typename Complex::Label& label) {
-  using Vector = typename Complex::Approximate_vector_3;
   if (!(cell->quality() < threshold))
     return false;
-  std::array<Vector, 4> normals;
-  int largest = 0;
-  for (int i = 0; i < 4; ++i) {
-    const auto v = complex.facet_vertices({cell, i});
-    const auto p = complex.position(v[0]);
-    normals[i] = cross_product(complex.position(v[1]) - p, complex.position(v[2]) - p);
-    if (normals[i].squared_length() > normals[largest].squared_length())
-      largest = i;
-  }
+  const Deformable_simplicial_complexes::internal::Facet_normals_3<Complex> normals(complex, cell);
+  const int largest = normals.largest();
 
   if (complex.is_interface(std::make_pair(cell, largest)) &&
       cell->vertex(largest)->is_interface()) {

@@ -7,10 +7,12 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complex_3/degeneracy_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/commit_collapse_or_flip.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/final_quality.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_retriangulation_3.h>
@@ -66,20 +68,11 @@ public:
 
   // Improves the cells below the threshold, then those that arose from them, and so on.
   void improve(Cells cells, unsigned rounds) {
-    Cells touched;
-    for (unsigned round = 0; round < rounds && !cells.empty(); ++round) {
-      cells.sort();
-      touched.clear();
-      for (const auto& item : cells) {
-        const Cell_handle c = item.cell;
-        if (!m_complex.is_alive(c, item.time_stamp) || !is_bad(c))
-          continue;
-        if (!(reconnect(c, touched) || smooth(c, touched) || collapse(c, touched) ||
-              split(c, touched) || (m_is_thorough && insert(c, touched))))
-          m_complex.set_exhausted(c);
-      }
-      std::swap(cells, touched);
-    }
+    work_in_rounds(m_complex, std::move(cells), rounds, [&](Cell_handle c, Cells& touched) {
+      if (is_bad(c) && !(reconnect(c, touched) || smooth(c, touched) || collapse(c, touched) ||
+                         split(c, touched) || (m_is_thorough && insert(c, touched))))
+        m_complex.set_exhausted(c);
+    });
   }
 
   // Whether the cell is below the threshold and has changed since it was last tried in vain.
@@ -92,14 +85,14 @@ public:
   bool reconnect(Cell_handle c, Cells& touched) {
     for (int i = 0; i < 4; ++i)
       if (propose_multi_face_removal(m_complex, c, i, m_cavity) && !covers_interface())
-        return flip(touched);
+        return commit(touched);
     for (int i = 0; i < 4; ++i)
       for (int j = i + 1; j < 4; ++j)
         if (propose_edge_removal(m_complex, c, i, j, m_cavity) && !covers_interface())
-          return flip(touched);
+          return commit(touched);
     for (int i = 0; m_is_thorough && i < 4; ++i)
       if (propose_multi_face_retriangulation(m_complex, c, i, m_cavity) && !covers_interface())
-        return flip(touched);
+        return commit(touched);
     return false;
   }
 
@@ -171,40 +164,15 @@ public:
     return true;
   }
 
-  // Removes a facet of the interface with an angle below a bound, given by its cosine: the longest
-  // edge of a cap is flipped, the shortest one of a needle collapsed ("degeneracy removal" of
-  // section 3.2.1).
+  // Removes a facet of the interface with an angle below a bound, given by its cosine, if that
+  // makes the cell's surroundings better.
   bool remove_degenerate_facet(Cell_handle c, double cosine, Cells& touched) {
-    for (int f = 0; f < 4; ++f) {
-      if (!m_complex.is_interface(std::make_pair(c, f)))
-        continue;
-      const int v[3] = {(f + 1) % 4, (f + 2) % 4, (f + 3) % 4};
-      double squared[3]; // of the edges opposite to the three vertices
-      for (int k = 0; k < 3; ++k)
-        squared[k] = (m_complex.position(c->vertex(v[(k + 1) % 3])) -
-                      m_complex.position(c->vertex(v[(k + 2) % 3])))
-                         .squared_length();
-      const int shortest = int(std::min_element(squared, squared + 3) - squared);
-      const int longest = int(std::max_element(squared, squared + 3) - squared);
-      const auto cosine_at = [&](int k) {
-        const double p = squared[(k + 1) % 3], q = squared[(k + 2) % 3];
-        return (p + q - squared[k]) / (2 * std::sqrt(p * q));
-      };
-      if (!(cosine_at(shortest) > cosine))
-        continue;
-      const auto ends = [&](int k) { return std::make_pair(v[(k + 1) % 3], v[(k + 2) % 3]); };
-      static constexpr double cap = -.5; // an angle above 120 degrees
-      if (cosine_at(longest) < cap) {
-        const auto e = ends(longest);
-        if (propose_interface_edge_flip(m_complex, c, e.first, e.second, m_cavity))
-          return flip(touched);
-      } else {
-        const auto e = ends(shortest);
-        if (collapse_edge(c, e.first, e.second, touched) ||
-            collapse_edge(c, e.second, e.first, touched))
-          return true;
-      }
-    }
+    for (int i = 0; i < 4; ++i)
+      if (m_complex.is_interface(std::make_pair(c, i)) &&
+          propose_degenerate_facet_removal(m_complex, c, i, cosine, better * c->quality(),
+                                           m_cavity) &&
+          (m_cavity.vanishing_vertex() == Vertex_handle() || !covers_interface()))
+        return commit(touched);
     return false;
   }
 
@@ -270,20 +238,12 @@ private:
 
   // Collapses vertex i of a cell into vertex j if that makes the cell's surroundings better.
   bool collapse_edge(Cell_handle c, int i, int j, Cells& touched) {
-    const double better = 1.1 * c->quality();
-    if (!propose_edge_collapse(m_complex, c, i, j, better, m_cavity) || covers_interface())
-      return false;
-    m_visitor.before_collapse(c->vertex(i), c->vertex(j));
-    m_complex.replace(m_cavity);
-    ++m_report.collapsed;
-    touch_created(touched);
-    return true;
+    return propose_edge_collapse(m_complex, c, i, j, better * c->quality(), m_cavity) &&
+           !covers_interface() && commit(touched);
   }
 
-  bool flip(Cells& touched) {
-    m_complex.replace(m_cavity);
-    ++m_report.flipped;
-    m_visitor.after_flip(m_cavity.created());
+  bool commit(Cells& touched) {
+    commit_collapse_or_flip(m_complex, m_cavity, m_visitor, m_report);
     touch_created(touched);
     return true;
   }
@@ -298,7 +258,8 @@ private:
       touched.push(c);
   }
 
-  static constexpr double flat = 1e-9; // a quality that is zero up to rounding
+  static constexpr double flat = 1e-9;  // a quality that is zero up to rounding
+  static constexpr double better = 1.1; // times the quality of a cell that a collapse is to remove
 
   Complex& m_complex;
   Visitor& m_visitor;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,6 +42,22 @@ public:
 private:
   std::vector<Item> m_items;
 };
+
+// Calls work(c, touched) for the cells c by creation, then for those that it put into `touched`,
+// and so on. Cells that are gone when it is their turn are left out.
+template <class Complex, class Work>
+void work_in_rounds(const Complex& complex, Work_list<typename Complex::Cell_handle> cells,
+                    unsigned rounds, const Work& work) {
+  Work_list<typename Complex::Cell_handle> touched;
+  for (unsigned round = 0; round < rounds && !cells.empty(); ++round) {
+    cells.sort();
+    touched.clear();
+    for (const auto& item : cells)
+      if (complex.is_alive(item.cell, item.time_stamp))
+        work(item.cell, touched);
+    std::swap(cells, touched);
+  }
+}
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes

@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REMOVE_DEGENERACIES_3_H
+#define CGAL_REMOVE_DEGENERACIES_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complex_3/degeneracy_removal_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/commit_collapse_or_flip.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/edge_unit.h>
+#include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
+
+#include <utility>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Removes nearly flat tetrahedra, facets with small angles and short edges, of the interface too
+("degeneracy removal", section 3.2.1 of the paper), by
+`propose_degenerate_tetrahedron_removal()`, `propose_degenerate_facet_removal()` and
+`propose_degenerate_edge_removal()`, each where it is possible. The topology of the interface stays;
+the interface moves by the volume of what is removed.
+
+\param dsc the complex.
+\param np named parameters:
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{degenerate_quality}
+    \cgalParamDescription{cells of lower quality are removed, in [0, 1]}
+    \cgalParamType{`double`} \cgalParamDefault{0.005, the paper's}
+  \cgalParamNEnd
+  \cgalParamNBegin{degenerate_cosine}
+    \cgalParamDescription{facets with an angle of larger cosine are removed, in [0.5, 1]}
+    \cgalParamType{`double`} \cgalParamDefault{0.999, the paper's}
+  \cgalParamNEnd
+  \cgalParamNBegin{degenerate_length}
+    \cgalParamDescription{shorter edges are removed, in units of the size field or, without one, of
+                          `dsc.minimum_interface_edge()`, not negative}
+    \cgalParamType{`double`} \cgalParamDefault{0.5, the paper's}
+  \cgalParamNEnd
+  \cgalParamNBegin{size_field}
+    \cgalParamDescription{the wanted length of edges, a positive function of position:
+                          `double size_field(Approximate_point_3 p)`, asked at midpoints of edges,
+                          in the coordinates of the complex}
+    \cgalParamType{function object, by value or `std::reference_wrapper`}
+    \cgalParamDefault{`dsc.minimum_interface_edge()` everywhere}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{how many rounds at the most: each round works on what the last one made}
+    \cgalParamType{`unsigned int`} \cgalParamDefault{10}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told of each change of the mesh}
+    \cgalParamType{model of `DeformationVisitor_3`, by value or `std::reference_wrapper`}
+    \cgalParamDefault{`Deformation_visitor_3`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return what was done.
+\throws Deformable_simplicial_complexes::Error if a parameter is out of its range, the complex then
+       being unchanged, or if the size field has a value that is not positive. An exception of the
+       size field or of the visitor leaves a valid complex.
+
+A pass over the cells, then n log n in the number of changed cells.
+*/
+template <class Complex, class NamedParameters =
+                             Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Improvement_report remove_degeneracies(Complex& dsc,
+                                       const NamedParameters& np = NamedParameters()) {
+  namespace tags = Deformable_simplicial_complexes::internal_np;
+  namespace internal = Deformable_simplicial_complexes::internal;
+  using Cell_handle = typename Complex::Cell_handle;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  auto given_visitor =
+      choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Deformation_visitor_3());
+  auto& visitor = internal::unwrap(given_visitor);
+  const double quality = choose_parameter(get_parameter(np, tags::degenerate_quality), .005);
+  const double cosine = choose_parameter(get_parameter(np, tags::degenerate_cosine), .999);
+  const double length = choose_parameter(get_parameter(np, tags::degenerate_length), .5);
+  internal::check_threshold(quality);
+  if (!(cosine >= .5 && cosine <= 1))
+    throw Deformable_simplicial_complexes::Error(
+        "the cosine of the smallest angle of a facet is out of range: use 0.5 to 1");
+  if (!(length >= 0))
+    throw Deformable_simplicial_complexes::Error(
+        "the length of a degenerate edge is out of range: use 0 or more");
+  const unsigned rounds =
+      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 10u);
+  const auto unit =
+      internal::edge_unit(get_parameter(np, tags::size_field), dsc.minimum_interface_edge());
+
+  Improvement_report report;
+  Cavity_3<Complex> cavity(dsc);
+  const auto propose = [&](Cell_handle c) {
+    if (propose_degenerate_tetrahedron_removal(dsc, c, quality, cavity))
+      return true;
+    for (int i = 0; i < 4; ++i)
+      if (propose_degenerate_facet_removal(dsc, c, i, cosine, c->quality(), cavity))
+        return true;
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j) {
+        const auto p = dsc.position(c->vertex(i)), q = dsc.position(c->vertex(j));
+        if (propose_degenerate_edge_removal(dsc, c, i, j, length * unit(p + .5 * (q - p)),
+                                            c->quality(), cavity))
+          return true;
+      }
+    return false;
+  };
+
+  internal::Work_list<Cell_handle> cells;
+  for (Cell_handle c : dsc.triangulation().finite_cell_handles())
+    cells.push(c);
+  internal::work_in_rounds(dsc, std::move(cells), rounds,
+                           [&](Cell_handle c, internal::Work_list<Cell_handle>& touched) {
+                             if (!propose(c))
+                               return;
+                             internal::commit_collapse_or_flip(dsc, cavity, visitor, report);
+                             for (Cell_handle d : cavity.created())
+                               if (!dsc.is_infinite(d))
+                                 touched.push(d);
+                           });
+  return report;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_REMOVE_DEGENERACIES_3_H
