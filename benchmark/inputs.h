@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/number_utils.h>
 
 #include <array>
 #include <cmath>
@@ -68,6 +69,47 @@ inline void append_sphere(Surface& surface, const Kernel::Vector_3& centre, std:
       for (std::size_t k = j + 1; k < corners.size(); ++k)
         if (are_adjacent(i, j) && are_adjacent(j, k) && are_adjacent(k, i))
           cut_face({corners[i], corners[j], corners[k]});
+}
+
+/// Appends what a polygon (x, r) becomes around the x axis: a surface of n equal parts, with
+/// corners on the axis where r is zero. Points that triangles share are equal.
+inline void append_revolved(Surface& surface, const std::vector<std::array<double, 2>>& polygon,
+                            std::size_t n) {
+  const auto point = [&](std::size_t i, std::size_t j) {
+    const auto [x, r] = polygon[i];
+    const double angle = 2 * CGAL_PI * double(j % n) / double(n);
+    return Kernel::Point_3(x, r * std::cos(angle), r * std::sin(angle));
+  };
+  const auto add_triangle = [&](const Kernel::Point_3& a, const Kernel::Point_3& b,
+                                const Kernel::Point_3& c) {
+    if (a == b || b == c || c == a) // at the axis
+      return;
+    const std::size_t first = surface.points.size();
+    surface.points.insert(surface.points.end(), {a, b, c});
+    surface.triangles.push_back({first, first + 1, first + 2});
+  };
+  for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      add_triangle(point(i, j), point(i + 1, j), point(i + 1, j + 1));
+      add_triangle(point(i, j), point(i + 1, j + 1), point(i, j + 1));
+    }
+}
+
+/// A sphere about the origin, of 20 n^2 triangles.
+inline Surface sphere(double radius, std::size_t n) {
+  Surface surface;
+  append_sphere(surface, Kernel::Vector_3(0, 0, 0), n);
+  for (auto& p : surface.points)
+    p = CGAL::ORIGIN + radius * (p - CGAL::ORIGIN);
+  return surface;
+}
+
+/// Appends the triangles of another surface.
+inline void append(Surface& surface, const Surface& other) {
+  const std::size_t first = surface.points.size();
+  surface.points.insert(surface.points.end(), other.points.begin(), other.points.end());
+  for (const auto& t : other.triangles)
+    surface.triangles.push_back({first + t[0], first + t[1], first + t[2]});
 }
 
 /// Two unit spheres side by side, half a radius apart, with 3240 triangles in all.

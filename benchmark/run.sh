@@ -61,6 +61,24 @@ measure_topology() {
     add_row "$table" "$programs/two_spheres_union" -n "$n"
   done
   add_row "$table" "$programs/two_spheres_union" -n 9 --forbid
+
+  table=$results/topology_changes.md
+  local scenario
+  begin_table "$table" scenario triangles "mean edge" steps \
+    "components of 1, of 0, Euler characteristic" "since t" expected events "incomplete steps" \
+    right seconds
+  for scenario in torus dumbbell shell split; do
+    add_row "$table" "$programs/topology_changes" "$scenario"
+  done
+
+  table=$results/quadruple_point.md
+  begin_table "$table" triangles tetrahedra "triple edges" "quadruple points" "incomplete steps" \
+    labels "triple lines" "distance / box side" "change of a volume" right seconds
+  add_row "$table" "$programs/phases" quadruple_point
+  table=$results/double_bubble.md
+  begin_table "$table" triangles tetrahedra "incomplete steps" "unfinished vertices" \
+    "area of the wall" smallest "volume of a bubble" "components of 0, 1, 2" events right seconds
+  add_row "$table" "$programs/phases" double_bubble
 }
 
 measure_improvement() {

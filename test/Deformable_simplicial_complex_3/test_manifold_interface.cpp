@@ -36,7 +36,7 @@ using Cell_handle = Complex::Cell_handle;
 using Vertex_handle = Complex::Vertex_handle;
 using Position = Complex::Approximate_point_3;
 using Vector = Complex::Approximate_vector_3;
-using Topology = std::vector<betti_numbers::Betti_numbers>;
+using betti_numbers::Topology;
 using Label_of_point = std::function<int(const Point&)>;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 

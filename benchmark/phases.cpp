@@ -1,0 +1,280 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Moves more than two phases: turns four that meet in a point by 360 degrees, or grows a double
+// bubble. Prints a row of a table; fails if the phases are not what they must be.
+
+#include "counts.h"
+#include "inputs.h"
+#include "measures.h"
+#include "small_meshes.h"
+
+#include <CGAL/Tetgen_tetrahedralizer_3.h>
+#include <CGAL/advect_interface_3.h>
+#include <CGAL/interface_flows_3.h>
+#include <CGAL/make_deformable_simplicial_complex_3.h>
+
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dsc_benchmark {
+namespace {
+
+using Labels = std::set<int>;
+using Triangle = std::array<std::size_t, 3>;
+
+// The sectors of a ball in label 0: the upper half, and three sectors of the lower one. Any
+// two share a plane; the planes consist of facets of a grid.
+int four_sectors(const small_meshes::Point& p) {
+  static constexpr double radius = .5;
+  if ((p - CGAL::ORIGIN).squared_length() > radius * radius)
+    return 0;
+  if (p.z() > 0)
+    return 4;
+  if (p.x() > 0 && p.y() > 0)
+    return 1;
+  return p.x() < p.y() ? 2 : 3;
+}
+
+// All that a rotation by 360 degrees must bring back. Vertices are named by their time stamps.
+struct Phases
+{
+  std::map<std::size_t, Point> vertices;                       // of the interface
+  std::map<Triangle, Labels> facets;                           // of the interface
+  std::map<std::pair<std::size_t, std::size_t>, Labels> lines; // edges of three labels or more
+  std::map<std::size_t, Labels> points;                        // vertices of four or more
+  std::map<int, double> volumes;
+
+  explicit Phases(const Complex& complex) {
+    for (const Complex::Vertex_handle v : complex.interface_vertices())
+      vertices.emplace(v->time_stamp(), complex.position(v));
+    for (const Complex::Facet& f : complex.interface_facets()) {
+      const Triangle t = time_stamps(complex, f);
+      const Labels labels = {f.first->label(), f.first->neighbor(f.second)->label()};
+      facets.emplace(t, labels);
+      for (std::size_t i = 0; i < 3; ++i) {
+        lines[std::minmax(t[i], t[(i + 1) % 3])].insert(labels.begin(), labels.end());
+        points[t[i]].insert(labels.begin(), labels.end());
+      }
+    }
+    keep_those_of(3, lines);
+    keep_those_of(4, points);
+    for (const int label : complex.labels())
+      volumes.emplace(label, complex.volume(label));
+  }
+
+  // The largest distance of vertices from where others have them, infinite if one is missing.
+  double distance(const Phases& other) const {
+    double result = vertices.size() == other.vertices.size() ? 0 : HUGE_VAL;
+    for (const auto& [time_stamp, position] : vertices) {
+      const auto it = other.vertices.find(time_stamp);
+      result = (std::max)(result, it == other.vertices.end()
+                                      ? HUGE_VAL
+                                      : std::sqrt((position - it->second).squared_length()));
+    }
+    return result;
+  }
+
+  // The largest change of a volume, relative to what others have.
+  double change_of_volume(const Phases& other) const {
+    double result = volumes.size() == other.volumes.size() ? 0 : HUGE_VAL;
+    for (const auto& [label, volume] : volumes) {
+      const auto it = other.volumes.find(label);
+      result = (std::max)(result,
+                          it == other.volumes.end() ? HUGE_VAL : std::abs(volume / it->second - 1));
+    }
+    return result;
+  }
+
+private:
+  template <class Map> static void keep_those_of(std::size_t number_of_labels, Map& map) {
+    for (auto it = map.begin(); it != map.end();)
+      it = it->second.size() < number_of_labels ? map.erase(it) : std::next(it);
+  }
+};
+
+// The point in which the phases meet turns too: the axis passes beside it.
+int measure_quadruple_point(std::size_t n) {
+  static constexpr int number_of_steps = 180;
+  static constexpr double tolerance = 1e-9;
+  const auto mesh = small_meshes::grid(2 * n, four_sectors);
+  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+      mesh.points, mesh.tetrahedra, mesh.labels);
+  const CGAL::Bbox_3 box = bounding_box(complex);
+  const Phases before(complex);
+  const auto is_quadruple = [](const auto& point) {
+    static const Labels sectors = {1, 2, 3, 4};
+    return std::includes(point.second.begin(), point.second.end(), sectors.begin(), sectors.end());
+  };
+  const auto quadruple_points =
+      std::count_if(before.points.begin(), before.points.end(), is_quadruple);
+  const CGAL::Rigid_rotation_3 rotation({.1, .1, .1}, {1, 2, 3}, 360. / number_of_steps * degree);
+  std::size_t incomplete = 0;
+  const double begin = processor_seconds();
+  for (int step = 0; step < number_of_steps; ++step)
+    incomplete += CGAL::advect_interface(complex, rotation, step, 1.).complete ? 0 : 1;
+  const double seconds = processor_seconds() - begin;
+
+  const Phases after(complex);
+  const double distance = after.distance(before) / (box.xmax() - box.xmin());
+  const double change_of_volume = after.change_of_volume(before);
+  const bool same_labels = after.facets == before.facets;
+  const bool same_lines = after.lines == before.lines && after.points == before.points;
+  const bool is_right = check(complex) && quadruple_points == 1 && same_labels && same_lines &&
+                        distance < tolerance && change_of_volume < tolerance;
+  std::cout.precision(4);
+  std::cout << "| " << before.facets.size() << " | " << complex.number_of_cells() << " | "
+            << before.lines.size() << " | " << quadruple_points << " | " << incomplete << " | "
+            << (same_labels ? "same" : "**others**") << " | "
+            << (same_lines ? "same" : "**others**") << " | " << distance << " | "
+            << change_of_volume << " | " << (is_right ? "yes" : "**no**") << " | " << seconds
+            << " |" << std::endl;
+  return is_right ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+// Two spheres of radius 0.5 cut by the plane x = 0 at 120 degrees, as soap films meet, the wall
+// between them, and a large sphere around.
+Surface double_bubble(std::size_t n) {
+  static constexpr double radius = .5;
+  const double rim = radius * std::sin(120 * degree);
+  const std::size_t pieces_of_cap = 3 * n / 2, pieces_of_wall = n / 2;
+  std::vector<std::array<double, 2>> cap, other_cap, wall;
+  for (std::size_t i = 0; i < pieces_of_cap; ++i) {
+    const double angle = 120 * degree * double(i) / double(pieces_of_cap);
+    cap.push_back({-radius / 2 - radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  cap.push_back({0, rim});
+  for (const auto& [x, r] : cap)
+    other_cap.push_back({-x, r});
+  for (std::size_t i = 0; i <= pieces_of_wall; ++i)
+    wall.push_back({0, rim * double(i) / double(pieces_of_wall)});
+  Surface surface = sphere(2, 4);
+  for (const auto& polygon : {cap, other_cap, wall})
+    append_revolved(surface, polygon, 3 * n);
+  CGAL::Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(surface.points,
+                                                                        surface.triangles);
+  return surface;
+}
+
+// The triangles cut the tetrahedra into three regions: those with the middles of the bubbles have
+// the labels 1 and 2, the other one 0.
+std::vector<int> labels_of_bubbles(const CGAL::Tetrahedralization_3& mesh,
+                                   const std::vector<Triangle>& triangles) {
+  std::set<Triangle> walls;
+  for (Triangle t : triangles) {
+    std::sort(t.begin(), t.end());
+    walls.insert(t);
+  }
+  betti_numbers::Joined_sets regions;
+  std::map<Triangle, std::size_t> sides;
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+    auto v = mesh.tetrahedra[t];
+    std::sort(v.begin(), v.end());
+    for (const Triangle& facet : {Triangle{v[1], v[2], v[3]}, Triangle{v[0], v[2], v[3]},
+                                  Triangle{v[0], v[1], v[3]}, Triangle{v[0], v[1], v[2]}})
+      if (walls.count(facet) == 0)
+        regions.join(t, sides.emplace(facet, t).first->second);
+  }
+  const auto region_at = [&](double x) {
+    const auto distance = [&](const std::array<std::size_t, 4>& tetrahedron) {
+      Vector sum(0, 0, 0);
+      for (const std::size_t i : tetrahedron)
+        sum = sum + Vector(mesh.points[i][0] - x, mesh.points[i][1], mesh.points[i][2]);
+      return sum.squared_length();
+    };
+    const auto nearest =
+        std::min_element(mesh.tetrahedra.begin(), mesh.tetrahedra.end(),
+                         [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+    return regions.find(std::size_t(nearest - mesh.tetrahedra.begin()));
+  };
+  const std::size_t left = region_at(-.25), right = region_at(.25);
+  std::vector<int> labels;
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+    labels.push_back(regions.find(t) == left ? 1 : regions.find(t) == right ? 2 : 0);
+  return labels;
+}
+
+Complex make_double_bubble(std::size_t n) {
+  const Surface surface = double_bubble(n);
+  std::vector<std::array<double, 3>> coordinates;
+  for (const auto& p : surface.points)
+    coordinates.push_back({p.x(), p.y(), p.z()});
+  const CGAL::Tetrahedralization_3 mesh =
+      CGAL::Tetgen_tetrahedralizer_3()(coordinates, surface.triangles);
+  std::vector<Complex::Point_3> points;
+  for (const auto& p : mesh.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  return CGAL::make_deformable_simplicial_complex_3<Complex>(
+      points, mesh.tetrahedra, labels_of_bubbles(mesh, surface.triangles));
+}
+
+// Where the bubbles meet the outside, the mean normal of both leads outward in the plane of the
+// wall, which so grows; the vertices inside of it stay.
+int measure_double_bubble(std::size_t n) {
+  static constexpr int number_of_steps = 10;
+  Complex complex = make_double_bubble(n);
+  const std::size_t triangles = complex.interface_facets().size();
+  const double step = complex.mean_interface_edge() / 4;
+  const double area = complex.area(1, 2), volume = complex.volume(1);
+  double smallest_area = area;
+  bool is_right = area > 0;
+  std::size_t incomplete = 0, unfinished = 0, events = 0;
+  const double begin = processor_seconds();
+  for (int i = 0; i < number_of_steps; ++i) {
+    const auto report = CGAL::advect_interface(complex, CGAL::Normal_offset_3{1}, i * step, step);
+    incomplete += report.complete ? 0 : 1;
+    unfinished += report.unfinished.size();
+    events += report.events.size();
+    smallest_area = (std::min)(smallest_area, complex.area(1, 2));
+    is_right = is_right && smallest_area > 0 && events == 0 && check(complex) &&
+               complex.labels() == std::vector<int>{0, 1, 2};
+    for (const int label : {0, 1, 2})
+      is_right = is_right && components(complex, label) == 1;
+  }
+  const double seconds = processor_seconds() - begin;
+  std::cout.precision(4);
+  std::cout << "| " << triangles << " | " << complex.number_of_cells() << " | " << incomplete
+            << " | " << unfinished << " | " << area << " → " << complex.area(1, 2) << " | "
+            << smallest_area << " | " << volume << " → " << complex.volume(1) << " | "
+            << components(complex, 0) << ", " << components(complex, 1) << ", "
+            << components(complex, 2) << " | " << events << " | " << (is_right ? "yes" : "**no**")
+            << " | " << seconds << " |" << std::endl;
+  return is_right ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+} // namespace
+} // namespace dsc_benchmark
+
+int main(int argc, char** argv) {
+  CLI::App app("Turns four phases that meet in a point, or grows a double bubble.");
+  std::string name;
+  std::size_t n = 10;
+  app.add_option("scenario", name)
+      ->required()
+      ->check(CLI::IsMember({"quadruple_point", "double_bubble"}));
+  app.add_option("-n", n, "resolution: a grid of (2n)^3 cubes, or 3n edges around the bubbles")
+      ->check(CLI::Range(4, 100));
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return name == "quadruple_point" ? dsc_benchmark::measure_quadruple_point(n)
+                                     : dsc_benchmark::measure_double_bubble(n);
+  } catch (const std::exception& error) {
+    std::cerr << "phases: " << name << ": " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+}

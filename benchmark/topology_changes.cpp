@@ -1,0 +1,279 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Moves a surface by a flow that changes its topology, counts components and the Euler
+// characteristic from scratch after every step, and prints a row of a table: what came and when.
+// Fails if that is not what must come.
+
+#include "counts.h"
+#include "inputs.h"
+#include "measures.h"
+
+#include <CGAL/Deformable_simplicial_complex_3/Component_event.h>
+#include <CGAL/Tetgen_tetrahedralizer_3.h>
+#include <CGAL/advect_interface_3.h>
+#include <CGAL/make_deformable_simplicial_complex_3.h>
+#include <CGAL/number_utils.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace dsc_benchmark {
+namespace {
+
+struct Topology
+{
+  long solids, outsides, euler_characteristic; // components of label 1 and of label 0
+
+  friend bool operator==(const Topology& a, const Topology& b) {
+    return std::tie(a.solids, a.outsides, a.euler_characteristic) ==
+           std::tie(b.solids, b.outsides, b.euler_characteristic);
+  }
+  friend std::ostream& operator<<(std::ostream& out, const Topology& t) {
+    return out << t.solids << ", " << t.outsides << ", " << t.euler_characteristic;
+  }
+};
+
+struct Stage
+{
+  Topology topology;
+  double time; // when it begins
+};
+
+constexpr double any_time = std::numeric_limits<double>::quiet_NaN(); // no time is far from it
+
+// Where a point at p at the time t is at t + dt. A map and not a velocity, as the flows stop things
+// at an axis or a plane, which a step of an integrator would cross.
+using Flow = std::function<Point(const Point& p, double t, double dt)>;
+
+struct Scenario
+{
+  Surface surface;
+  Flow flow; // of at most unit speed: time is distance
+  std::vector<Stage> stages;
+  std::vector<std::string> events;
+  double end; // by when all must have come
+};
+
+// Towards the x axis, with a speed that depends on x.
+Flow to_axis(const std::function<double(double)>& speed) {
+  return [speed](const Point& p, double, double dt) {
+    const double r = std::hypot(p.y(), p.z());
+    const double scale = r > 0 ? (std::max)(0., 1 - speed(p.x()) * dt / r) : 0.;
+    return Point(p.x(), scale * p.y(), scale * p.z());
+  };
+}
+
+// Its hole closes when the radius 0.4 of the hole has been covered.
+Scenario torus(std::size_t n) {
+  static constexpr double tube_radius = .6;
+  std::vector<std::array<double, 2>> circle;
+  for (std::size_t i = 0; i < 3 * n; ++i) {
+    const double angle = 2 * CGAL_PI * double(i) / double(3 * n);
+    circle.push_back({tube_radius * std::sin(angle), 1 - tube_radius * std::cos(angle)});
+  }
+  circle.push_back(circle.front());
+  Surface surface;
+  append_revolved(surface, circle, 5 * n);
+  return {surface,
+          to_axis([](double) { return 1.; }),
+          {{{1, 1, 0}, 0}, {{1, 1, 2}, 1 - tube_radius}},
+          {},
+          .8};
+}
+
+// Balls about (-1, 0, 0) and (1, 0, 0) and a bar between them, pinched in the middle.
+Scenario dumbbell(std::size_t n) {
+  static constexpr double ball_radius = .5, bar_radius = .25; // the bar begins at 150 degrees
+  const double bar_end = 1 - ball_radius * std::cos(30 * degree);
+  std::vector<std::array<double, 2>> profile;
+  for (std::size_t i = 0; i < 2 * n; ++i) {
+    const double angle = 150 * degree * double(i) / double(2 * n);
+    profile.push_back({-1 - ball_radius * std::cos(angle), ball_radius * std::sin(angle)});
+  }
+  for (std::size_t i = 0; i <= n; ++i)
+    profile.push_back({-bar_end * double(n - i) / double(n), bar_radius});
+  for (std::size_t i = profile.size() - 1; i-- > 0;)
+    profile.push_back({-profile[i][0], profile[i][1]});
+  Surface surface;
+  append_revolved(surface, profile, 2 * n);
+  const auto bump = [](double x) {
+    const double y = 1 - 4 * x * x;
+    return y > 0 ? y * y : 0.;
+  };
+  return {surface,
+          to_axis(bump),
+          {{{1, 1, 2}, 0}, {{2, 1, 4}, bar_radius}},
+          {"label 1 split 1 → 2"},
+          .5};
+}
+
+// A hollow ball whose walls draw together around x = 0, first where y > 0 and z = 0, last on the
+// other side: the tear runs round both ways with a speed of 2, until two cups are left.
+Scenario shell(std::size_t n) {
+  static constexpr double inner_radius = .8, middle = (1 + inner_radius) / 2, half = 1 - middle;
+  static constexpr double width = .3, delay = middle / (2 * half);
+  Surface surface = sphere(1, n);
+  append(surface, sphere(inner_radius, n));
+  const Flow tear = [](const Point& p, double, double dt) {
+    const auto from_center = p - CGAL::ORIGIN;
+    const double r = std::sqrt(from_center.squared_length());
+    const double speed = std::exp(-p.x() * p.x() / (width * width)) /
+                         (1 + delay * std::abs(std::atan2(p.z(), p.y())));
+    const double left = (std::max)(0., std::abs(r - middle) - speed * dt);
+    return CGAL::ORIGIN + (middle + std::copysign(left, r - middle)) / r * from_center;
+  };
+  return {surface,
+          tear,
+          {{{1, 2, 4}, 0}, {{1, 1, 2}, half}, {{2, 1, 4}, any_time}},
+          {"label 0 merged 2 → 1", "label 1 split 1 → 2"},
+          half * (1 + delay * CGAL_PI) + .3};
+}
+
+// A ball is pinched along the plane x = 0 until it falls in two; the halves move apart, and back by
+// the reversed flow until they meet again. Pinching and parting take turns: parting while pinching,
+// reversed, would open the tips of the halves to disks that meet everywhere at once.
+Scenario split(std::size_t n) {
+  static constexpr double pinched = 1.15, parted = 1.35;
+  const Flow pinch = to_axis([](double x) { return std::exp(-4 * x * x); });
+  const Flow flow = [pinch](const Point& p, double t, double dt) {
+    if (t < pinched)
+      return pinch(p, t, dt);
+    const double way = t < parted ? dt : -dt;
+    return Point(std::copysign((std::max)(0., std::abs(p.x()) + way), p.x()), p.y(), p.z());
+  };
+  return {sphere(1, n),
+          flow,
+          {{{1, 1, 2}, 0}, {{2, 1, 4}, 1}, {{1, 1, 2}, any_time}},
+          {"label 1 split 1 → 2", "label 1 merged 2 → 1"},
+          2.2};
+}
+
+std::string to_string(const CGAL::Component_event& event) {
+  static constexpr const char* kinds[] = {"merged", "split", "vanished", "appeared"};
+  return "label " + std::to_string(event.label) + ' ' + kinds[static_cast<int>(event.kind)] + ' ' +
+         std::to_string(event.before.size()) + " → " + std::to_string(event.after.size());
+}
+
+// What the stages were, and whether all counts agreed with those of the complex.
+class Observer
+{
+public:
+  explicit Observer(const Complex& complex) { observe(complex, 0); }
+
+  const Topology& observe(const Complex& complex, double t) {
+    const Topology now = {components(complex, 1), components(complex, 0),
+                          euler_characteristic(complex)};
+    if (m_stages.empty() || !(m_stages.back().topology == now))
+      m_stages.push_back({now, t});
+    m_is_right =
+        m_is_right && check(complex) &&
+        now == Topology{long(complex.number_of_components(1)),
+                        long(complex.number_of_components(0)), complex.euler_characteristic(1)};
+    return m_stages.back().topology;
+  }
+
+  const std::vector<Stage>& stages() const { return m_stages; }
+
+  // Whether the stages are the expected ones, in time.
+  bool is_right(const std::vector<Stage>& expected, double tolerance) const {
+    const auto is_same = [tolerance](const Stage& a, const Stage& b) {
+      return a.topology == b.topology && !(std::abs(a.time - b.time) > tolerance);
+    };
+    return m_is_right &&
+           std::equal(m_stages.begin(), m_stages.end(), expected.begin(), expected.end(), is_same);
+  }
+
+private:
+  std::vector<Stage> m_stages;
+  bool m_is_right = true;
+};
+
+template <class Range, class Print>
+void print_list(const Range& range, const char* separator, const Print& print) {
+  const char* before = "";
+  for (const auto& item : range) {
+    std::cout << before;
+    print(item);
+    before = separator;
+  }
+  std::cout << " | ";
+}
+
+// In steps of a quarter of a mean edge, and four more when all has come: it must also stay.
+int run(const std::string& name, const Scenario& scenario, bool prints_steps) {
+  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+      std::vector<Surface>{scenario.surface}, CGAL::Tetgen_tetrahedralizer_3());
+  const double edge = complex.mean_interface_edge(), dt = edge / 4;
+  const std::size_t triangles = complex.interface_facets().size();
+  Observer observer(complex);
+  std::vector<std::string> events;
+  std::size_t steps = 0, steps_at_end = 0, incomplete = 0;
+  const double begin = processor_seconds();
+  for (; double(steps) * dt < scenario.end && steps_at_end < 4; ++steps) {
+    const auto report = CGAL::advect_interface(complex, scenario.flow, double(steps) * dt, dt);
+    const double t = double(steps + 1) * dt;
+    const Topology& topology = observer.observe(complex, t);
+    incomplete += report.complete ? 0 : 1;
+    steps_at_end += observer.stages().size() >= scenario.stages.size();
+    if (prints_steps)
+      std::cerr << "t = " << t << ": " << topology << "; unfinished " << report.unfinished.size();
+    for (const auto& event : report.events) {
+      events.push_back(to_string(event));
+      if (prints_steps)
+        std::cerr << "; " << events.back() << " at " << event.where;
+    }
+    if (prints_steps)
+      std::cerr << '\n';
+  }
+  const double seconds = processor_seconds() - begin;
+  const bool is_right = observer.is_right(scenario.stages, edge) && events == scenario.events;
+
+  std::cout.precision(4);
+  std::cout << "| " << name << " | " << triangles << " | " << edge << " | " << steps << " | ";
+  print_list(observer.stages(), " → ", [](const Stage& s) { std::cout << s.topology; });
+  print_list(observer.stages(), ", ", [](const Stage& s) { std::cout << s.time; });
+  print_list(scenario.stages, ", ",
+             [](const Stage& s) { std::isnan(s.time) ? std::cout << "–" : std::cout << s.time; });
+  print_list(events, "; ", [](const std::string& event) { std::cout << event; });
+  std::cout << incomplete << " | " << (is_right ? "yes" : "**no**") << " | " << seconds << " |"
+            << std::endl;
+  return is_right ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+} // namespace
+} // namespace dsc_benchmark
+
+int main(int argc, char** argv) {
+  using namespace dsc_benchmark;
+  CLI::App app("Moves a surface by a flow that changes its topology.");
+  const std::map<std::string, Scenario (*)(std::size_t)> scenarios = {
+      {"torus", torus}, {"dumbbell", dumbbell}, {"shell", shell}, {"split", split}};
+  std::string name;
+  std::size_t n = 10;
+  bool prints_steps = false;
+  app.add_option("scenario", name)->required()->check(CLI::IsMember(&scenarios));
+  app.add_option("-n", n, "resolution; edges are about 1.2 / n long")->check(CLI::Range(4, 100));
+  app.add_flag("--steps", prints_steps, "a line for each step, on the error stream");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return run(name, scenarios.at(name)(n), prints_steps);
+  } catch (const std::exception& error) {
+    std::cerr << "topology_changes: " << name << ": " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+}
