@@ -35,6 +35,8 @@
 namespace dsc_benchmark {
 namespace {
 
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
 struct Topology
 {
   long solids, outsides, euler_characteristic; // components of label 1 and of label 0
@@ -123,10 +125,10 @@ Scenario dumbbell(std::size_t n) {
 }
 
 // A hollow ball whose walls draw together around x = 0, first where y > 0 and z = 0, last on the
-// other side: the tear runs round both ways with a speed of 2, until two cups are left.
+// other side: the tear runs round both ways with unit speed, until two cups are left.
 Scenario shell(std::size_t n) {
   static constexpr double inner_radius = .8, middle = (1 + inner_radius) / 2, half = 1 - middle;
-  static constexpr double width = .3, delay = middle / (2 * half);
+  static constexpr double width = .3, delay = middle / half;
   Surface surface = sphere(1, n);
   append(surface, sphere(inner_radius, n));
   const Flow tear = [](const Point& p, double, double dt) {
@@ -225,7 +227,8 @@ int run(const std::string& name, const Scenario& scenario, bool prints_steps) {
   std::size_t steps = 0, steps_at_end = 0, incomplete = 0;
   const double begin = processor_seconds();
   for (; double(steps) * dt < scenario.end && steps_at_end < 4; ++steps) {
-    const auto report = CGAL::advect_interface(complex, scenario.flow, double(steps) * dt, dt);
+    const auto report = CGAL::advect_interface(complex, scenario.flow, double(steps) * dt, dt,
+                                               parameters::manifold_interface(true));
     const double t = double(steps + 1) * dt;
     const Topology& topology = observer.observe(complex, t);
     incomplete += report.complete ? 0 : 1;

@@ -133,6 +133,7 @@ public:
   void remove_obstacles() {
     static constexpr double swept = .3;   // quality below which a cell in the way may be relabeled
     static constexpr double cosine = .94; // 20 degrees
+    const double shortest = .5 * m_complex.minimum_interface_edge();
     Work_list<Cell_handle> cells;
     for (Vertex_handle v : unfinished()) {
       m_complex.star(v, m_star);
@@ -143,9 +144,15 @@ public:
     cells.sort();
     m_trapped_cells.relabel(handles(cells), swept);
     m_trapped_cells.remove_small_components(handles(cells));
-    for (const auto& item : cells)
-      if (m_complex.is_alive(item.cell, item.time_stamp))
-        m_improver.remove_degenerate_facet(item.cell, cosine, m_touched);
+    for (const auto& item : cells) {
+      const Cell_handle c = item.cell;
+      if (!m_complex.is_alive(c, item.time_stamp) ||
+          m_improver.remove_degenerate_facet(c, cosine, m_touched) ||
+          m_improver.remove_degenerate_edge(c, shortest, m_touched))
+        continue;
+      if (c->quality() < m_relabeling_threshold)
+        m_improver.remove_trapped_vertex(c, m_touched);
+    }
   }
 
   // Reconnection, smoothing, collapses and splits around what moved.

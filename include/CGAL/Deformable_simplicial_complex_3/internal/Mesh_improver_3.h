@@ -176,6 +176,28 @@ public:
     return false;
   }
 
+  // Collapses an edge of the interface shorter than a bound. What is around may be as flat as
+  // before.
+  bool remove_degenerate_edge(Cell_handle c, double minimum_length, Cells& touched) {
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j)
+        if (m_complex.is_interface(typename Complex::Edge(c, i, j)) &&
+            propose_degenerate_edge_removal(m_complex, c, i, j, minimum_length, 0, m_cavity))
+          return commit(touched);
+    return false;
+  }
+
+  // Collapses a vertex of a flat cell into the interface, which traps it. The cells around may be
+  // as flat as before, but the interface alone holds them then.
+  bool remove_trapped_vertex(Cell_handle c, Cells& touched) {
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j)
+        if (!c->vertex(i)->is_interface() && c->vertex(j)->is_interface() &&
+            propose_edge_collapse(m_complex, c, i, j, 0, m_cavity))
+          return commit(touched);
+    return false;
+  }
+
 private:
   // Whether a planned tetrahedron, with the interface in place, lies flat on two neighboring facets
   // of it: it would be in the way until it is relabeled, and the interface would change where it
