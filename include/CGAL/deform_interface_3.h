@@ -23,7 +23,8 @@ split.
 Each pass moves all vertices at once as far as no cell inverts, carrying the free vertices around
 along with a harmonic extension of the motion; then the vertices that were held back, one by one
 (Algorithm 2); then relabels cells flattened between two parts of the interface, removes what is in
-the way of vertices that have not arrived, and improves what became bad.
+the way of vertices that have not arrived and facets whose angles became small, and improves what
+became bad.
 
 \param dsc the complex
 \param destination a function object: `Point_3 destination(Vertex_handle v)`, asked once for each
@@ -119,6 +120,7 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
     deformer.move_one_by_one();
     deformer.relabel_degenerate_cells();
     deformer.remove_obstacles();
+    deformer.remove_degenerating_facets();
     deformer.improve();
     deformer.end_pass(pass);
   }

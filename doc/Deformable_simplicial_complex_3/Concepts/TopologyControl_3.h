@@ -21,6 +21,7 @@ public:
   /// whether `cell`, which is nearly flat and lies between two parts of the interface, may take
   /// another label although the topology of its label, of the new one and of the interface changes.
   /// With a manifold interface, other cells of its label may go with it, see
-  /// `CGAL::propose_manifold_relabeling()`; where a component vanishes, it stands for all its cells.
+  /// `CGAL::propose_manifold_relabeling()`; where a component vanishes, it stands for all its
+  /// cells.
   bool operator()(const Complex& complex, Complex::Cell_handle cell, int label);
 };

@@ -14,6 +14,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/simultaneous_motion_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -71,6 +72,7 @@ public:
                                 m_complex.admissible_destination(vertices[i], destinations[i]));
       m_unfinished.push_back({vertices[i], vertices[i]->time_stamp()});
     }
+    find_degenerating_facets();
     update_unfinished();
   }
 
@@ -132,7 +134,7 @@ public:
   // and small angles where it folds.
   void remove_obstacles() {
     static constexpr double swept = .3;   // quality below which a cell in the way may be relabeled
-    static constexpr double cosine = .94; // 20 degrees
+    static constexpr double cosine = .94; // of 20 degrees
     const double shortest = .5 * m_complex.minimum_interface_edge();
     Work_list<Cell_handle> cells;
     for (Vertex_handle v : unfinished()) {
@@ -153,6 +155,15 @@ public:
       if (c->quality() < m_relabeling_threshold)
         m_improver.remove_trapped_vertex(c, m_touched);
     }
+  }
+
+  // Facets of the interface that the motion has made caps or needles.
+  void remove_degenerating_facets() {
+    m_degenerating.sort();
+    for (const auto& item : m_degenerating)
+      if (m_complex.is_alive(item.cell, item.time_stamp))
+        m_improver.remove_degenerate_facet(item.cell, degenerate_cosine, m_touched);
+    m_degenerating.clear();
   }
 
   // Reconnection, smoothing, collapses and splits around what moved.
@@ -189,6 +200,31 @@ private:
     Vertex_handle vertex;
     std::size_t time_stamp; // the vertex may have been removed
   };
+
+  // Those that will be caps or needles at their destinations, and more so than now: what moves as a
+  // whole keeps its facets.
+  void find_degenerating_facets() {
+    static constexpr double more = 1 + 1e-9;
+    const auto final = [&](Vertex_handle v) { return m_complex.final_position(v); };
+    const auto now = [&](Vertex_handle v) { return m_complex.position(v); };
+    for (const auto& facet : m_complex.interface_facets()) {
+      const auto v = m_complex.facet_vertices(facet);
+      const double after = largest_cosine({final(v[0]), final(v[1]), final(v[2])});
+      if (after > degenerate_cosine &&
+          after > more * largest_cosine({now(v[0]), now(v[1]), now(v[2])}))
+        m_degenerating.push(facet.first);
+    }
+  }
+
+  // Of the angles of a triangle.
+  static double largest_cosine(const std::array<typename Complex::Approximate_point_3, 3>& p) {
+    double result = -1;
+    for (int i = 0; i < 3; ++i) {
+      const Vector a = p[(i + 1) % 3] - p[i], b = p[(i + 2) % 3] - p[i];
+      result = (std::max)(result, a * b / std::sqrt(a.squared_length() * b.squared_length()));
+    }
+    return result;
+  }
 
   Vector remaining(Vertex_handle v) const {
     return m_complex.final_position(v) - m_complex.position(v);
@@ -256,6 +292,8 @@ private:
     m_unfinished = std::move(unfinished);
   }
 
+  static constexpr double degenerate_cosine = .9962; // of 5 degrees
+
   Complex& m_complex;
   Visitor& m_visitor;
   Mesh_improver_3<Complex, Visitor> m_improver;
@@ -264,6 +302,7 @@ private:
   const For_each_index& m_for_each_index;
   std::vector<Item> m_unfinished;
   Work_list<Cell_handle> m_touched;
+  Work_list<Cell_handle> m_degenerating;
   std::vector<Cell_handle> m_star;
   double m_last_distance = std::numeric_limits<double>::infinity();
   unsigned m_idle_passes = 0;
