@@ -76,21 +76,47 @@ inline double sweep_seconds(const Complex& complex,
   return seconds[seconds.size() / 2];
 }
 
-/// The fraction of all dihedral angles that are below 6 or above 171 degrees.
-inline double dihedral_angles_outside_6_171(const Complex& complex) {
-  using Frame = CGAL::Deformable_simplicial_complexes::internal::Tetrahedron_frame<Point>;
-  std::size_t outside = 0;
-  for (const Complex::Cell_handle c : complex.triangulation().finite_cell_handles()) {
-    const auto p = [&](int i) { return complex.position(c->vertex(i)); };
-    const auto normals = Frame(p(0), p(1), p(2), p(3)).area_vectors();
-    for (int i = 0; i < 4; ++i)
-      for (int j = i + 1; j < 4; ++j) {
-        const double sine = std::sqrt(CGAL::cross_product(normals[i], normals[j]).squared_length());
-        const double angle = std::atan2(sine, -(normals[i] * normals[j])) / degree;
-        outside += angle < 6 || angle > 171;
-      }
+/// The six dihedral angles of a cell, in degrees.
+template <class Complex>
+std::array<double, 6> dihedral_angles(const Complex& complex, typename Complex::Cell_handle c) {
+  const auto p = [&](int i) { return complex.position(c->vertex(i)); };
+  const auto normals = CGAL::Deformable_simplicial_complexes::internal::Tetrahedron_frame<Point>(
+                           p(0), p(1), p(2), p(3))
+                           .area_vectors();
+  std::array<double, 6> result;
+  double* angle = result.data();
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j) {
+      const double sine = std::sqrt(CGAL::cross_product(normals[i], normals[j]).squared_length());
+      *angle++ = std::atan2(sine, -(normals[i] * normals[j])) / degree;
+    }
+  return result;
+}
+
+/// Dihedral angles of some cells.
+struct Angles
+{
+  double minimum = 180, maximum = 0;
+  std::size_t number = 0, outside_6_171 = 0;
+
+  void add(const std::array<double, 6>& angles) {
+    for (double angle : angles) {
+      minimum = (std::min)(minimum, angle);
+      maximum = (std::max)(maximum, angle);
+      ++number;
+      outside_6_171 += angle < 6 || angle > 171;
+    }
   }
-  return double(outside) / (6 * double(complex.number_of_cells()));
+
+  double fraction_outside_6_171() const { return double(outside_6_171) / double(number); }
+};
+
+/// Those of all finite cells.
+template <class Complex> Angles dihedral_angles(const Complex& complex) {
+  Angles angles;
+  for (const auto c : complex.triangulation().finite_cell_handles())
+    angles.add(dihedral_angles(complex, c));
+  return angles;
 }
 
 } // namespace dsc_benchmark

@@ -177,7 +177,7 @@ Json offset(Complex& complex, Steps& steps) {
     for (int i = 0; i < number_of_steps; ++i) {
       Json& step = steps.take(complex, CGAL::Normal_offset_3{speed});
       step["invalid"] = check(complex) ? 0 : 1;
-      step["angles_outside_6_171"] = dihedral_angles_outside_6_171(complex);
+      step["angles_outside_6_171"] = dihedral_angles(complex).fraction_outside_6_171();
       step["volume"] = volume(complex);
     }
     volumes.push_back(volume(complex));

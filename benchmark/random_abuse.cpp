@@ -64,9 +64,10 @@ extern "C" void stop_hanging(int) {
 // What a deformation is allowed to do and how.
 struct Policy
 {
-  std::string name; // a cell of the table for each choice, but for threads: they change nothing
+  std::string name; // the cells of the table for the choices that change the topology
   Topology_control topology_control;
   unsigned maximum_number_of_passes;
+  bool manifold_interface, collision_order;
   unsigned number_of_threads;
 
   // All combinations follow each other as the number increases. Each choice is a digit of it.
@@ -88,8 +89,10 @@ struct Policy
     const auto& [name, control] = controls[choose(std::size(controls))];
     policy.topology_control = control;
     policy.maximum_number_of_passes = choose(2) == 0 ? 20 : 3;
+    policy.manifold_interface = choose(2) == 1;
+    policy.collision_order = choose(2) == 1;
     policy.number_of_threads = choose(2) == 0 ? threads : 1;
-    policy.name = name + (" | " + std::to_string(policy.maximum_number_of_passes));
+    policy.name = std::string(name) + (policy.manifold_interface ? " | manifold" : " | any");
     return policy;
   }
 };
@@ -191,6 +194,8 @@ private:
                                   parameters::scheme(Integration_scheme::euler)
                                       .topology_control(control)
                                       .maximum_number_of_passes(policy.maximum_number_of_passes)
+                                      .manifold_interface(policy.manifold_interface)
+                                      .collision_order(policy.collision_order)
                                       .number_of_threads(policy.number_of_threads));
   }
 
@@ -248,9 +253,10 @@ void run(std::size_t number_of_fields, std::uint64_t seed, unsigned threads,
   Random_fields fields(seed);
   Checksum checksum;
   std::ostringstream out;
-  out << "| mesh | topology | passes | fields | refused | complete | incomplete | restarts | split "
+  out << "| mesh | topology | interface | fields | refused | complete | incomplete | restarts | "
+         "split "
          "| collapsed | flipped | relabeled | merged | divided | vanished |\n"
-         "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: "
+         "| --- | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: "
          "| ---: | ---: |\n";
   Complex last;
   std::size_t done = 0, left = std::size(meshes);

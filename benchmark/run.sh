@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Builds the benchmarks, runs them on the meshes of CGAL, and writes tables and raw results into
 # BUILD_DIR/benchmark-results. See README.md for what is measured.
-# Usage: benchmark/run.sh [BUILD_DIR [motion] [topology] [improvement] [memory] [operations] [abuse]
-#                                   [meshes]]
+# Usage: benchmark/run.sh [BUILD_DIR [motion] [breathing] [topology] [improvement] [memory] [operations]
+#                                   [abuse] [meshes]]
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
 build=$(realpath --canonicalize-missing "${1:-$source/build}")
 parts=("${@:2}")
-[ ${#parts[@]} -gt 0 ] || parts=(motion topology improvement memory operations abuse meshes)
+[ ${#parts[@]} -gt 0 ] || parts=(motion breathing topology improvement memory operations abuse meshes)
 mesh_seconds=${MESH_SECONDS:-600} # the time limit of one mesh in `meshes`
 
 programs=$build/benchmark
@@ -91,6 +91,15 @@ measure_improvement() {
   done
   add_row "$table" "$programs/static_improvement" "$meshes/bunny00.off" --triangles 13900 \
     --aggressive
+}
+
+measure_breathing() {
+  local table=$results/breathing.md
+  begin_table "$table" input triangles steps "mean edges a step" valid "unfinished vertices" \
+    "angles outside 6–171° (%)" "worst angles" "tetrahedra / triangle" tetrahedra seconds
+  add_row "$table" "$programs/breathing" "$meshes/bunny00.off" --triangles 13900
+  add_row "$table" "$programs/breathing" "$meshes/refined_elephant.off"
+  add_row "$table" "$programs/breathing" "$meshes/bunny00.off" --triangles 13900 --breaths 5
 }
 
 measure_memory() {

@@ -29,11 +29,6 @@ using Complex =
     CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
                                           CGAL::Default, CGAL::Biased_minimum_sine_3>;
 
-struct Angles
-{
-  double minimum = 180, maximum = 0;
-};
-
 // The dihedral angles of all cells, and of those that are free. The fixed interface dictates those
 // of cells that have two facets on it, or one whose smallest angle is below a bound; and around a
 // facet that is all but a segment there is no room.
@@ -66,21 +61,6 @@ std::set<Complex::Vertex_handle> corners_of_segments(const Complex& complex, dou
   return result;
 }
 
-Angles dihedral_angles(const Complex& complex, Complex::Cell_handle c) {
-  using Frame = CGAL::Deformable_simplicial_complexes::internal::Tetrahedron_frame<Point>;
-  const auto p = [&](int i) { return complex.position(c->vertex(i)); };
-  const auto normals = Frame(p(0), p(1), p(2), p(3)).area_vectors();
-  Angles angles;
-  for (int i = 0; i < 4; ++i)
-    for (int j = i + 1; j < 4; ++j) {
-      const double sine = std::sqrt(CGAL::cross_product(normals[i], normals[j]).squared_length());
-      const double angle = std::atan2(sine, -(normals[i] * normals[j])) / degree;
-      angles.minimum = (std::min)(angles.minimum, angle);
-      angles.maximum = (std::max)(angles.maximum, angle);
-    }
-  return angles;
-}
-
 Statistics statistics(const Complex& complex, double sharp) {
   static constexpr double segment = 3; // degrees
   const auto corners = corners_of_segments(complex, segment);
@@ -95,18 +75,14 @@ Statistics statistics(const Complex& complex, double sharp) {
         is_sharp = is_sharp || smallest_angle(complex, std::make_pair(c, i)) < sharp;
       }
     }
-    const Angles angles = dihedral_angles(complex, c);
-    const auto include = [&](Angles& sum) {
-      sum.minimum = (std::min)(sum.minimum, angles.minimum);
-      sum.maximum = (std::max)(sum.maximum, angles.maximum);
-    };
-    include(result.all);
+    const auto angles = dihedral_angles(complex, c);
+    result.all.add(angles);
     if (fixed > 1 || is_sharp)
       ++result.dictated;
     else if (is_cramped)
       ++result.cramped;
     else
-      include(result.free);
+      result.free.add(angles);
   }
   return result;
 }

@@ -125,17 +125,17 @@ Scenario dumbbell(std::size_t n) {
 }
 
 // A hollow ball whose walls draw together around x = 0, first where y > 0 and z = 0, last on the
-// other side: the tear runs round both ways with unit speed, until two cups are left.
+// other side: the tear runs round both ways until two cups are left.
 Scenario shell(std::size_t n) {
   static constexpr double inner_radius = .8, middle = (1 + inner_radius) / 2, half = 1 - middle;
-  static constexpr double width = .3, delay = middle / half;
+  static constexpr double width = .3, decay = 1;
   Surface surface = sphere(1, n);
   append(surface, sphere(inner_radius, n));
   const Flow tear = [](const Point& p, double, double dt) {
     const auto from_center = p - CGAL::ORIGIN;
     const double r = std::sqrt(from_center.squared_length());
-    const double speed = std::exp(-p.x() * p.x() / (width * width)) /
-                         (1 + delay * std::abs(std::atan2(p.z(), p.y())));
+    const double speed =
+        std::exp(-p.x() * p.x() / (width * width) - decay * std::abs(std::atan2(p.z(), p.y())));
     const double left = (std::max)(0., std::abs(r - middle) - speed * dt);
     return CGAL::ORIGIN + (middle + std::copysign(left, r - middle)) / r * from_center;
   };
@@ -143,7 +143,7 @@ Scenario shell(std::size_t n) {
           tear,
           {{{1, 2, 4}, 0}, {{1, 1, 2}, half}, {{2, 1, 4}, any_time}},
           {"label 0 merged 2 → 1", "label 1 split 1 → 2"},
-          half * (1 + delay * CGAL_PI) + .3};
+          half * std::exp(decay * CGAL_PI) + .3};
 }
 
 // A ball is pinched along the plane x = 0 until it falls in two; the halves move apart, and back by

@@ -9,7 +9,9 @@
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Interface_deformer_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
+
 #include <CGAL/Deformable_simplicial_complex_3/topology_control.h>
+#include <type_traits>
 
 namespace CGAL {
 
@@ -64,6 +66,12 @@ became bad.
                           stay so, at no more vertices.}
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{collision_order}
+    \cgalParamDescription{whether vertices that are held back move in the order in which their stars
+                          would first have a flat cell, instead of the order of storage. Rational
+                          arithmetic takes some microseconds for each cell around them.}
+    \cgalParamType{`bool`} \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told of each change of the mesh and may end the deformation}
     \cgalParamType{model of `DeformationVisitor_3`, by value or `std::reference_wrapper`}
@@ -94,14 +102,13 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
   auto& topology_control = Deformable_simplicial_complexes::internal::unwrap(given_control);
   const unsigned maximum_number_of_passes =
       choose_parameter(get_parameter(np, tags::maximum_number_of_passes), 20u);
-  const double quality_threshold = choose_parameter(get_parameter(np, tags::quality_threshold), .2);
-  const double relabeling_threshold =
-      choose_parameter(get_parameter(np, tags::relabeling_threshold), .01);
-  Deformable_simplicial_complexes::internal::check_threshold(quality_threshold);
-  Deformable_simplicial_complexes::internal::check_threshold(relabeling_threshold);
-
-  const bool manifold_interface =
-      choose_parameter(get_parameter(np, tags::manifold_interface), false);
+  const Deformable_simplicial_complexes::internal::Deformation_options options = {
+      choose_parameter(get_parameter(np, tags::quality_threshold), .2),
+      choose_parameter(get_parameter(np, tags::relabeling_threshold), .01),
+      choose_parameter(get_parameter(np, tags::manifold_interface), false),
+      choose_parameter(get_parameter(np, tags::collision_order), false)};
+  Deformable_simplicial_complexes::internal::check_threshold(options.quality_threshold);
+  Deformable_simplicial_complexes::internal::check_threshold(options.relabeling_threshold);
   const unsigned number_of_threads =
       choose_parameter(get_parameter(np, tags::number_of_threads), 1u);
 
@@ -109,13 +116,13 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
   using Visitor = std::remove_reference_t<decltype(visitor)>;
   using TopologyControl = std::remove_reference_t<decltype(topology_control)>;
   Deformable_simplicial_complexes::internal::Interface_deformer_3<Complex, Visitor, TopologyControl>
-      deformer(dsc, visitor, topology_control, quality_threshold, relabeling_threshold,
-               manifold_interface, for_each_index);
+      deformer(dsc, visitor, topology_control, options, for_each_index);
   deformer.set_destinations(destination);
   unsigned pass = 0;
   while (!deformer.is_complete() && deformer.is_progressing() && pass < maximum_number_of_passes &&
          visitor.go_further(pass + 1)) {
     ++pass;
+    deformer.find_degenerating_facets();
     deformer.move_together();
     deformer.move_one_by_one();
     deformer.relabel_degenerate_cells();

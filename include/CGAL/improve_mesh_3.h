@@ -10,6 +10,8 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
 
+#include <type_traits>
+
 namespace CGAL {
 
 /*!
@@ -29,7 +31,8 @@ What is improved is the measure of the complex. Where dihedral angles count,
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{quality_threshold}
-    \cgalParamDescription{only cells of lower quality are improved, in (0, 1]}
+    \cgalParamDescription{only cells of lower quality are improved, in [0, 1];
+                          the higher it is, the more vertices are inserted}
     \cgalParamType{`double`} \cgalParamDefault{0.25; 0.35 if `aggressive`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}

@@ -182,7 +182,10 @@ Improvement_outcome Tracked_complex::improve(const Improve_options& options) {
       options.threshold
           ? CGAL::improve_mesh(complex, aggressive.quality_threshold(*options.threshold))
           : CGAL::improve_mesh(complex, aggressive);
-  m_implementation->complex.restore(complex.state());
+  auto state = complex.state();
+  // What was tried in vain was measured otherwise.
+  std::fill(state.exhausted_qualities.begin(), state.exhausted_qualities.end(), 2.f);
+  m_implementation->complex.restore(state);
   return {seconds_since(start), report};
 }
 

@@ -1,6 +1,7 @@
 #include "mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/collision_order_3.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -130,6 +131,55 @@ TEST(Move_vertex, stops_just_before_the_first_flat_cell) {
     }
   EXPECT_GT(blocked, 20);
   EXPECT_TRUE(dsc.is_valid());
+}
+
+// At the fraction that is told, some cell is exactly flat.
+TEST(Collision_order, first_collision_is_exact) {
+  namespace internal = CGAL::Deformable_simplicial_complexes::internal;
+  Complex dsc = jittered_grid(3, small_meshes::uniform, .3, 3);
+  Random random(4);
+  std::vector<Cell_handle> star;
+  int blocked = 0;
+  for (Vertex_handle v : inner_vertices(dsc)) {
+    const Point q = shifted(dsc, v, random.vector<Complex>(1.5));
+    dsc.set_destination(v, q);
+    dsc.star(v, star);
+    const Rational way = internal::first_collision(dsc, v, star);
+    EXPECT_NEAR(CGAL::to_double(way), brute_force_way(dsc, v, q), 1e-9);
+    using Exact = CGAL::Simple_cartesian<Rational>;
+    const auto exact = [](const Point& p) { return Exact::Point_3(p.x(), p.y(), p.z()); };
+    const Exact::Point_3 p = exact(v->point()) + way * (exact(q) - exact(v->point()));
+    const bool is_flat = std::any_of(star.begin(), star.end(), [&](Cell_handle c) {
+      const auto f = dsc.facet_vertices({c, c->index(v)});
+      return CGAL::coplanar(exact(f[0]->point()), exact(f[1]->point()), exact(f[2]->point()), p);
+    });
+    EXPECT_EQ(is_flat, way < 1);
+    blocked += is_flat;
+    dsc.clear_destination(v);
+  }
+  EXPECT_GT(blocked, 3);
+}
+
+TEST(Collision_order, is_increasing_and_stable) {
+  namespace internal = CGAL::Deformable_simplicial_complexes::internal;
+  Complex dsc = jittered_grid(4, small_meshes::uniform, .3, 3);
+  Random random(4);
+  std::vector<Vertex_handle> vertices = inner_vertices(dsc), sorted = vertices;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    dsc.set_destination(vertices[i], i % 2 == 0
+                                         ? vertices[i]->point()
+                                         : shifted(dsc, vertices[i], random.vector<Complex>(1.5)));
+  internal::sort_by_first_collision(dsc, sorted);
+  EXPECT_TRUE(std::is_permutation(sorted.begin(), sorted.end(), vertices.begin()));
+  std::vector<std::pair<Rational, std::size_t>> keys;
+  for (Vertex_handle v : sorted) {
+    std::vector<Cell_handle> star;
+    dsc.star(v, star);
+    keys.emplace_back(internal::first_collision(dsc, v, star), v->time_stamp());
+  }
+  EXPECT_TRUE(std::is_sorted(keys.begin(), keys.end()));
+  EXPECT_LT(keys.front().first, 1);
+  EXPECT_EQ(keys.back().first, 1);
 }
 
 TEST(Move_vertex, goes_anywhere_in_a_convex_star_and_never_out_of_any) {

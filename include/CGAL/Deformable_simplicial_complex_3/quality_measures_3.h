@@ -49,15 +49,25 @@ double minimum_sine(const Point& p, const Point& q, const Point& r, const Point&
   const auto edges = t.edges();
   // Facets opposite to two vertices meet in the edge of the two others.
   static constexpr int facets[6][2] = {{2, 3}, {0, 1}, {1, 3}, {0, 2}, {1, 2}, {0, 3}};
+  // In units of the longest edge, so that nothing overflows.
+  double unit = 0;
+  std::array<double, 6> squared_edges;
+  for (int i = 0; i < 6; ++i) {
+    squared_edges[i] = edges[i].squared_length();
+    unit = (std::max)(unit, squared_edges[i]);
+  }
+  if (unit == 0)
+    return 0;
+  const double per_unit = 1 / unit;
   std::array<double, 4> squared_areas;
   for (int i = 0; i < 4; ++i)
-    squared_areas[i] = normals[i].squared_length();
+    squared_areas[i] = normals[i].squared_length() * per_unit * per_unit;
   // The least square of a sine over that of six volumes, as a fraction: divisions cost most.
   const double squared_weight = obtuse_weight * obtuse_weight;
   double numerator = 1, denominator = 0;
   for (int i = 0; i < 6; ++i) {
     const int f = facets[i][0], g = facets[i][1];
-    const double squared_edge = edges[i].squared_length();
+    const double squared_edge = squared_edges[i] * per_unit;
     const double n = normals[f] * normals[g] > 0 ? squared_weight * squared_edge : squared_edge;
     const double d = squared_areas[f] * squared_areas[g];
     const bool is_less = n * denominator < numerator * d;
@@ -67,7 +77,8 @@ double minimum_sine(const Point& p, const Point& q, const Point& r, const Point&
   if (denominator == 0)
     return 0;
   static constexpr double of_regular = 0.94280904158206337; // sqrt(8) / 3
-  return t.six_volumes * std::sqrt(numerator / denominator) / of_regular;
+  return t.six_volumes * per_unit / std::sqrt(unit) * std::sqrt(numerator / denominator) /
+         of_regular;
 }
 
 } // namespace internal

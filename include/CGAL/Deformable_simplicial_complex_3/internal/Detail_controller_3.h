@@ -139,7 +139,9 @@ private:
     return std::any_of(m_cavity.vertices().begin(), m_cavity.vertices().end(), [&](const auto& u) {
       const Vertex_handle v = u.handle;
       return v != kept && v != m_cavity.vanishing_vertex() && !m_complex.is_infinite(v) &&
-             length_by_split_threshold(v, kept, v->is_interface() && kept->is_interface()) > 1;
+             (length_by_split_threshold(v, kept, false) > 1 ||
+              (v->is_interface() && kept->is_interface() &&
+               length_by_split_threshold(v, kept, true) > 1));
     });
   }
 

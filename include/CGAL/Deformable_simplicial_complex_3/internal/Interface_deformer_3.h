@@ -7,8 +7,11 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Trapped_cells_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/collision_order_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/harmonic_extension_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/simultaneous_motion_3.h>
@@ -16,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -23,6 +27,13 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
+
+// What deform_interface() is asked for.
+struct Deformation_options
+{
+  double quality_threshold, relabeling_threshold;
+  bool manifold_interface, collision_order;
+};
 
 // The steps of Algorithm 1, in the order in which deform_interface() takes them.
 template <class Complex, class Visitor, class TopologyControl> class Interface_deformer_3
@@ -35,12 +46,12 @@ public:
   using Report = Deformation_report<Complex>;
 
   Interface_deformer_3(Complex& complex, Visitor& visitor, TopologyControl& topology_control,
-                       double quality_threshold, double relabeling_threshold,
-                       bool manifold_interface, const For_each_index& for_each_index)
-      : m_complex(complex), m_visitor(visitor), m_improver(complex, visitor, quality_threshold),
-        m_trapped_cells(complex, visitor, topology_control, relabeling_threshold,
-                        manifold_interface),
-        m_relabeling_threshold(relabeling_threshold), m_for_each_index(for_each_index) {}
+                       const Deformation_options& options, const For_each_index& for_each_index)
+      : m_complex(complex), m_visitor(visitor), m_options(options),
+        m_improver(complex, visitor, options.quality_threshold),
+        m_trapped_cells(complex, visitor, topology_control, options.relabeling_threshold,
+                        options.manifold_interface),
+        m_for_each_index(for_each_index) {}
 
   // No destination survives the deformation, even if a visitor ends it by an exception.
   ~Interface_deformer_3() {
@@ -72,7 +83,6 @@ public:
                                 m_complex.admissible_destination(vertices[i], destinations[i]));
       m_unfinished.push_back({vertices[i], vertices[i]->time_stamp()});
     }
-    find_degenerating_facets();
     update_unfinished();
   }
 
@@ -80,6 +90,22 @@ public:
 
   // Whether the last two passes brought vertices nearer to their destinations.
   bool is_progressing() const { return m_idle_passes < 2; }
+
+  // Facets of the interface that will be caps or needles at their destinations, and more so than
+  // now: what moves as a whole keeps its facets.
+  void find_degenerating_facets() {
+    static constexpr double more = 1 + 1e-6; // than what rounding does
+    m_degenerating.clear();
+    const auto final = [&](Vertex_handle v) { return m_complex.final_position(v); };
+    const auto now = [&](Vertex_handle v) { return m_complex.position(v); };
+    for (const auto& facet : m_complex.interface_facets()) {
+      const auto v = m_complex.facet_vertices(facet);
+      const double after = largest_cosine({final(v[0]), final(v[1]), final(v[2])});
+      if (after > degenerate_cosine &&
+          after > more * largest_cosine({now(v[0]), now(v[1]), now(v[2])}))
+        m_degenerating.push_back({facet.first, facet.first->time_stamp(), facet.second});
+    }
+  }
 
   // Interface and free vertices at once: most of most motions.
   void move_together() {
@@ -109,10 +135,13 @@ public:
   // relabeled, coming still nearer would gain nothing.
   void move_one_by_one() {
     static constexpr double margin = .25; // a cell that need not be thin yet can still be improved
-    for (Vertex_handle v : unfinished()) {
+    std::vector<Vertex_handle> vertices = unfinished();
+    if (m_options.collision_order)
+      sort_by_first_collision(m_complex, vertices);
+    for (Vertex_handle v : vertices) {
       m_complex.star(v, m_star);
       const bool is_at_contact = std::any_of(m_star.begin(), m_star.end(), [&](Cell_handle c) {
-        return !m_complex.is_infinite(c) && c->quality() < m_relabeling_threshold;
+        return !m_complex.is_infinite(c) && c->quality() < m_options.relabeling_threshold;
       });
       if (is_at_contact && !m_complex.is_positive_star(v, m_star, v->destination()))
         continue;
@@ -127,7 +156,7 @@ public:
   // Cells flattened between two parts of the interface: where its topology changes.
   void relabel_degenerate_cells() {
     m_touched.sort();
-    m_trapped_cells.relabel(handles(m_touched), m_relabeling_threshold);
+    m_trapped_cells.relabel(handles(m_touched), m_options.relabeling_threshold);
   }
 
   // What keeps vertices from their destinations: cells that the interface is about to sweep away,
@@ -148,22 +177,19 @@ public:
     m_trapped_cells.remove_small_components(handles(cells));
     for (const auto& item : cells) {
       const Cell_handle c = item.cell;
-      if (!m_complex.is_alive(c, item.time_stamp) ||
-          m_improver.remove_degenerate_facet(c, cosine, m_touched) ||
+      if (!m_complex.is_alive(c, item.time_stamp) || remove_degenerate_facet(c, cosine) ||
           m_improver.remove_degenerate_edge(c, shortest, m_touched))
         continue;
-      if (c->quality() < m_relabeling_threshold)
+      if (c->quality() < m_options.relabeling_threshold)
         m_improver.remove_trapped_vertex(c, m_touched);
     }
   }
 
   // Facets of the interface that the motion has made caps or needles.
   void remove_degenerating_facets() {
-    m_degenerating.sort();
-    for (const auto& item : m_degenerating)
+    for (const Facet_item& item : m_degenerating)
       if (m_complex.is_alive(item.cell, item.time_stamp))
-        m_improver.remove_degenerate_facet(item.cell, degenerate_cosine, m_touched);
-    m_degenerating.clear();
+        m_improver.remove_degenerate_facet(item.cell, item.index, degenerate_cosine, m_touched);
   }
 
   // Reconnection, smoothing, collapses and splits around what moved.
@@ -201,19 +227,12 @@ private:
     std::size_t time_stamp; // the vertex may have been removed
   };
 
-  // Those that will be caps or needles at their destinations, and more so than now: what moves as a
-  // whole keeps its facets.
-  void find_degenerating_facets() {
-    static constexpr double more = 1 + 1e-9;
-    const auto final = [&](Vertex_handle v) { return m_complex.final_position(v); };
-    const auto now = [&](Vertex_handle v) { return m_complex.position(v); };
-    for (const auto& facet : m_complex.interface_facets()) {
-      const auto v = m_complex.facet_vertices(facet);
-      const double after = largest_cosine({final(v[0]), final(v[1]), final(v[2])});
-      if (after > degenerate_cosine &&
-          after > more * largest_cosine({now(v[0]), now(v[1]), now(v[2])}))
-        m_degenerating.push(facet.first);
-    }
+  // Of the facets of a cell.
+  bool remove_degenerate_facet(Cell_handle c, double cosine) {
+    for (int i = 0; i < 4; ++i)
+      if (m_improver.remove_degenerate_facet(c, i, cosine, m_touched))
+        return true;
+    return false;
   }
 
   // Of the angles of a triangle.
@@ -221,10 +240,18 @@ private:
     double result = -1;
     for (int i = 0; i < 3; ++i) {
       const Vector a = p[(i + 1) % 3] - p[i], b = p[(i + 2) % 3] - p[i];
-      result = (std::max)(result, a * b / std::sqrt(a.squared_length() * b.squared_length()));
+      const double lengths = std::sqrt(a.squared_length() * b.squared_length());
+      result = (std::max)(result, lengths > 0 ? a * b / lengths : 1);
     }
     return result;
   }
+
+  struct Facet_item
+  {
+    Cell_handle cell;
+    std::size_t time_stamp; // the cell may have been replaced
+    int index;
+  };
 
   Vector remaining(Vertex_handle v) const {
     return m_complex.final_position(v) - m_complex.position(v);
@@ -259,7 +286,7 @@ private:
   }
 
   void touch(Cell_handle c) {
-    if (m_improver.is_bad(c) || c->quality() < m_relabeling_threshold)
+    if (m_improver.is_bad(c) || c->quality() < m_options.relabeling_threshold)
       m_touched.push(c);
   }
 
@@ -296,13 +323,13 @@ private:
 
   Complex& m_complex;
   Visitor& m_visitor;
+  Deformation_options m_options;
   Mesh_improver_3<Complex, Visitor> m_improver;
   Trapped_cells_3<Complex, Visitor, TopologyControl> m_trapped_cells;
-  double m_relabeling_threshold;
   const For_each_index& m_for_each_index;
   std::vector<Item> m_unfinished;
   Work_list<Cell_handle> m_touched;
-  Work_list<Cell_handle> m_degenerating;
+  std::vector<Facet_item> m_degenerating;
   std::vector<Cell_handle> m_star;
   double m_last_distance = std::numeric_limits<double>::infinity();
   unsigned m_idle_passes = 0;

@@ -14,9 +14,9 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/commit_collapse_or_flip.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/final_quality.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_retriangulation_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/relabeling_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/vertex_insertion_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/vertex_optimization_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/vertex_smoothing_3.h>
@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -164,15 +165,19 @@ public:
     return true;
   }
 
-  // Removes a facet of the interface with an angle below a bound, given by its cosine, if that
-  // makes the cell's surroundings better.
-  bool remove_degenerate_facet(Cell_handle c, double cosine, Cells& touched) {
-    for (int i = 0; i < 4; ++i)
-      if (m_complex.is_interface(std::make_pair(c, i)) &&
-          propose_degenerate_facet_removal(m_complex, c, i, cosine, better * c->quality(),
-                                           m_cavity) &&
-          (m_cavity.vanishing_vertex() == Vertex_handle() || !covers_interface()))
-        return commit(touched);
+  // Removes a facet with an angle below a bound, given by its cosine, if it is on the interface and
+  // that makes the cell's surroundings better.
+  bool remove_degenerate_facet(Cell_handle c, int i, double cosine, Cells& touched) {
+    const double quality = better * c->quality();
+    if (!m_complex.is_interface(std::make_pair(c, i)) ||
+        !propose_degenerate_facet_removal(m_complex, c, i, cosine, quality, m_cavity))
+      return false;
+    const Vertex_handle vanishing = m_cavity.vanishing_vertex(), kept = m_cavity.kept_vertex();
+    if (vanishing == Vertex_handle() || !covers_interface() ||
+        (propose_edge_collapse(m_complex, c, c->index(kept), c->index(vanishing), quality,
+                               m_cavity) &&
+         !covers_interface()))
+      return commit(touched);
     return false;
   }
 
@@ -219,13 +224,16 @@ private:
   // Adds the cells below the threshold around those that stayed below a bound. Two facets on the
   // interface dictate their angle.
   void push_neighbors_of_stuck(double bound, Cells& cells) {
+    std::vector<Vertex_handle> corners;
     for (Cell_handle c : m_complex.triangulation().finite_cell_handles())
       if (c->quality() < bound && number_of_interface_facets(c) < 2)
-        for (int i = 0; i < 4; ++i) {
-          m_complex.star(c->vertex(i), m_star);
-          for (Cell_handle d : m_star)
-            push_afresh(d, cells);
-        }
+        for (int i = 0; i < 4; ++i)
+          if (!is_numbered(c->vertex(i), corners)) {
+            c->vertex(i)->set_scratch_index(std::uint32_t(corners.size()));
+            corners.push_back(c->vertex(i));
+          }
+    for (Cell_handle c : star_union(m_complex, corners))
+      push_afresh(c, cells);
   }
 
   // Adds a cell below the threshold, whether or not it was tried in vain.

@@ -12,11 +12,11 @@
 #include <CGAL/Deformable_simplicial_complex_3/topology_of_relabeling_3.h>
 
 #include <boost/container/flat_map.hpp>
-#include <boost/container/flat_set.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -46,8 +46,8 @@ public:
   Topology_log_3<Complex>& log() { return m_log; }
   std::size_t number_of_relabeled() const { return m_relabeled; }
 
-  // Relabels those of the cells, and of those around, that are trapped and below the threshold. No
-  // cell is relabeled twice.
+  // Relabels those of the cells, and of those around, that are trapped and below the threshold.
+  // Each joins another phase only once, but for what is cut off and too small to stay.
   void relabel(const std::vector<Cell_handle>& cells, double threshold) {
     m_done.clear();
     std::vector<Cell_handle> front = cells;
@@ -83,20 +83,15 @@ public:
   }
 
 private:
-  // Finds the component of a cell if it has few cells, and less volume than a regular tetrahedron
-  // whose edges are as long as those of the interface.
+  // Finds the component of a cell if it has few cells and a small volume.
   bool is_small_component(Cell_handle seed, std::vector<Cell_handle>& component) const {
     static constexpr std::size_t few = 30;
-    const double edge = m_complex.mean_interface_edge();
-    const double small = edge * edge * edge / (6 * std::sqrt(2.));
-    const auto volume = m_complex.geom_traits().compute_approximate_volume_3_object();
     double sum = 0;
     component.assign(1, seed);
     for (std::size_t i = 0; i < component.size(); ++i) {
       const Cell_handle c = component[i];
-      const auto p = [&](int k) { return m_complex.position(c->vertex(k)); };
-      sum += volume(p(0), p(1), p(2), p(3));
-      if (component.size() > few || sum > small)
+      sum += volume({c});
+      if (component.size() > few || sum > small_volume())
         return false;
       for (int k = 0; k < 4; ++k) {
         const Cell_handle n = c->neighbor(k);
@@ -106,6 +101,22 @@ private:
       }
     }
     return true;
+  }
+
+  // That of a regular tetrahedron whose edges are as long as those of the interface.
+  double small_volume() const {
+    const double edge = m_complex.mean_interface_edge();
+    return edge * edge * edge / (6 * std::sqrt(2.));
+  }
+
+  double volume(const std::vector<Cell_handle>& cells) const {
+    const auto volume = m_complex.geom_traits().compute_approximate_volume_3_object();
+    double sum = 0;
+    for (Cell_handle c : cells) {
+      const auto p = [&](int i) { return m_complex.position(c->vertex(i)); };
+      sum += volume(p(0), p(1), p(2), p(3));
+    }
+    return sum;
   }
 
   // The label that shares most area with a component; its own if it has no neighbors.
@@ -140,12 +151,12 @@ private:
     if (!is_trapped(c, threshold, label))
       return false;
     cells.assign(1, c);
-    return complete(cells, label) &&
+    return complete(cells, label) && volume(cells) - volume({c}) < small_volume() &&
            std::none_of(cells.begin(), cells.end(), [&](Cell_handle d) { return is_done(d); });
   }
 
-  // Appends what else must be relabeled for the sake of a manifold interface. Returns whether that
-  // is possible.
+  // Appends what else must be relabeled for the sake of a manifold interface, whatever its quality.
+  // Returns whether that is possible.
   bool complete(std::vector<Cell_handle>& cells, Label label) const {
     return !m_manifold_interface ||
            Manifold_relabeling_3<Complex>(m_complex, cells, label).complete();
@@ -189,7 +200,7 @@ private:
   double m_final_threshold;
   bool m_manifold_interface;
   Topology_log_3<Complex> m_log;
-  boost::container::flat_set<std::size_t> m_done; // by time stamp
+  std::unordered_set<std::size_t> m_done; // by time stamp
   std::size_t m_relabeled = 0;
 };
 
