@@ -46,8 +46,8 @@ the interface moves by the volume of what is removed.
   \cgalParamNEnd
   \cgalParamNBegin{size_field}
     \cgalParamDescription{the wanted length of edges, a positive function of position:
-                          `double size_field(Approximate_point_3 p)`, callable as `const`, asked at
-midpoints of edges, in the coordinates of the complex}
+                          `double size_field(Approximate_point_3 p)`, callable as `const`, asked
+                          at midpoints of edges, in the coordinates of the complex}
     \cgalParamType{function object, by value or `std::reference_wrapper`}
     \cgalParamDefault{`dsc.minimum_interface_edge()` everywhere}
   \cgalParamNEnd

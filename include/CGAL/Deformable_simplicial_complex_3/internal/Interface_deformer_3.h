@@ -160,7 +160,7 @@ public:
   }
 
   // What keeps vertices from their destinations: cells that the interface is about to sweep away,
-  // and small angles where it folds.
+  // small angles and short edges where it folds, and free vertices that it traps.
   void remove_obstacles() {
     static constexpr double swept = .3;   // quality below which a cell in the way may be relabeled
     static constexpr double cosine = .94; // of 20 degrees
@@ -227,7 +227,14 @@ private:
     std::size_t time_stamp; // the vertex may have been removed
   };
 
-  // Of the facets of a cell.
+  struct Facet_item
+  {
+    Cell_handle cell;
+    std::size_t time_stamp; // the cell may have been replaced
+    int index;
+  };
+
+  // Removes one of the facets of a cell.
   bool remove_degenerate_facet(Cell_handle c, double cosine) {
     for (int i = 0; i < 4; ++i)
       if (m_improver.remove_degenerate_facet(c, i, cosine, m_touched))
@@ -235,7 +242,7 @@ private:
     return false;
   }
 
-  // Of the angles of a triangle.
+  // The cosine of the smallest angle of a triangle.
   static double largest_cosine(const std::array<typename Complex::Approximate_point_3, 3>& p) {
     double result = -1;
     for (int i = 0; i < 3; ++i) {
@@ -245,13 +252,6 @@ private:
     }
     return result;
   }
-
-  struct Facet_item
-  {
-    Cell_handle cell;
-    std::size_t time_stamp; // the cell may have been replaced
-    int index;
-  };
 
   Vector remaining(Vertex_handle v) const {
     return m_complex.final_position(v) - m_complex.position(v);
