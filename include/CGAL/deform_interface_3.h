@@ -49,6 +49,15 @@ became bad.
                           [0, 1]; around vertices that do not get on, only the latter counts}
     \cgalParamType{`double`} \cgalParamDefault{0.01, the paper's}
   \cgalParamNEnd
+  \cgalParamNBegin{minimum_angle}
+    \cgalParamDescription{cells with a dihedral angle, in degrees, below it or above its supplement
+                          are removed in the end, where that keeps the topology, but for those that
+                          moved as a whole. The interface moves by the cell; or a vertex that was
+                          on the way moves by a twentieth of a mean edge, or vanishes while the
+                          interface moves by a tenth of its cube, at most. In [0, 30]; only cells
+                          below the quality threshold are looked at.}
+    \cgalParamType{`double`} \cgalParamDefault{5}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_threads}
     \cgalParamDescription{threads to use where linked with TBB; the result does not depend on it}
     \cgalParamType{`unsigned int`} \cgalParamDefault{1}
@@ -103,12 +112,16 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
   const unsigned maximum_number_of_passes =
       choose_parameter(get_parameter(np, tags::maximum_number_of_passes), 20u);
   const Deformable_simplicial_complexes::internal::Deformation_options options = {
-      choose_parameter(get_parameter(np, tags::quality_threshold), .2),
-      choose_parameter(get_parameter(np, tags::relabeling_threshold), .01),
+      double(choose_parameter(get_parameter(np, tags::quality_threshold), .2)),
+      double(choose_parameter(get_parameter(np, tags::relabeling_threshold), .01)),
+      double(choose_parameter(get_parameter(np, tags::minimum_angle), 5.)),
       choose_parameter(get_parameter(np, tags::manifold_interface), false),
       choose_parameter(get_parameter(np, tags::collision_order), false)};
   Deformable_simplicial_complexes::internal::check_threshold(options.quality_threshold);
   Deformable_simplicial_complexes::internal::check_threshold(options.relabeling_threshold);
+  if (!(options.minimum_angle >= 0 && options.minimum_angle <= 30))
+    throw Deformable_simplicial_complexes::Error(
+        "the smallest angle is out of range: use 0 to 30 degrees");
   const unsigned number_of_threads =
       choose_parameter(get_parameter(np, tags::number_of_threads), 1u);
 
@@ -131,6 +144,8 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
     deformer.improve();
     deformer.end_pass(pass);
   }
+  if (pass > 0)
+    deformer.remove_small_angles(pass);
   return deformer.report(pass);
 }
 

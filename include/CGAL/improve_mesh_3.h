@@ -21,7 +21,7 @@ Improves the tetrahedra of a complex by reconnection, smoothing, collapses and i
 vertices, each done only if it raises the worst quality where it acts, and by splits of long edges
 (Algorithm 3 of the paper; insertion: Klingner and Shewchuk 2007). Where cells stay bad, those
 around are improved beyond the threshold, to give them room. The interface stays as it is, bit for
-bit.
+bit, unless its vertices may be smoothed.
 
 What is improved is the measure of the complex. Where dihedral angles count,
 `Biased_minimum_sine_3` is the one to choose.
@@ -42,6 +42,11 @@ What is improved is the measure of the complex. Where dihedral angles count,
   \cgalParamNBegin{aggressive}
     \cgalParamDescription{whether to raise the threshold in steps, worst cells first, and so to
                           take several times as long for better cells}
+    \cgalParamType{`bool`} \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{smooth_interface}
+    \cgalParamDescription{whether vertices of the interface may move where it is flat, within their
+                          plane, or straight, on their line: see `propose_optimal_position()`}
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
@@ -74,9 +79,11 @@ Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedP
   const unsigned rounds =
       choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 10u);
 
+  const bool smooth_interface = choose_parameter(get_parameter(np, tags::smooth_interface), false);
+
   using Visitor = std::remove_reference_t<decltype(visitor)>;
   Deformable_simplicial_complexes::internal::Mesh_improver_3<Complex, Visitor> improver(
-      dsc, visitor, threshold, true);
+      dsc, visitor, threshold, true, smooth_interface);
   static constexpr double first = .25, step = 1.2;
   if (aggressive)
     for (double t = first; t < threshold; t *= step)

@@ -10,7 +10,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/degeneracy_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/commit_collapse_or_flip.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/edge_unit.h>
 #include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
 
@@ -122,7 +122,7 @@ Improvement_report remove_degeneracies(Complex& dsc,
                            [&](Cell_handle c, internal::Work_list<Cell_handle>& touched) {
                              if (!propose(c))
                                return;
-                             internal::commit_collapse_or_flip(dsc, cavity, visitor, report);
+                             internal::commit_proposal(dsc, cavity, visitor, report);
                              for (Cell_handle d : cavity.created())
                                if (!dsc.is_infinite(d))
                                  touched.push(d);

@@ -3,11 +3,14 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Integration_scheme.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
 #include <CGAL/advect_interface_3.h>
 #include <CGAL/interface_flows_3.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -184,5 +187,109 @@ TEST(Advection, refuses_velocities_of_another_number_of_vertices) {
   };
   EXPECT_THROW(CGAL::advect_interface(dsc, too_few, 0, .1),
                CGAL::Deformable_simplicial_complexes::Invalid_destination_error);
+  EXPECT_TRUE(dsc.state() == state);
+}
+
+// Small angles
+
+namespace {
+
+// The smallest of the angles and of their supplements, degrees, by the smallest sine.
+double extreme_angle(const Complex& dsc) {
+  static constexpr double of_regular = 0.94280904158206337;
+  double smallest = 1;
+  for (auto c : dsc.triangulation().finite_cell_handles()) {
+    const auto p = [&](int i) { return dsc.position(c->vertex(i)); };
+    smallest = (std::min)(smallest, CGAL::Minimum_sine_3()(p(0), p(1), p(2), p(3)));
+  }
+  return std::asin(of_regular * smallest) * 180 / CGAL_PI;
+}
+
+// Folds a ball.
+Vector fold(const Position& p, double) {
+  return Vector(.5 * std::sin(4 * p.y()), .5 * std::sin(4 * p.z()), .5 * std::sin(4 * p.x()));
+}
+
+} // namespace
+
+TEST(Small_angles, are_removed_in_the_end) {
+  Complex with = make_complex(grid(8, small_meshes::ball)), without = with;
+  const double volume = with.volume(1);
+  std::size_t number_of_bad_steps = 0, changes = 0;
+  for (int i = 0; i < 8; ++i) {
+    const auto report = CGAL::advect_interface(with, fold, i, .1);
+    ASSERT_TRUE(with.is_valid());
+    EXPECT_GE(extreme_angle(with), 5 - 1e-9) << i;
+    changes += report.relocated + report.inserted;
+    CGAL::advect_interface(without, fold, i, .1, parameters::minimum_angle(0));
+    number_of_bad_steps += extreme_angle(without) < 5;
+  }
+  EXPECT_GT(number_of_bad_steps, 2u);
+  EXPECT_GT(changes, 0u);
+  EXPECT_EQ(with.number_of_components(1), 1u);
+  EXPECT_EQ(with.euler_characteristic(1), 2);
+  // The flow keeps the volume.
+  EXPECT_NEAR(with.volume(1), volume, .01 * volume);
+}
+
+// Cells of the ball flattened by hand: rotation keeps them with their interface, bit for bit in all
+// but position; a motion elsewhere leaves them alone.
+TEST(Small_angles, of_what_moves_as_a_whole_stay) {
+  Complex dsc = make_complex(grid(6, small_meshes::ball));
+  for (Vertex_handle v : dsc.interface_vertices()) {
+    const Position p = dsc.position(v);
+    dsc.move_vertex(v, mesh_helpers::exact_point(dsc, Position(p.x(), p.y(), .1 * p.z())));
+  }
+  ASSERT_LT(extreme_angle(dsc), 5);
+  Complex rotating = dsc;
+  const auto vertices = rotating.interface_vertices();
+  for (int i = 0; i < 3; ++i)
+    EXPECT_TRUE(
+        CGAL::advect_interface(rotating, CGAL::Rigid_rotation_3({0, 0, 0}, {1, 2, 3}, .2), i, 1)
+            .complete);
+  EXPECT_EQ(rotating.interface_vertices(), vertices);
+  EXPECT_EQ(rotating.interface_facets().size(), dsc.interface_facets().size());
+  EXPECT_NEAR(rotating.area(1), dsc.area(1), 1e-12);
+  EXPECT_NEAR(rotating.volume(1), dsc.volume(1), 1e-13);
+}
+
+// Vertices that have nowhere to go keep their coordinates even if the cells between them and others
+// get small angles.
+TEST(Small_angles, do_not_move_what_stays) {
+  Complex dsc = make_complex(grid(8, small_meshes::two_balls));
+  std::vector<Position> still;
+  for (Vertex_handle v : dsc.interface_vertices())
+    if (dsc.position(v).x() > 0)
+      still.push_back(dsc.position(v));
+  std::size_t relocated = 0;
+  for (int i = 0; i < 6; ++i)
+    relocated += CGAL::advect_interface(
+                     dsc,
+                     [](const Position& p, double) {
+                       return p.x() > 0 ? Vector(0, 0, 0) : Vector(.3, .2 * std::sin(9 * p.z()), 0);
+                     },
+                     i, .1,
+                     parameters::topology_control(
+                         CGAL::Deformable_simplicial_complexes::Forbid_topology_changes()))
+                     .relocated;
+  ASSERT_TRUE(dsc.is_valid());
+  std::size_t kept = 0;
+  for (Vertex_handle v : dsc.interface_vertices())
+    if (dsc.position(v).x() > 0)
+      kept += std::count(still.begin(), still.end(), dsc.position(v)) == 1;
+  EXPECT_GE(kept, still.size() - 4); // some vanish; none moves
+  for (Vertex_handle v : dsc.interface_vertices())
+    if (dsc.position(v).x() > .25) {
+      EXPECT_EQ(std::count(still.begin(), still.end(), dsc.position(v)), 1);
+    }
+  EXPECT_EQ(dsc.number_of_components(1), 2u);
+}
+
+TEST(Small_angles, refuses_bounds_out_of_range) {
+  Complex dsc = make_complex(grid(4, small_meshes::ball));
+  const auto state = dsc.state();
+  for (double angle : {-1., 31., std::nan("")})
+    EXPECT_THROW(CGAL::advect_interface(dsc, fold, 0, .1, parameters::minimum_angle(angle)),
+                 CGAL::Deformable_simplicial_complexes::Error);
   EXPECT_TRUE(dsc.state() == state);
 }

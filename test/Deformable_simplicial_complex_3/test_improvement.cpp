@@ -194,3 +194,22 @@ TEST(Improve_mesh, inserts_vertices_and_tells_so) {
   }
   EXPECT_GT(inserted, 0u);
 }
+
+// The middle of the wall between two boxes is moved within the wall, up to nearly flat cells.
+TEST(Improve_mesh, smooths_the_interface_only_on_request) {
+  Complex dsc = make_complex(grid(4, small_meshes::two_boxes));
+  const auto vertices = dsc.vertices();
+  const auto middle = *std::find_if(vertices.begin(), vertices.end(),
+                                    [](Vertex_handle v) { return v->point() == CGAL::ORIGIN; });
+  ASSERT_EQ(dsc.move_vertex(middle, Point(0, .47, .48)), 1);
+  Complex fixed = dsc;
+  improve(fixed, parameters::quality_threshold(.4));
+  const double wall = dsc.area(1, 2), area = dsc.area(0);
+  CGAL::improve_mesh(dsc, parameters::quality_threshold(.4).smooth_interface(true));
+  EXPECT_TRUE(dsc.is_valid());
+  EXPECT_EQ(dsc.position(middle).x(), 0);
+  EXPECT_FALSE(middle->point() == Point(0, .47, .48));
+  EXPECT_NEAR(dsc.area(1, 2), wall, 1e-14);
+  EXPECT_NEAR(dsc.area(0), area, 1e-14);
+  EXPECT_GT(minimum_quality(dsc), minimum_quality(fixed));
+}

@@ -210,3 +210,24 @@ TYPED_TEST(Quality_measures, decreases_with_the_height_of_a_sliver) {
   }
   EXPECT_LT(last, 1e-9);
 }
+
+// Against central differences, on thin tetrahedra too.
+TEST(Volume_length_ratio, gradient_agrees_with_differences) {
+  const CGAL::Volume_length_ratio_3 measure;
+  mesh_helpers::Random random(8);
+  for (int i = 0; i < 500; ++i) {
+    Tetrahedron t = random_tetrahedron(random);
+    if (i % 2 == 0) // nearly flat
+      t[0] = t[1] + .3 * (t[2] - t[1]) + .4 * (t[3] - t[1]) + 1e-3 * (t[0] - t[1]);
+    const Vector gradient = measure.gradient(t[0], t[1], t[2], t[3]);
+    const auto slope = [&](const Vector& axis) {
+      static constexpr double h = 1e-5;
+      return (measure(t[0] + h * axis, t[1], t[2], t[3]) -
+              measure(t[0] - h * axis, t[1], t[2], t[3])) /
+             (2 * h);
+    };
+    const Vector expected(slope(Vector(1, 0, 0)), slope(Vector(0, 1, 0)), slope(Vector(0, 0, 1)));
+    EXPECT_LT(std::sqrt((gradient - expected).squared_length()),
+              1e-6 * (1 + std::sqrt(expected.squared_length())));
+  }
+}

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -112,7 +114,7 @@ TEST(Optimal_position, never_lowers_the_worst_quality) {
     const bool proposed = propose_optimal_position(dsc, v, star, target);
     EXPECT_TRUE(dsc.state() == state);
     if (dsc.is_interface(v) || dsc.is_boundary(v)) {
-      EXPECT_FALSE(proposed);
+      EXPECT_FALSE(proposed); // the interface is nowhere flat
     }
     if (!proposed)
       continue;
@@ -168,4 +170,50 @@ TEST(Optimal_position, survives_cells_flat_up_to_rounding) {
     EXPECT_TRUE(dsc.is_valid());
     EXPECT_GT(mesh_helpers::minimum_quality(dsc), 0);
   }
+}
+
+// In two boxes that share a wall: on a face and on the wall vertices move within the plane, on
+// edges along them, at corners not at all; the triple line around the wall is an edge like any
+// other.
+TEST(Optimal_position, keeps_planes_and_lines_of_the_interface) {
+  Complex dsc = small_meshes::make_complex(small_meshes::grid(8, small_meshes::two_boxes));
+  const double volume_1 = dsc.volume(1), volume_2 = dsc.volume(2), area = dsc.area(0);
+  // Worse within their planes and lines.
+  mesh_helpers::Random random(3);
+  const auto planes = [](const Position& p) {
+    return std::array<bool, 3>{std::abs(p.x()) == .5 || p.x() == 0, std::abs(p.y()) == .5,
+                               std::abs(p.z()) == .5};
+  };
+  std::vector<Cell_handle> star;
+  for (Vertex_handle v : dsc.interface_vertices()) {
+    const Position p = dsc.position(v);
+    const auto is_on = planes(p);
+    const auto shift = random.vector<Complex>(.1);
+    dsc.move_vertex(v, Point(p.x() + (is_on[0] ? 0 : shift.x()), p.y() + (is_on[1] ? 0 : shift.y()),
+                             p.z() + (is_on[2] ? 0 : shift.z())));
+  }
+  std::array<int, 4> moved = {}; // by the number of planes
+  for (Vertex_handle v : dsc.interface_vertices()) {
+    const Position before = dsc.position(v);
+    const auto is_on = planes(before);
+    dsc.star(v, star);
+    const double quality = worst_quality(dsc, v, before);
+    Point target;
+    if (!propose_optimal_position(dsc, v, star, target))
+      continue;
+    ++moved[std::size_t(is_on[0]) + is_on[1] + is_on[2]];
+    dsc.set_point(v, star, target);
+    const Position after = dsc.position(v);
+    EXPECT_GT(worst_quality(dsc, v, after), quality);
+    EXPECT_TRUE(!is_on[0] || after.x() == before.x());
+    EXPECT_TRUE(!is_on[1] || after.y() == before.y());
+    EXPECT_TRUE(!is_on[2] || after.z() == before.z());
+  }
+  EXPECT_GT(moved[1], 20);
+  EXPECT_GT(moved[2], 5);
+  EXPECT_EQ(moved[0] + moved[3], 0);
+  EXPECT_TRUE(dsc.is_valid());
+  EXPECT_NEAR(dsc.volume(1), volume_1, 1e-14);
+  EXPECT_NEAR(dsc.volume(2), volume_2, 1e-14);
+  EXPECT_NEAR(dsc.area(0), area, 1e-13);
 }

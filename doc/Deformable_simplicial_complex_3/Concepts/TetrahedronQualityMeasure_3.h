@@ -5,6 +5,10 @@
 A function object that tells how good a tetrahedron is. The mesh is improved so that its worst
 tetrahedra by this measure get better. It is called often: its time decides that of improvement.
 
+A model may have a member `gradient(p, q, r, s)` with the same arguments, which returns the
+derivative of the quality by the position of p, an `Approximate_vector_3`. Where there is none,
+optimisation takes differences.
+
 \cgalRefines `DefaultConstructible`, `CopyConstructible`, `Assignable`
 
 \cgalHasModelsBegin

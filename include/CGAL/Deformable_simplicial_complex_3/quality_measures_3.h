@@ -103,6 +103,21 @@ struct Volume_length_ratio_3
     const double cube = squared * std::sqrt(squared);
     return cube == 0 ? 0 : std::sqrt(2.) * t.six_volumes / cube;
   }
+
+  /// returns the derivative of the quality by the position of p. \pre the points are not all equal
+  template <class Point>
+  auto gradient(const Point& p, const Point& q, const Point& r, const Point& s) const {
+    const Deformable_simplicial_complexes::internal::Tetrahedron_frame<Point> t(p, q, r, s);
+    double squared = 0;
+    for (const auto& e : t.edges())
+      squared += e.squared_length();
+    squared /= 6;
+    // Of six volumes over the cube of the length, by the product rule.
+    const auto of_six_volumes = cross_product(t.c - t.a, t.b - t.a);
+    const auto of_squared = (t.a + t.b + t.c) / -3;
+    return std::sqrt(2.) / (squared * std::sqrt(squared)) *
+           (of_six_volumes - 1.5 * t.six_volumes / squared * of_squared);
+  }
 };
 
 /*!

@@ -174,7 +174,7 @@ bool fill_with_star(const Complex& complex, typename Complex::Cell_handle seed,
   if (!set.grow(seed))
     return false;
 
-  Star_optimizer_3<Complex> optimizer(complex, p);
+  Star_optimizer_3<Complex> optimizer(complex.quality_measure(), p);
   set.for_each_facet([&](Cell_handle c, int i) {
     std::array<typename Complex::Approximate_point_3, 4> points;
     for (int k = 0; k < 4; ++k)

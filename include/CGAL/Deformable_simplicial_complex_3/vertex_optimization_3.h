@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_VERTEX_OPTIMIZATION_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/Star_optimizer_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface_directions_3.h>
 
 #include <array>
 #include <vector>
@@ -20,10 +21,14 @@ Proposes to move a vertex to where the worst quality of its star is locally high
 order of magnitude more expensive than `propose_smart_laplacian()`.
 
 \param complex is not changed.
-\param v a vertex neither on the interface nor on the boundary of the domain.
+\param v a vertex that is not on the boundary of the domain. Where the interface around it is flat
+       up to rounding, it stays in its plane; where the facets there have a line in common, such as
+       a straight edge between two planes or a straight triple line, it stays on that line. Other
+       vertices of the interface do not move.
 \param star the star of v.
 \param target the proposed position.
-\return whether there is one; commit with `complex.set_point(v, star, target)`.
+\return whether there is one; commit with `complex.set_point(v, star, target)`. The interface moves
+        by the rounding of the position at most.
 
 Linear in the star.
 */
@@ -31,10 +36,15 @@ template <class Complex>
 bool propose_optimal_position(const Complex& complex, typename Complex::Vertex_handle v,
                               const std::vector<typename Complex::Cell_handle>& star,
                               typename Complex::Point_3& target) {
-  if (v->is_interface() || complex.is_boundary(v))
+  namespace internal = Deformable_simplicial_complexes::internal;
+  std::vector<typename Complex::Approximate_vector_3> blocked;
+  if (complex.is_boundary(v) ||
+      (v->is_interface() && !internal::find_blocked_directions(complex, star, v, blocked)))
     return false;
   const auto from = complex.position(v);
-  Deformable_simplicial_complexes::internal::Star_optimizer_3<Complex> optimizer(complex, from);
+  internal::Star_optimizer_3<Complex> optimizer(complex.quality_measure(), from);
+  for (const auto& direction : blocked)
+    optimizer.block(direction);
   for (auto c : star) {
     std::array<typename Complex::Approximate_point_3, 4> points;
     for (int i = 0; i < 4; ++i)

@@ -11,7 +11,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/commit_collapse_or_flip.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/commit_proposal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -101,7 +101,7 @@ private:
     if (!propose_edge_collapse(m_complex, c, i, j, m_thresholds.collapse_quality, m_cavity) ||
         makes_long_edge())
       return false;
-    commit_collapse_or_flip(m_complex, m_cavity, m_visitor, m_report);
+    commit_proposal(m_complex, m_cavity, m_visitor, m_report);
     return true;
   }
 

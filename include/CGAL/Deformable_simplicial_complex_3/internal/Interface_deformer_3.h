@@ -9,9 +9,11 @@
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Small_angle_remover_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Trapped_cells_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/collision_order_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/final_quality.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/harmonic_extension_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/simultaneous_motion_3.h>
@@ -32,6 +34,7 @@ namespace internal {
 struct Deformation_options
 {
   double quality_threshold, relabeling_threshold;
+  double minimum_angle; // degrees
   bool manifold_interface, collision_order;
 };
 
@@ -49,8 +52,8 @@ public:
                        const Deformation_options& options, const For_each_index& for_each_index)
       : m_complex(complex), m_visitor(visitor), m_options(options),
         m_improver(complex, visitor, options.quality_threshold),
-        m_trapped_cells(complex, visitor, topology_control, options.relabeling_threshold,
-                        options.manifold_interface),
+        m_small_angles(complex, visitor, options.minimum_angle, options.quality_threshold),
+        m_trapped_cells(complex, visitor, topology_control, options.manifold_interface),
         m_for_each_index(for_each_index) {}
 
   // No destination survives the deformation, even if a visitor ends it by an exception.
@@ -84,6 +87,8 @@ public:
       m_unfinished.push_back({vertices[i], vertices[i]->time_stamp()});
     }
     update_unfinished();
+    for (const Item& item : m_unfinished)
+      m_small_angles.remember(item.vertex);
   }
 
   bool is_complete() const { return m_unfinished.empty(); }
@@ -156,7 +161,7 @@ public:
   // Cells flattened between two parts of the interface: where its topology changes.
   void relabel_degenerate_cells() {
     m_touched.sort();
-    m_trapped_cells.relabel(handles(m_touched), m_options.relabeling_threshold);
+    relabel(m_touched, m_options.relabeling_threshold);
   }
 
   // What keeps vertices from their destinations: cells that the interface is about to sweep away,
@@ -173,7 +178,7 @@ public:
           cells.push(c);
     }
     cells.sort();
-    m_trapped_cells.relabel(handles(cells), swept);
+    relabel(cells, swept);
     m_trapped_cells.remove_small_components(handles(cells));
     for (const auto& item : cells) {
       const Cell_handle c = item.cell;
@@ -202,6 +207,18 @@ public:
     m_last_distance = distance;
   }
 
+  // What the passes have left, but for cells that moved as a whole.
+  void remove_small_angles(unsigned pass) {
+    static constexpr double any_quality = 2;
+    m_trapped_cells.relabel(m_small_angles.bad_cells(), any_quality,
+                            [&](Cell_handle c) { return m_small_angles.is_bad(c); });
+    end_pass(pass);
+    m_small_angles.run([&](Cell_handle c, typename Complex::Label label) {
+      return m_trapped_cells.relabel_if_topology_stays(c, label);
+    });
+    update_unfinished();
+  }
+
   void end_pass(unsigned pass) { m_trapped_cells.log().end_pass(pass, m_visitor); }
 
   Report report(unsigned passes) {
@@ -211,10 +228,14 @@ public:
       report.unfinished.push_back({v, remaining_distance(v)});
     report.vanished = m_vanished;
     report.complete = report.unfinished.empty();
-    report.split = m_improver.report().split;
-    report.collapsed = m_improver.report().collapsed;
-    report.flipped = m_improver.report().flipped;
-    report.smoothed = m_improver.report().smoothed;
+    for (const Improvement_report& part : {m_improver.report(), m_small_angles.report()}) {
+      report.split += part.split;
+      report.collapsed += part.collapsed;
+      report.flipped += part.flipped;
+      report.smoothed += part.smoothed;
+      report.inserted += part.inserted;
+    }
+    report.relocated = m_small_angles.number_of_relocated();
     report.relabeled = m_trapped_cells.number_of_relabeled();
     m_trapped_cells.log().report(passes, report);
     return report;
@@ -233,6 +254,14 @@ private:
     std::size_t time_stamp; // the cell may have been replaced
     int index;
   };
+
+  // Relabels trapped cells below a quality, but for those that are flat only on the way.
+  void relabel(const Work_list<Cell_handle>& cells, double threshold) {
+    m_trapped_cells.relabel(handles(cells), threshold, [&](Cell_handle c) {
+      return final_quality(m_complex, {c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)}) <
+             m_options.relabeling_threshold;
+    });
+  }
 
   // Removes one of the facets of a cell.
   bool remove_degenerate_facet(Cell_handle c, double cosine) {
@@ -325,6 +354,7 @@ private:
   Visitor& m_visitor;
   Deformation_options m_options;
   Mesh_improver_3<Complex, Visitor> m_improver;
+  Small_angle_remover_3<Complex, Visitor> m_small_angles;
   Trapped_cells_3<Complex, Visitor, TopologyControl> m_trapped_cells;
   const For_each_index& m_for_each_index;
   std::vector<Item> m_unfinished;

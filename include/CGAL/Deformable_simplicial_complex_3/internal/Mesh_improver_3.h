@@ -12,7 +12,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/commit_collapse_or_flip.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/final_quality.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
@@ -42,10 +42,11 @@ public:
   using Cells = Work_list<Cell_handle>;
 
   // Where nothing else helps, one that is thorough triangulates sets of facets anew and inserts
-  // vertices.
-  Mesh_improver_3(Complex& complex, Visitor& visitor, double threshold, bool is_thorough = false)
+  // vertices. Vertices of the interface may be smoothed within their plane or line.
+  Mesh_improver_3(Complex& complex, Visitor& visitor, double threshold, bool is_thorough = false,
+                  bool smooths_interface = false)
       : m_complex(complex), m_visitor(visitor), m_threshold(threshold), m_is_thorough(is_thorough),
-        m_cavity(complex) {}
+        m_smooths_interface(smooths_interface), m_cavity(complex) {}
 
   const Improvement_report& report() const { return m_report; }
 
@@ -102,7 +103,7 @@ public:
     typename Complex::Point_3 target;
     for (int i = 0; i < 4 && c->quality() < m_threshold; ++i) {
       const Vertex_handle v = c->vertex(i);
-      if (v->is_interface())
+      if (v->is_interface() && !m_smooths_interface)
         continue;
       m_complex.star(v, m_star);
       if (!propose_smart_laplacian(m_complex, v, m_star, target) &&
@@ -156,13 +157,7 @@ public:
 
   // Puts a new vertex into the cell and gives it the cells around that it improves.
   bool insert(Cell_handle c, Cells& touched) {
-    if (!propose_vertex_insertion(m_complex, c, m_cavity))
-      return false;
-    m_complex.replace(m_cavity);
-    ++m_report.inserted;
-    m_visitor.after_insertion(m_cavity.vertices().back().handle);
-    touch_created(touched);
-    return true;
+    return propose_vertex_insertion(m_complex, c, m_cavity) && commit(touched);
   }
 
   // Removes a facet with an angle below a bound, given by its cosine, if it is on the interface and
@@ -273,7 +268,7 @@ private:
   }
 
   bool commit(Cells& touched) {
-    commit_collapse_or_flip(m_complex, m_cavity, m_visitor, m_report);
+    commit_proposal(m_complex, m_cavity, m_visitor, m_report);
     touch_created(touched);
     return true;
   }
@@ -294,7 +289,7 @@ private:
   Complex& m_complex;
   Visitor& m_visitor;
   double m_threshold;
-  bool m_is_thorough;
+  bool m_is_thorough, m_smooths_interface;
   Cavity_3<Complex> m_cavity;
   std::vector<Cell_handle> m_star;
   Improvement_report m_report;

@@ -18,14 +18,17 @@ namespace internal {
 // The worst quality of a star as a function of the position of its vertex, to be maximised
 // (Freitag, Jones and Plassmann 1995): a minimum of smooth functions, whose steepest ascent is the
 // shortest convex combination of the gradients of those that are active.
-template <class Complex> class Star_optimizer_3
+template <class Complex, class Measure = typename Complex::Quality_measure> class Star_optimizer_3
 {
 public:
   using Point = typename Complex::Approximate_point_3;
   using Vector = typename Complex::Approximate_vector_3;
 
   // A star whose vertex is at p, without cells.
-  Star_optimizer_3(const Complex& complex, const Point& p) : m_complex(complex), m_position(p) {}
+  Star_optimizer_3(const Measure& measure, const Point& p) : m_measure(measure), m_position(p) {}
+
+  // The vertex shall not move in a direction, of unit length. Several are orthogonal.
+  void block(const Vector& direction) { m_blocked.push_back(direction); }
 
   // Adds a cell of the star, of which the vertex with this index moves.
   void add(const std::array<Point, 4>& points, int vertex) {
@@ -56,7 +59,7 @@ private:
 
   double value(Function& f, const Point& p) const {
     f.points[f.vertex] = p;
-    return m_complex.quality_measure()(f.points[0], f.points[1], f.points[2], f.points[3]);
+    return m_measure(f.points[0], f.points[1], f.points[2], f.points[3]);
   }
 
   double worst(const Point& p, double bound) {
@@ -69,13 +72,30 @@ private:
     return result;
   }
 
-  // Differences serve any measure.
   void differentiate(Function& f) const {
+    f.points[f.vertex] = m_position;
+    f.gradient = gradient_of(m_measure, f, 0);
+    for (const Vector& direction : m_blocked)
+      f.gradient = f.gradient - (f.gradient * direction) * direction;
+  }
+
+  // Of a measure that knows its gradient.
+  template <class M>
+  auto gradient_of(const M& measure, const Function& f, int) const
+      -> decltype(measure.gradient(f.points[0], f.points[1], f.points[2], f.points[3])) {
+    static constexpr int even[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
+    const auto p = [&](int i) { return f.points[even[f.vertex][i]]; };
+    return measure.gradient(p(0), p(1), p(2), p(3));
+  }
+
+  // Of any other: by differences.
+  template <class M> Vector gradient_of(const M&, const Function& f, long) const {
     const double h = 1e-6 * m_length;
+    Function g = f;
     const auto slope = [&](const Vector& axis) {
-      return (value(f, m_position + h * axis) - f.value) / h;
+      return (value(g, m_position + h * axis) - f.value) / h;
     };
-    f.gradient = Vector(slope(Vector(1, 0, 0)), slope(Vector(0, 1, 0)), slope(Vector(0, 0, 1)));
+    return Vector(slope(Vector(1, 0, 0)), slope(Vector(0, 1, 0)), slope(Vector(0, 0, 1)));
   }
 
   // The point of the convex hull of the active gradients that is nearest to the origin (Gilbert).
@@ -141,8 +161,9 @@ private:
     return false;
   }
 
-  const Complex& m_complex;
+  const Measure& m_measure;
   Point m_position;
+  std::vector<Vector> m_blocked;
   std::vector<Function> m_functions;
   double m_length = 0;
 };

@@ -7,7 +7,6 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/Manifold_relabeling_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Topology_log_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/final_quality.h>
 #include <CGAL/Deformable_simplicial_complex_3/relabeling_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/topology_of_relabeling_3.h>
 
@@ -35,27 +34,26 @@ public:
   using Cell_handle = typename Complex::Cell_handle;
   using Label = typename Complex::Label;
 
-  // No cell of at least `final_threshold` with its vertices at their destinations is relabeled: it
-  // is flat only on the way.
   Trapped_cells_3(Complex& complex, Visitor& visitor, TopologyControl& topology_control,
-                  double final_threshold, bool manifold_interface)
+                  bool manifold_interface)
       : m_complex(complex), m_visitor(visitor), m_topology_control(topology_control),
-        m_final_threshold(final_threshold), m_manifold_interface(manifold_interface),
-        m_log(complex) {}
+        m_manifold_interface(manifold_interface), m_log(complex) {}
 
   Topology_log_3<Complex>& log() { return m_log; }
   std::size_t number_of_relabeled() const { return m_relabeled; }
 
-  // Relabels those of the cells, and of those around, that are trapped and below the threshold.
-  // Each joins another phase only once, but for what is cut off and too small to stay.
-  void relabel(const std::vector<Cell_handle>& cells, double threshold) {
+  // Relabels those of the cells, and of those around, that are trapped, below the threshold, and
+  // flat, as is_flat(c) says. Each joins another phase only once, but for what is cut off and too
+  // small to stay.
+  template <class Is_flat>
+  void relabel(const std::vector<Cell_handle>& cells, double threshold, const Is_flat& is_flat) {
     m_done.clear();
     std::vector<Cell_handle> front = cells;
-    spread(front, threshold);
+    spread(front, threshold, is_flat);
     std::vector<Cell_handle> proposed;
     for (Cell_handle c : cells) {
       Label label;
-      if (!propose(c, threshold, proposed, label) ||
+      if (!propose(c, threshold, is_flat, proposed, label) ||
           relabeling_keeps_topology(m_complex, proposed, label) ||
           !m_topology_control(std::as_const(m_complex), c, label))
         continue;
@@ -64,7 +62,7 @@ public:
       front.clear();
       add_neighbors(proposed, front);
       remove_small_components(front); // what has just been cut off
-      spread(front, threshold);
+      spread(front, threshold, is_flat);
     }
   }
 
@@ -80,6 +78,16 @@ public:
         record(component, label);
         relabel(component, label);
       }
+  }
+
+  // Relabels a cell whatever its shape, if that keeps the topology; once after each relabel().
+  bool relabel_if_topology_stays(Cell_handle c, Label label) {
+    std::vector<Cell_handle> cells(1, c);
+    if (is_done(c) || !relabeling_keeps_topology(m_complex, c, label) || !complete(cells, label) ||
+        cells.size() > 1)
+      return false;
+    relabel(cells, label);
+    return true;
   }
 
 private:
@@ -133,11 +141,12 @@ private:
   }
 
   // Relabels cells that keep the topology, and those around them.
-  void spread(std::vector<Cell_handle>& front, double threshold) {
+  template <class Is_flat>
+  void spread(std::vector<Cell_handle>& front, double threshold, const Is_flat& is_flat) {
     std::vector<Cell_handle> proposed;
     for (std::size_t i = 0; i < front.size(); ++i) {
       Label label;
-      if (propose(front[i], threshold, proposed, label) &&
+      if (propose(front[i], threshold, is_flat, proposed, label) &&
           relabeling_keeps_topology(m_complex, proposed, label)) {
         relabel(proposed, label);
         add_neighbors(proposed, front);
@@ -146,9 +155,10 @@ private:
   }
 
   // Finds the cells to be relabeled with a trapped one, which comes first, and their new label.
-  bool propose(Cell_handle c, double threshold, std::vector<Cell_handle>& cells,
-               Label& label) const {
-    if (!is_trapped(c, threshold, label))
+  template <class Is_flat>
+  bool propose(Cell_handle c, double threshold, const Is_flat& is_flat,
+               std::vector<Cell_handle>& cells, Label& label) const {
+    if (is_done(c) || !propose_relabeling(m_complex, c, threshold, label) || !is_flat(c))
       return false;
     cells.assign(1, c);
     return complete(cells, label) && volume(cells) - volume({c}) < small_volume() &&
@@ -160,12 +170,6 @@ private:
   bool complete(std::vector<Cell_handle>& cells, Label label) const {
     return !m_manifold_interface ||
            Manifold_relabeling_3<Complex>(m_complex, cells, label).complete();
-  }
-
-  bool is_trapped(Cell_handle c, double threshold, Label& label) const {
-    return !is_done(c) && propose_relabeling(m_complex, c, threshold, label) &&
-           final_quality(m_complex, {c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)}) <
-               m_final_threshold;
   }
 
   bool is_done(Cell_handle c) const { return m_done.count(c->time_stamp()) != 0; }
@@ -197,7 +201,6 @@ private:
   Complex& m_complex;
   Visitor& m_visitor;
   TopologyControl& m_topology_control;
-  double m_final_threshold;
   bool m_manifold_interface;
   Topology_log_3<Complex> m_log;
   std::unordered_set<std::size_t> m_done; // by time stamp
