@@ -50,7 +50,7 @@ int breathe(const std::string& input, std::size_t triangles, int number_of_steps
   for (int breath = 0; breath < breaths; ++breath) {
     for (double speed : {-distance, distance})
       for (int i = 0; i < number_of_steps; ++i, ++steps) {
-        // Half as fine inside as on the interface.
+        // Half as fine inside the labels as on the interface.
         CGAL::control_detail(complex, parameters::collapse_length(2.));
         const auto report =
             CGAL::advect_interface(complex, CGAL::Normal_offset_3{speed}, double(steps), 1.);

@@ -100,6 +100,8 @@ measure_breathing() {
   add_row "$table" "$programs/breathing" "$meshes/bunny00.off" --triangles 13900
   add_row "$table" "$programs/breathing" "$meshes/refined_elephant.off"
   add_row "$table" "$programs/breathing" "$meshes/bunny00.off" --triangles 13900 --breaths 5
+  add_row "$table" "$programs/breathing" "$meshes/bunny00.off" --triangles 13900 --breaths 5 \
+    --length .02
 }
 
 measure_memory() {
