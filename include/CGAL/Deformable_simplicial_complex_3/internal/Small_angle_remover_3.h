@@ -185,15 +185,18 @@ private:
                  propose_interface_edge_flip(m_complex, c, i, j, m_cavity));
   }
 
-  // Of vertices on the interface, or of the others.
+  // Of vertices of the interface that have moved, or of those off it.
   void consider_collapses(Cell_handle c, bool of_interface) {
     static constexpr double least = .1; // of the cube of a mean edge
     const double edge = m_complex.mean_interface_edge();
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 4; ++i) {
+      const Vertex_handle v = c->vertex(i);
+      if (v->is_interface() != of_interface || (of_interface && !has_moved(v)))
+        continue;
       for (int j = 0; j < 4; ++j)
-        consider(i != j && c->vertex(i)->is_interface() == of_interface &&
-                 propose_edge_collapse(m_complex, c, i, j, 0, m_cavity) &&
+        consider(j != i && propose_edge_collapse(m_complex, c, i, j, 0, m_cavity) &&
                  (!of_interface || swept_volume(m_complex, m_cavity) < least * edge * edge * edge));
+    }
   }
 
   // Keeps the proposal in m_cavity, if there is one, if it is the best so far.
