@@ -51,11 +51,14 @@ became bad.
   \cgalParamNEnd
   \cgalParamNBegin{minimum_angle}
     \cgalParamDescription{cells with a dihedral angle, in degrees, below it or above its supplement
-                          are removed in the end, where that keeps the topology, but for those that
-                          moved as a whole. The interface moves by the cell; or a vertex that was
-                          on the way moves by a twentieth of a mean edge, or vanishes while the
-                          interface moves by a tenth of its cube, at most. In [0, 30]; only cells
-                          below the quality threshold are looked at.}
+                          are removed in the end, but for those that moved as a whole, of those
+                          that are below the quality threshold and have a vertex of the interface
+                          that moved. If trapped, they may join another phase as with
+                          `relabeling_threshold`. Else the topology stays; the interface moves by
+                          the cell or by a tenth of the cube of a mean edge at most, or one of its
+                          vertices that moved by a twentieth of a mean edge; by up to five times as
+                          much where nothing less helps. In [0, 30]; 0 leaves what has arrived in
+                          place.}
     \cgalParamType{`double`} \cgalParamDefault{5}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_threads}
@@ -132,8 +135,10 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
       deformer(dsc, visitor, topology_control, options, for_each_index);
   deformer.set_destinations(destination);
   unsigned pass = 0;
+  bool is_stopped = false;
+  const auto goes_further = [&] { return !(is_stopped = !visitor.go_further(pass + 1)); };
   while (!deformer.is_complete() && deformer.is_progressing() && pass < maximum_number_of_passes &&
-         visitor.go_further(pass + 1)) {
+         goes_further()) {
     ++pass;
     deformer.find_degenerating_facets();
     deformer.move_together();
@@ -144,7 +149,7 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
     deformer.improve();
     deformer.end_pass(pass);
   }
-  if (pass > 0)
+  if (pass > 0 && !is_stopped)
     deformer.remove_small_angles(pass);
   return deformer.report(pass);
 }

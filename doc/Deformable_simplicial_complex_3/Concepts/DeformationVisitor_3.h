@@ -25,7 +25,7 @@ public:
   /// `v` was created on the edge between `a` and `b`, which it replaced by two.
   void after_split(Complex::Vertex_handle v, Complex::Vertex_handle a, Complex::Vertex_handle b);
 
-  /// `v` was created; its star has replaced other cells. Only called by `CGAL::improve_mesh()`.
+  /// `v` was created; its star has replaced other cells.
   void after_insertion(Complex::Vertex_handle v);
 
   /// `removed` is about to disappear into `kept`, which stays where it is. Both are still there.
@@ -38,11 +38,11 @@ public:
   /// `cell` had the label `before` and has another one now.
   void after_relabel(Complex::Cell_handle cell, int before);
 
-  /// Components of a label merged, split, vanished or appeared. Called at the end of the pass, once
-  /// for each event.
+  /// Components of a label merged, split, vanished or appeared. Called at the end of the pass, and
+  /// after the removal of small angles, once for each event.
   void after_topology_event(const CGAL::Topology_event<Complex>& event);
 
   /// is asked before each pass of a deformation, the first one being 1; `false` ends the
-  /// deformation, which is then reported as incomplete.
+  /// deformation at once, which is then reported as incomplete.
   bool go_further(unsigned int pass);
 };

@@ -21,14 +21,15 @@ Proposes to move a vertex to where the worst quality of its star is locally high
 order of magnitude more expensive than `propose_smart_laplacian()`.
 
 \param complex is not changed.
-\param v a vertex that is not on the boundary of the domain. Where the interface around it is flat
-       up to rounding, it stays in its plane; where the facets there have a line in common, such as
+\param v a vertex that is not on the boundary of the domain. Where the interface around it is flat,
+       it stays in its plane; where the facets there have a line in common, such as
        a straight edge between two planes or a straight triple line, it stays on that line. Other
        vertices of the interface do not move.
 \param star the star of v.
 \param target the proposed position.
 \return whether there is one; commit with `complex.set_point(v, star, target)`. The interface moves
-        by the rounding of the position at most.
+        by less than a ten millionth of the way of the vertex, as planes count as the same up to
+        that.
 
 Linear in the star.
 */

@@ -210,8 +210,9 @@ public:
   // What the passes have left, but for cells that moved as a whole.
   void remove_small_angles(unsigned pass) {
     static constexpr double any_quality = 2;
-    m_trapped_cells.relabel(m_small_angles.bad_cells(), any_quality,
-                            [&](Cell_handle c) { return m_small_angles.is_bad(c); });
+    m_trapped_cells.relabel(handles(m_small_angles.bad_cells()), any_quality, [&](Cell_handle c) {
+      return m_small_angles.is_bad(c) && m_small_angles.ends_bad(c);
+    });
     end_pass(pass);
     m_small_angles.run([&](Cell_handle c, typename Complex::Label label) {
       return m_trapped_cells.relabel_if_topology_stays(c, label);

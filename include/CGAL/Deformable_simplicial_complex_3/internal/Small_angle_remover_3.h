@@ -19,12 +19,13 @@
 #include <CGAL/Deformable_simplicial_complex_3/vertex_insertion_3.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/container/flat_map.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -42,24 +43,33 @@ public:
   using Label = typename Complex::Label;
   using Cells = Work_list<Cell_handle>;
 
-  // The angle is in degrees. Only cells below the quality are looked at.
+  // The angle is in degrees.
   Small_angle_remover_3(Complex& complex, Visitor& visitor, double angle, double quality_threshold)
-      : m_complex(complex), m_visitor(visitor), m_bound(std::sin(angle * CGAL_PI / 180) / regular),
-        m_quality_threshold(quality_threshold), m_cavity(complex), m_best(complex) {}
+      : m_complex(complex), m_visitor(visitor), m_wanted(std::sin(angle * CGAL_PI / 180) / regular),
+        m_bound(m_wanted), m_quality_threshold(quality_threshold), m_cavity(complex),
+        m_best(complex) {}
 
   const Improvement_report& report() const { return m_report; }
-  std::size_t number_of_relocated() const { return m_relocated; }
+  std::size_t number_of_relocated() const { return m_homes.size(); }
 
-  // Remembers where a vertex of the interface is before it moves.
-  void remember(Vertex_handle v) { m_before.emplace(v->time_stamp(), m_complex.position(v)); }
+  // Remembers where a vertex of the interface is before it moves; by increasing time stamp.
+  void remember(Vertex_handle v) { m_before.push_back({v->time_stamp(), m_complex.position(v)}); }
 
-  bool is_bad(Cell_handle c) const { return sine(c) < m_bound && !is_rigid(c); }
+  // Whether a cell has small angles and did not move as a whole.
+  bool is_bad(Cell_handle c) const { return sine(c) < m_bound && !is_rigid(c, 4); }
 
-  std::vector<Cell_handle> bad_cells() const {
-    std::vector<Cell_handle> result;
+  // Whether it still has them with all vertices at their destinations.
+  bool ends_bad(Cell_handle c) const {
+    return sine(c, [&](Vertex_handle v) { return m_complex.final_position(v); }) < m_bound;
+  }
+
+  // Those below the quality threshold that have a vertex of the interface that moved, by creation.
+  Cells bad_cells() const {
+    Cells result;
     for (Cell_handle c : m_complex.triangulation().finite_cell_handles())
-      if (c->quality() < m_quality_threshold && is_bad(c))
-        result.push_back(c);
+      if (c->quality() < m_quality_threshold && has_moved_vertex(c) && is_bad(c))
+        result.push(c);
+    result.sort();
     return result;
   }
 
@@ -69,72 +79,106 @@ public:
     static constexpr unsigned rounds = 10;
     static constexpr int attempts = 6;
     static constexpr double higher = 1.3;
-    Cells stuck;
     const auto work = [&](Cell_handle c, Cells& touched) {
-      if (is_bad(c) && !improve(c, relabel, touched))
-        stuck.push(c);
+      if (is_bad(c))
+        improve(c, relabel, touched);
     };
-    Cells cells;
-    for (Cell_handle c : bad_cells())
-      cells.push(c);
+    Cells cells = bad_cells();
+    m_handled = cells;
     work_in_rounds(m_complex, std::move(cells), rounds, work);
     // Those that stay are often held by neighbors that are but a little better.
-    const double bound = m_bound;
-    for (int i = 1; i <= attempts && !stuck.empty(); ++i) {
-      m_bound = bound;
-      cells = stars_of_bad(stuck);
-      stuck.clear();
-      m_bound = bound * std::pow(higher, i);
+    for (int i = 1; i <= attempts; ++i) {
+      cells = stars_of_stuck();
+      if (cells.empty())
+        break;
+      m_bound = m_wanted * std::pow(higher, i);
       work_in_rounds(m_complex, std::move(cells), rounds, work);
+      m_bound = m_wanted;
     }
-    m_bound = bound;
   }
 
 private:
   using Position = typename Complex::Approximate_point_3;
 
+  struct Placed_vertex
+  {
+    std::size_t time_stamp;
+    Position position;
+  };
+
   // The smallest sine of a dihedral angle, over that of the regular tetrahedron.
-  double sine(Cell_handle c) const {
-    const auto p = [&](int i) { return m_complex.position(c->vertex(i)); };
-    return m_sine(p(0), p(1), p(2), p(3));
+  double sine(const Position& p, const Position& q, const Position& r, const Position& s) const {
+    return (std::max)(0., m_sine(p, q, r, s)); // less by rounding only
   }
 
-  // Whether a cell has edges between vertices of the interface, all as long as before the motion:
-  // what moves as a whole keeps its interface.
-  bool is_rigid(Cell_handle c) const {
+  template <class Position_of> double sine(Cell_handle c, const Position_of& position) const {
+    return sine(position(c->vertex(0)), position(c->vertex(1)), position(c->vertex(2)),
+                position(c->vertex(3)));
+  }
+
+  double sine(Cell_handle c) const {
+    return sine(c, [&](Vertex_handle v) { return m_complex.position(v); });
+  }
+
+  // Whether a cell has at least so many vertices on the interface, all as far from each other as
+  // before the motion: what moves as a whole keeps its interface.
+  bool is_rigid(Cell_handle c, int at_least) const {
     static constexpr double same = 1e-6;
-    bool has_edge = false;
-    for (int i = 0; i < 4; ++i)
-      for (int j = i + 1; j < 4; ++j) {
-        const Vertex_handle v = c->vertex(i), w = c->vertex(j);
-        if (!v->is_interface() || !w->is_interface())
+    int number = 0;
+    for (int i = 0; i < 4; ++i) {
+      const Vertex_handle v = c->vertex(i);
+      if (!v->is_interface())
+        continue;
+      ++number;
+      for (int j = 0; j < i; ++j) {
+        const Vertex_handle w = c->vertex(j);
+        if (!w->is_interface())
           continue;
-        has_edge = true;
         const double before = (position_before(v) - position_before(w)).squared_length(),
                      now = (m_complex.position(v) - m_complex.position(w)).squared_length();
         if (std::abs(now - before) > same * before)
           return false;
       }
-    return has_edge;
+    }
+    return number >= at_least;
+  }
+
+  // Whether it is for this cell that the interface may change.
+  bool may_change_interface(Cell_handle c) const {
+    return sine(c) < m_bound && has_moved_vertex(c) && !is_rigid(c, 2);
+  }
+
+  typename std::vector<Placed_vertex>::const_iterator find_before(Vertex_handle v) const {
+    const auto it = std::lower_bound(
+        m_before.begin(), m_before.end(), v->time_stamp(),
+        [](const Placed_vertex& p, std::size_t time_stamp) { return p.time_stamp < time_stamp; });
+    return it != m_before.end() && it->time_stamp == v->time_stamp() ? it : m_before.end();
   }
 
   Position position_before(Vertex_handle v) const {
-    const auto known = m_before.find(v->time_stamp());
-    return known == m_before.end() ? m_complex.position(v) : known->second;
+    const auto it = find_before(v);
+    return it == m_before.end() ? m_complex.position(v) : it->position;
   }
 
-  bool has_moved(Vertex_handle v) const { return m_before.count(v->time_stamp()) != 0; }
+  bool has_moved(Vertex_handle v) const {
+    return v->is_interface() && find_before(v) != m_before.end();
+  }
 
-  // The cells around those that are still there and bad.
-  Cells stars_of_bad(const Cells& cells) const {
+  bool has_moved_vertex(Cell_handle c) const {
+    return has_moved(c->vertex(0)) || has_moved(c->vertex(1)) || has_moved(c->vertex(2)) ||
+           has_moved(c->vertex(3));
+  }
+
+  // The cells around those that were worked on and for which the interface might still change.
+  Cells stars_of_stuck() {
     Cells result;
-    std::vector<Cell_handle> star;
-    for (const auto& item : cells) {
-      if (!m_complex.is_alive(item.cell, item.time_stamp) || !is_bad(item.cell))
+    m_handled.sort();
+    for (const auto& item : m_handled) {
+      if (!m_complex.is_alive(item.cell, item.time_stamp) || !may_change_interface(item.cell))
         continue;
       for (int i = 0; i < 4; ++i) {
-        m_complex.star(item.cell->vertex(i), star);
-        for (Cell_handle c : star)
+        m_complex.star(item.cell->vertex(i), m_star);
+        for (Cell_handle c : m_star)
           if (!m_complex.is_infinite(c))
             result.push(c);
       }
@@ -142,62 +186,78 @@ private:
     return result;
   }
 
-  template <class Relabel> bool improve(Cell_handle c, const Relabel& relabel, Cells& touched) {
+  template <class Relabel> void improve(Cell_handle c, const Relabel& relabel, Cells& touched) {
+    const auto is_free = [](Vertex_handle v) { return !v->is_interface(); };
+    const bool may_change = may_change_interface(c);
     find_best_proposal(c);
-    if (m_best_sine < m_bound && relabel_fold(c, relabel, touched))
-      return true;
+    if (!is_enough() && move_vertex(c, is_free, m_bound, touched))
+      return;
+    if (!is_enough() && may_change) {
+      consider_interface_flips(c);
+      consider_collapses(c, true);
+      if (!is_enough() && relabel_fold(c, relabel, touched))
+        return;
+    }
     if (!m_best.removed().empty()) {
       commit_proposal(m_complex, m_best, m_visitor, m_report);
       touch(m_best.created(), touched);
-      return true;
+      return;
     }
-    return move_vertex(
-               c, [](Vertex_handle v) { return !v->is_interface(); }, touched) ||
-           move_vertex(
-               c, [&](Vertex_handle v) { return v->is_interface() && has_moved(v); }, touched);
+    if (!move_vertex(c, is_free, 0, touched) && may_change)
+      move_vertex(
+          c, [&](Vertex_handle v) { return has_moved(v); }, 0, touched);
   }
 
-  // Leaves the best proposal in m_best, which is empty if there is none.
+  // Whether the best proposal leaves no angle below the bound.
+  bool is_enough() const { return m_best_sine >= m_bound; }
+
+  // Leaves the best proposal that keeps the interface in m_best, which is empty if there is none.
   void find_best_proposal(Cell_handle c) {
     m_best.clear();
-    m_best_sine = better * sine(c);
+    m_best_sine = 0;
+    m_least_sine = better * sine(c);
     for (int i = 0; i < 4; ++i)
       consider(propose_multi_face_removal(m_complex, c, i, m_cavity));
     for (int i = 0; i < 4; ++i)
       for (int j = i + 1; j < 4; ++j)
         consider(propose_edge_removal(m_complex, c, i, j, m_cavity));
-    for (int i = 0; i < 4 && m_best_sine < m_bound; ++i)
+    for (int i = 0; i < 4 && !is_enough(); ++i)
       consider(propose_multi_face_retriangulation(m_complex, c, i, m_cavity));
-    if (m_best_sine < m_bound)
+    if (!is_enough())
       consider_collapses(c, false);
-    if (m_best_sine < m_bound)
+    if (!is_enough())
       consider(propose_vertex_insertion(m_complex, c, m_cavity));
-    if (m_best_sine < m_bound) {
-      consider_interface_flips(c);
-      consider_collapses(c, true);
-    }
   }
 
   void consider_interface_flips(Cell_handle c) {
     for (int i = 0; i < 4; ++i)
       for (int j = i + 1; j < 4; ++j)
         consider(m_complex.is_interface(typename Complex::Edge(c, i, j)) &&
-                 propose_interface_edge_flip(m_complex, c, i, j, m_cavity));
+                 propose_interface_edge_flip(m_complex, c, i, j, m_cavity) &&
+                 is_little(volume_swept_by_flip(m_complex, m_cavity, c->vertex(i), c->vertex(j))));
   }
 
   // Of vertices of the interface that have moved, or of those off it.
   void consider_collapses(Cell_handle c, bool of_interface) {
-    static constexpr double least = .1; // of the cube of a mean edge
-    const double edge = m_complex.mean_interface_edge();
     for (int i = 0; i < 4; ++i) {
       const Vertex_handle v = c->vertex(i);
       if (v->is_interface() != of_interface || (of_interface && !has_moved(v)))
         continue;
       for (int j = 0; j < 4; ++j)
         consider(j != i && propose_edge_collapse(m_complex, c, i, j, 0, m_cavity) &&
-                 (!of_interface || swept_volume(m_complex, m_cavity) < least * edge * edge * edge));
+                 (!of_interface || is_little(volume_swept_by_collapse(m_complex, m_cavity))));
     }
   }
+
+  // Whether the interface may move by a volume.
+  bool is_little(double volume) const {
+    static constexpr double little = .1; // of the cube of a mean edge
+    const double edge = m_complex.mean_interface_edge();
+    return volume < slack() * little * edge * edge * edge;
+  }
+
+  // Where cells stay, the interface may move farther.
+  double slack() const { return m_bound / m_wanted; }
 
   // Keeps the proposal in m_cavity, if there is one, if it is the best so far.
   void consider(bool is_proposed) {
@@ -208,12 +268,11 @@ private:
       if (!m_complex.is_infinite(c))
         before = (std::min)(before, sine(c));
     for (const auto& t : m_cavity.tetrahedra()) {
-      const auto vertex = [&](int i) { return m_cavity.vertices()[t.vertices[i]]; };
+      const auto p = [&](int i) { return m_cavity.vertices()[t.vertices[i]].position; };
       if (t.quality < std::numeric_limits<double>::infinity()) // all vertices are finite
-        after = (std::min)(after, m_sine(vertex(0).position, vertex(1).position, vertex(2).position,
-                                         vertex(3).position));
+        after = (std::min)(after, sine(p(0), p(1), p(2), p(3)));
     }
-    if (after > better * before && after > m_best_sine) {
+    if (after > better * before && after > m_least_sine && after > m_best_sine) {
       m_best_sine = after;
       std::swap(m_best, m_cavity);
     }
@@ -239,22 +298,21 @@ private:
       }
       if (!is_inside || !(after < growth * before) || !relabel(c, label))
         continue;
-      touched.push(c);
-      for (int k = 0; k < 4; ++k)
-        touched.push(c->neighbor(k));
+      touch({c, c->neighbor(0), c->neighbor(1), c->neighbor(2), c->neighbor(3)}, touched);
       return true;
     }
     return false;
   }
 
   // Moves one of the vertices for which may_move(v) to where the angles around it are best: the one
-  // for which they become best. A vertex of the interface goes a short way at the most.
+  // for which they become best, if no angle is below a bound then. A vertex of the interface goes a
+  // short way at the most, all in all.
   template <class MayMove>
-  bool move_vertex(Cell_handle c, const MayMove& may_move, Cells& touched) {
-    static constexpr double better_star = 1.05, longest_way = .05; // of a mean edge
-    double best = better_star * sine(c);
+  bool move_vertex(Cell_handle c, const MayMove& may_move, double bound, Cells& touched) {
+    static constexpr double better_star = 1.05;
+    double best = (std::max)(bound, better_star * sine(c));
     Vertex_handle moving;
-    typename Complex::Point_3 target;
+    Position target;
     for (int i = 0; i < 4; ++i) {
       const Vertex_handle v = c->vertex(i);
       if (m_complex.is_boundary(v) || !may_move(v))
@@ -268,45 +326,57 @@ private:
           points[k] = m_complex.position(d->vertex(k));
         optimizer.add(points, d->index(v));
       }
-      auto way = optimizer.run() - from;
-      const double length = std::sqrt(way.squared_length()),
-                   bound = longest_way * m_complex.mean_interface_edge();
-      if (v->is_interface() && length > bound)
-        way = bound / length * way;
-      const auto p = m_complex.geom_traits().construct_exact_point_3_object()(from + way);
-      const double after = worst_sine(v, from + way);
+      const Position to = v->is_interface() ? near_home(v, optimizer.run()) : optimizer.run();
+      const double after = worst_sine(v, to);
       if (after > best && after > better_star * worst_sine(v, from) &&
-          m_complex.is_positive_star(v, m_star, p)) {
+          m_complex.is_positive_star(v, m_star, exact(to))) {
         best = after;
         moving = v;
-        target = p;
+        target = to;
       }
     }
     if (moving == Vertex_handle())
       return false;
+    if (moving->is_interface())
+      m_homes.emplace(moving->time_stamp(), m_complex.position(moving));
+    else
+      ++m_report.smoothed;
     m_complex.star(moving, m_star);
-    m_complex.set_point(moving, m_star, target);
-    ++(moving->is_interface() ? m_relocated : m_report.smoothed);
+    m_complex.set_point(moving, m_star, exact(target));
     touch(m_star, touched);
     return true;
+  }
+
+  // The point on the way to p that is not too far from where the vertex had arrived.
+  Position near_home(Vertex_handle v, const Position& p) const {
+    static constexpr double longest_way = .05; // of a mean edge
+    const auto known = m_homes.find(v->time_stamp());
+    const Position home = known == m_homes.end() ? m_complex.position(v) : known->second;
+    const auto way = p - home;
+    const double length = std::sqrt(way.squared_length()),
+                 bound = slack() * longest_way * m_complex.mean_interface_edge();
+    return length > bound ? home + bound / length * way : p;
+  }
+
+  typename Complex::Point_3 exact(const Position& p) const {
+    return m_complex.geom_traits().construct_exact_point_3_object()(p);
   }
 
   // Of the star m_star if its vertex were at p.
   double worst_sine(Vertex_handle v, const Position& p) const {
     double worst = std::numeric_limits<double>::infinity();
-    for (Cell_handle c : m_star) {
-      const auto point = [&](int i) {
-        return c->vertex(i) == v ? p : m_complex.position(c->vertex(i));
-      };
-      worst = (std::min)(worst, m_sine(point(0), point(1), point(2), point(3)));
-    }
+    for (Cell_handle c : m_star)
+      worst = (std::min)(
+          worst, sine(c, [&](Vertex_handle w) { return w == v ? p : m_complex.position(w); }));
     return worst;
   }
 
-  void touch(const std::vector<Cell_handle>& cells, Cells& touched) const {
+  void touch(const std::vector<Cell_handle>& cells, Cells& touched) {
     for (Cell_handle c : cells)
-      if (!m_complex.is_infinite(c))
+      if (!m_complex.is_infinite(c) && is_bad(c)) {
         touched.push(c);
+        m_handled.push(c);
+      }
   }
 
   static constexpr double regular = 0.94280904158206337; // sine of the angle of a regular one
@@ -315,13 +385,15 @@ private:
   Complex& m_complex;
   Visitor& m_visitor;
   Minimum_sine_3 m_sine;
-  double m_bound, m_quality_threshold;
+  double m_wanted, m_bound; // the latter may be higher around cells that stay
+  double m_quality_threshold;
   Cavity_3<Complex> m_cavity, m_best;
-  double m_best_sine = 0;
-  std::unordered_map<std::size_t, Position> m_before; // of vertices that moved, by time stamp
+  double m_best_sine = 0, m_least_sine = 0;
+  std::vector<Placed_vertex> m_before;                       // vertices that move, by time stamp
+  boost::container::flat_map<std::size_t, Position> m_homes; // of those relocated, by time stamp
+  Cells m_handled;
   std::vector<Cell_handle> m_star;
   Improvement_report m_report;
-  std::size_t m_relocated = 0;
 };
 
 } // namespace internal

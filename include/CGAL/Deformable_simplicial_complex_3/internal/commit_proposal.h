@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Commits a collapse, an insertion or a flip, tells the visitor and counts.
+// Commits a collapse, an insertion or a flip, but no split, tells the visitor and counts.
 template <class Complex, class Visitor>
 void commit_proposal(Complex& complex, Cavity_3<Complex>& cavity, Visitor& visitor,
                      Improvement_report& report) {

@@ -7,6 +7,9 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
 
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -17,7 +20,7 @@ namespace internal {
 // A bound on the volume between the interface and what the collapse of one of its vertices makes of
 // it: that of the tetrahedra of the kept vertex over the facets of the vanishing one.
 template <class Complex>
-double swept_volume(const Complex& complex, const Cavity_3<Complex>& collapse) {
+double volume_swept_by_collapse(const Complex& complex, const Cavity_3<Complex>& collapse) {
   const auto kept = complex.position(collapse.kept_vertex());
   double sum = 0;
   for (const auto c : collapse.removed())
@@ -32,6 +35,25 @@ double swept_volume(const Complex& complex, const Cavity_3<Complex>& collapse) {
              12;
     }
   return sum;
+}
+
+// The volume between the interface and what the flip of its edge vw makes of it: that of the
+// tetrahedron of the edge and the two other corners of its facets.
+template <class Complex>
+double volume_swept_by_flip(const Complex& complex, const Cavity_3<Complex>& flip,
+                            typename Complex::Vertex_handle v, typename Complex::Vertex_handle w) {
+  boost::container::small_vector<typename Complex::Vertex_handle, 4> corners; // each twice
+  for (const auto c : flip.removed())
+    for (int i = 0; i < 4; ++i)
+      if (c->vertex(i) != v && c->vertex(i) != w && complex.is_interface(std::make_pair(c, i)))
+        corners.push_back(c->vertex(6 - i - c->index(v) - c->index(w)));
+  const auto p = complex.position(v), a = complex.position(corners.front());
+  double largest = 0; // the first corner with itself makes none
+  for (const auto corner : corners)
+    largest = (std::max)(largest, std::abs(cross_product(complex.position(w) - p, a - p) *
+                                           (complex.position(corner) - p)) /
+                                      6);
+  return largest;
 }
 
 } // namespace internal
