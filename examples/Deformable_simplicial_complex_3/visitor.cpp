@@ -10,7 +10,9 @@
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <map>
+#include <vector>
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
@@ -21,12 +23,25 @@ using Vertex_handle = Complex::Vertex_handle;
 // run.
 struct Temperatures : public CGAL::Deformation_visitor_3
 {
+  explicit Temperatures(const Complex& complex) : complex(complex) {}
+
+  const Complex& complex;
   std::map<Vertex_handle, double> temperature;
-  unsigned splits = 0, collapses = 0, relabeled_cells = 0;
+  unsigned splits = 0, insertions = 0, collapses = 0, relabeled_cells = 0;
 
   void after_split(Vertex_handle v, Vertex_handle a, Vertex_handle b) {
     temperature[v] = (temperature.at(a) + temperature.at(b)) / 2;
     ++splits;
+  }
+  // The mean of those around.
+  void after_insertion(Vertex_handle v) {
+    std::vector<Vertex_handle> neighbors;
+    complex.triangulation().finite_adjacent_vertices(v, std::back_inserter(neighbors));
+    double sum = 0;
+    for (const Vertex_handle w : neighbors)
+      sum += temperature.at(w);
+    temperature[v] = sum / double(neighbors.size());
+    ++insertions;
   }
   void before_collapse(Vertex_handle removed, Vertex_handle /*kept*/) {
     temperature.erase(removed);
@@ -47,7 +62,7 @@ int main() {
   Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
       spheres, CGAL::Tetgen_tetrahedralizer_3());
 
-  Temperatures visitor;
+  Temperatures visitor(complex);
   for (const Vertex_handle v : complex.vertices())
     visitor.temperature[v] = complex.position(v).x() < 0 ? 0 : 100;
 
@@ -60,8 +75,9 @@ int main() {
       std::cout << "step " << step << ": " << report.unfinished.size() << " vertices fell short\n";
   }
 
-  std::cout << visitor.splits << " splits, " << visitor.collapses << " collapses, "
-            << visitor.relabeled_cells << " cells relabeled\n"
+  std::cout << visitor.splits << " splits, " << visitor.insertions << " insertions, "
+            << visitor.collapses << " collapses, " << visitor.relabeled_cells
+            << " cells relabeled\n"
             << visitor.temperature.size() << " temperatures for " << complex.number_of_vertices()
             << " vertices" << std::endl;
   return visitor.temperature.size() == complex.number_of_vertices() ? EXIT_SUCCESS : EXIT_FAILURE;

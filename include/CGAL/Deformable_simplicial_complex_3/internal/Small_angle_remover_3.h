@@ -63,11 +63,12 @@ public:
     return sine(c, [&](Vertex_handle v) { return m_complex.final_position(v); }) < m_bound;
   }
 
-  // Those below the quality threshold that have a vertex of the interface that moved, by creation.
+  // Those below the quality threshold, but for those at parts of the interface that stayed; by
+  // creation.
   Cells bad_cells() const {
     Cells result;
     for (Cell_handle c : m_complex.triangulation().finite_cell_handles())
-      if (c->quality() < m_quality_threshold && has_moved_vertex(c) && is_bad(c))
+      if (c->quality() < m_quality_threshold && !has_stayed(c) && is_bad(c))
         result.push(c);
     result.sort();
     return result;
@@ -145,7 +146,7 @@ private:
 
   // Whether it is for this cell that the interface may change.
   bool may_change_interface(Cell_handle c) const {
-    return sine(c) < m_bound && has_moved_vertex(c) && !is_rigid(c, 2);
+    return sine(c) < m_bound && !has_stayed(c) && !is_rigid(c, 2);
   }
 
   typename std::vector<Placed_vertex>::const_iterator find_before(Vertex_handle v) const {
@@ -164,9 +165,15 @@ private:
     return v->is_interface() && find_before(v) != m_before.end();
   }
 
-  bool has_moved_vertex(Cell_handle c) const {
-    return has_moved(c->vertex(0)) || has_moved(c->vertex(1)) || has_moved(c->vertex(2)) ||
-           has_moved(c->vertex(3));
+  // Whether a cell has vertices on the interface, none of which moved.
+  bool has_stayed(Cell_handle c) const {
+    bool result = false;
+    for (int i = 0; i < 4; ++i) {
+      if (has_moved(c->vertex(i)))
+        return false;
+      result = result || c->vertex(i)->is_interface();
+    }
+    return result;
   }
 
   // The cells around those that were worked on and for which the interface might still change.
