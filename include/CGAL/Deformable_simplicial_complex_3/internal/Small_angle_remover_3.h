@@ -319,7 +319,7 @@ private:
     static constexpr double better_star = 1.05;
     double best = (std::max)(bound, better_star * sine(c));
     Vertex_handle moving;
-    Position target;
+    Position target = m_complex.position(c->vertex(0));
     for (int i = 0; i < 4; ++i) {
       const Vertex_handle v = c->vertex(i);
       if (m_complex.is_boundary(v) || !may_move(v))
