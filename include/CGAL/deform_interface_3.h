@@ -52,12 +52,12 @@ became bad.
   \cgalParamNBegin{minimum_angle}
     \cgalParamDescription{cells with a dihedral angle, in degrees, below it or above its supplement
                           are removed in the end if they are below the quality threshold, but for
-                          those at parts of the interface that stayed or moved as a whole. If trapped, they may join another phase as with
-                          `relabeling_threshold`. Else the topology stays; the interface moves by
-                          the cell or by a tenth of the cube of a mean edge at most, or one of its
-                          vertices that moved by a twentieth of a mean edge; by up to five times as
-                          much where nothing less helps. In [0, 30]; 0 leaves what has arrived in
-                          place.}
+                          those at parts of the interface that stayed or moved as a whole. If
+                          trapped, they may join another phase as with `relabeling_threshold`.
+                          Else the topology stays; the interface moves by the cell or by a tenth of
+                          the cube of a mean edge at most, or one of its vertices that moved by a
+                          twentieth of a mean edge; by up to five times as much where nothing less
+                          helps. In [0, 30]; 0 leaves what has arrived in place.}
     \cgalParamType{`double`} \cgalParamDefault{5}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_threads}

@@ -39,6 +39,8 @@ template <class Point> struct Tetrahedron_frame
   double six_volumes;
 };
 
+constexpr double sine_of_regular = 0.94280904158206337; // of its dihedral angles, sqrt(8) / 3
+
 // The smallest sine of a dihedral angle over that of the regular tetrahedron, those of obtuse
 // angles times a weight.
 template <class Point>
@@ -76,9 +78,8 @@ double minimum_sine(const Point& p, const Point& q, const Point& r, const Point&
   }
   if (denominator == 0)
     return 0;
-  static constexpr double of_regular = 0.94280904158206337; // sqrt(8) / 3
   return t.six_volumes * per_unit / std::sqrt(unit) * std::sqrt(numerator / denominator) /
-         of_regular;
+         sine_of_regular;
 }
 
 } // namespace internal

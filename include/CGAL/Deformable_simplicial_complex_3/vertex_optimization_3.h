@@ -8,7 +8,6 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/Star_optimizer_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface_directions_3.h>
 
-#include <array>
 #include <vector>
 
 namespace CGAL {
@@ -43,15 +42,9 @@ bool propose_optimal_position(const Complex& complex, typename Complex::Vertex_h
       (v->is_interface() && !internal::find_blocked_directions(complex, star, v, blocked)))
     return false;
   const auto from = complex.position(v);
-  internal::Star_optimizer_3<Complex> optimizer(complex.quality_measure(), from);
+  internal::Star_optimizer_3<Complex> optimizer(complex, complex.quality_measure(), v, star);
   for (const auto& direction : blocked)
     optimizer.block(direction);
-  for (auto c : star) {
-    std::array<typename Complex::Approximate_point_3, 4> points;
-    for (int i = 0; i < 4; ++i)
-      points[i] = complex.position(c->vertex(i));
-    optimizer.add(points, c->index(v));
-  }
   const auto to = optimizer.run();
   if (to == from)
     return false;

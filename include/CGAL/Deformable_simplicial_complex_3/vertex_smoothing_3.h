@@ -17,9 +17,11 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Worst quality of a star if its vertex v were at p; stops at the first cell not above `bound`.
-template <class Complex>
-double star_quality(const Complex& complex, typename Complex::Vertex_handle v,
+// Worst quality of a star, by any measure, if its vertex v were at p; stops at the first cell not
+// above `bound`.
+template <class Complex, class Measure>
+double star_quality(const Complex& complex, const Measure& measure,
+                    typename Complex::Vertex_handle v,
                     const std::vector<typename Complex::Cell_handle>& star,
                     const typename Complex::Approximate_point_3& p, double bound) {
   double worst = std::numeric_limits<double>::infinity();
@@ -29,7 +31,7 @@ double star_quality(const Complex& complex, typename Complex::Vertex_handle v,
     const auto point = [&](int i) {
       return c->vertex(i) == v ? p : complex.position(c->vertex(i));
     };
-    worst = (std::min)(worst, complex.quality_measure()(point(0), point(1), point(2), point(3)));
+    worst = (std::min)(worst, measure(point(0), point(1), point(2), point(3)));
     if (!(worst > bound))
       break;
   }
@@ -85,8 +87,8 @@ bool propose_smart_laplacian(const Complex& complex, typename Complex::Vertex_ha
   const auto approximate = complex.geom_traits().construct_approximate_point_3_object();
   for (double step : {1., .5}) {
     target = complex.admissible_destination(v, exact(from + step * (to - from)));
-    if (Deformable_simplicial_complexes::internal::star_quality(complex, v, star,
-                                                                approximate(target), worst) > worst)
+    if (Deformable_simplicial_complexes::internal::star_quality(
+            complex, complex.quality_measure(), v, star, approximate(target), worst) > worst)
       return complex.is_positive_star(v, star, target);
   }
   return false;

@@ -210,7 +210,10 @@ public:
   // What the passes have left, but for cells that moved as a whole.
   void remove_small_angles(unsigned pass) {
     static constexpr double any_quality = 2;
-    m_trapped_cells.relabel(handles(m_small_angles.bad_cells()), any_quality, [&](Cell_handle c) {
+    const Work_list<Cell_handle> cells = m_small_angles.bad_cells();
+    if (cells.empty())
+      return;
+    m_trapped_cells.relabel(handles(cells), any_quality, [&](Cell_handle c) {
       return m_small_angles.is_bad(c) && m_small_angles.ends_bad(c);
     });
     end_pass(pass);

@@ -17,12 +17,12 @@
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_retriangulation_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/vertex_insertion_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/vertex_smoothing_3.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/container/flat_map.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -45,9 +45,9 @@ public:
 
   // The angle is in degrees.
   Small_angle_remover_3(Complex& complex, Visitor& visitor, double angle, double quality_threshold)
-      : m_complex(complex), m_visitor(visitor), m_wanted(std::sin(angle * CGAL_PI / 180) / regular),
-        m_bound(m_wanted), m_quality_threshold(quality_threshold), m_cavity(complex),
-        m_best(complex) {}
+      : m_complex(complex), m_visitor(visitor),
+        m_wanted(std::sin(angle * CGAL_PI / 180) / sine_of_regular), m_bound(m_wanted),
+        m_quality_threshold(quality_threshold), m_cavity(complex), m_best(complex) {}
 
   const Improvement_report& report() const { return m_report; }
   std::size_t number_of_relocated() const { return m_homes.size(); }
@@ -326,13 +326,7 @@ private:
         continue;
       m_complex.star(v, m_star);
       const Position from = m_complex.position(v);
-      Star_optimizer_3<Complex, Minimum_sine_3> optimizer(m_sine, from);
-      for (Cell_handle d : m_star) {
-        std::array<Position, 4> points;
-        for (int k = 0; k < 4; ++k)
-          points[k] = m_complex.position(d->vertex(k));
-        optimizer.add(points, d->index(v));
-      }
+      Star_optimizer_3<Complex, Minimum_sine_3> optimizer(m_complex, m_sine, v, m_star);
       const Position to = v->is_interface() ? near_home(v, optimizer.run()) : optimizer.run();
       const double after = worst_sine(v, to);
       if (after > best && after > better_star * worst_sine(v, from) &&
@@ -371,11 +365,7 @@ private:
 
   // Of the star m_star if its vertex were at p.
   double worst_sine(Vertex_handle v, const Position& p) const {
-    double worst = std::numeric_limits<double>::infinity();
-    for (Cell_handle c : m_star)
-      worst = (std::min)(
-          worst, sine(c, [&](Vertex_handle w) { return w == v ? p : m_complex.position(w); }));
-    return worst;
+    return (std::max)(0., star_quality(m_complex, m_sine, v, m_star, p, 0));
   }
 
   void touch(const std::vector<Cell_handle>& cells, Cells& touched) {
@@ -386,8 +376,7 @@ private:
       }
   }
 
-  static constexpr double regular = 0.94280904158206337; // sine of the angle of a regular one
-  static constexpr double better = 1.1;                  // factor that makes a change worth it
+  static constexpr double better = 1.1; // factor that makes a change worth it
 
   Complex& m_complex;
   Visitor& m_visitor;

@@ -27,6 +27,19 @@ public:
   // A star whose vertex is at p, without cells.
   Star_optimizer_3(const Measure& measure, const Point& p) : m_measure(measure), m_position(p) {}
 
+  // The star of v.
+  Star_optimizer_3(const Complex& complex, const Measure& measure,
+                   typename Complex::Vertex_handle v,
+                   const std::vector<typename Complex::Cell_handle>& star)
+      : Star_optimizer_3(measure, complex.position(v)) {
+    for (auto c : star) {
+      std::array<Point, 4> points;
+      for (int i = 0; i < 4; ++i)
+        points[i] = complex.position(c->vertex(i));
+      add(points, c->index(v));
+    }
+  }
+
   // The vertex shall not move in a direction, of unit length. Several are orthogonal.
   void block(const Vector& direction) { m_blocked.push_back(direction); }
 
