@@ -219,15 +219,11 @@ private:
   // Adds the cells below the threshold around those that stayed below a bound. Two facets on the
   // interface dictate their angle.
   void push_neighbors_of_stuck(double bound, Cells& cells) {
-    std::vector<Vertex_handle> corners;
+    std::vector<Cell_handle> stuck;
     for (Cell_handle c : m_complex.triangulation().finite_cell_handles())
       if (c->quality() < bound && number_of_interface_facets(c) < 2)
-        for (int i = 0; i < 4; ++i)
-          if (!is_numbered(c->vertex(i), corners)) {
-            c->vertex(i)->set_scratch_index(std::uint32_t(corners.size()));
-            corners.push_back(c->vertex(i));
-          }
-    for (Cell_handle c : star_union(m_complex, corners))
+        stuck.push_back(c);
+    for (Cell_handle c : star_union(m_complex, numbered_vertices_of<Complex>(stuck)))
       push_afresh(c, cells);
   }
 

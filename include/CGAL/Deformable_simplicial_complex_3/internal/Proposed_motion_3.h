@@ -71,21 +71,12 @@ public:
   std::vector<Cell_handle> stars(std::vector<Number> numbers) const {
     std::sort(numbers.begin(), numbers.end());
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    std::vector<Cell_handle> result, star;
-    for (Number i : numbers) {
-      m_complex.star(m_vertices[i], star);
-      // A cell is taken at the first of its vertices that were asked for.
-      for (Cell_handle c : star) {
-        const auto is_earlier = [&](int j) {
-          return has(c->vertex(j)) && number(c->vertex(j)) < i &&
-                 std::binary_search(numbers.begin(), numbers.end(), number(c->vertex(j)));
-        };
-        if (!m_complex.is_infinite(c) && !is_earlier(0) && !is_earlier(1) && !is_earlier(2) &&
-            !is_earlier(3))
-          result.push_back(c);
-      }
-    }
-    return result;
+    std::vector<Vertex_handle> vertices;
+    for (Number i : numbers)
+      vertices.push_back(m_vertices[i]);
+    return stars_of(m_complex, vertices, [&](Vertex_handle v) {
+      return has(v) && std::binary_search(numbers.begin(), numbers.end(), number(v));
+    });
   }
 
   // The moving vertices of cells for which a condition on the number holds, increasing.

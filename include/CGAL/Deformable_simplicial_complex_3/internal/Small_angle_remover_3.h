@@ -12,6 +12,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/Star_optimizer_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/swept_volume_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_retriangulation_3.h>
@@ -178,18 +179,14 @@ private:
 
   // The cells around those that were worked on and for which the interface might still change.
   Cells stars_of_stuck() {
-    Cells result;
+    std::vector<Cell_handle> stuck;
     m_handled.sort();
-    for (const auto& item : m_handled) {
-      if (!m_complex.is_alive(item.cell, item.time_stamp) || !may_change_interface(item.cell))
-        continue;
-      for (int i = 0; i < 4; ++i) {
-        m_complex.star(item.cell->vertex(i), m_star);
-        for (Cell_handle c : m_star)
-          if (!m_complex.is_infinite(c))
-            result.push(c);
-      }
-    }
+    for (const auto& item : m_handled)
+      if (m_complex.is_alive(item.cell, item.time_stamp) && may_change_interface(item.cell))
+        stuck.push_back(item.cell);
+    Cells result;
+    for (Cell_handle c : star_union(m_complex, numbered_vertices_of<Complex>(stuck)))
+      result.push(c);
     return result;
   }
 

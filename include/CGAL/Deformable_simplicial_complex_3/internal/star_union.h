@@ -28,35 +28,55 @@ bool is_numbered(Vertex_handle v, const std::vector<Vertex_handle>& vertices) {
   return v->scratch_index() < vertices.size() && vertices[v->scratch_index()] == v;
 }
 
+// Numbers the vertices of cells and lists them.
+template <class Complex>
+std::vector<typename Complex::Vertex_handle>
+numbered_vertices_of(const std::vector<typename Complex::Cell_handle>& cells) {
+  std::vector<typename Complex::Vertex_handle> result;
+  for (auto c : cells)
+    for (int i = 0; i < 4; ++i)
+      if (!is_numbered(c->vertex(i), result)) {
+        c->vertex(i)->set_scratch_index(std::uint32_t(result.size()));
+        result.push_back(c->vertex(i));
+      }
+  return result;
+}
+
+// The finite cells around some numbered vertices, each once, at the first of its vertices for which
+// is_one_of_them(v).
+template <class Complex, class IsOneOfThem>
+std::vector<typename Complex::Cell_handle>
+stars_of(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices,
+         const IsOneOfThem& is_one_of_them) {
+  std::vector<typename Complex::Cell_handle> result, star;
+  for (auto v : vertices) {
+    complex.star(v, star);
+    for (auto c : star) {
+      const auto is_earlier = [&](int i) {
+        return is_one_of_them(c->vertex(i)) && c->vertex(i)->scratch_index() < v->scratch_index();
+      };
+      if (!complex.is_infinite(c) && !is_earlier(0) && !is_earlier(1) && !is_earlier(2) &&
+          !is_earlier(3))
+        result.push_back(c);
+    }
+  }
+  return result;
+}
+
 // The finite cells around numbered vertices, each once, in no particular order. Where many vertices
 // are asked for, one pass over the cells is cheaper than their stars.
 template <class Complex>
 std::vector<typename Complex::Cell_handle>
 star_union(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices) {
-  using Cell_handle = typename Complex::Cell_handle;
   static constexpr std::size_t many = 8; // a star costs about as much as 8 cells of a pass each
-  std::vector<Cell_handle> result;
-  if (vertices.size() * many > complex.number_of_vertices()) {
-    for (Cell_handle c : complex.triangulation().finite_cell_handles())
-      if (is_numbered(c->vertex(0), vertices) || is_numbered(c->vertex(1), vertices) ||
-          is_numbered(c->vertex(2), vertices) || is_numbered(c->vertex(3), vertices))
-        result.push_back(c);
-  } else {
-    std::vector<Cell_handle> star;
-    for (auto v : vertices) {
-      complex.star(v, star);
-      // A cell is taken at the first of its numbered vertices.
-      for (Cell_handle c : star) {
-        const auto is_earlier = [&](int i) {
-          return is_numbered(c->vertex(i), vertices) &&
-                 c->vertex(i)->scratch_index() < v->scratch_index();
-        };
-        if (!complex.is_infinite(c) && !is_earlier(0) && !is_earlier(1) && !is_earlier(2) &&
-            !is_earlier(3))
-          result.push_back(c);
-      }
-    }
-  }
+  const auto is_one_of_them = [&](auto v) { return is_numbered(v, vertices); };
+  if (vertices.size() * many <= complex.number_of_vertices())
+    return stars_of(complex, vertices, is_one_of_them);
+  std::vector<typename Complex::Cell_handle> result;
+  for (auto c : complex.triangulation().finite_cell_handles())
+    if (is_one_of_them(c->vertex(0)) || is_one_of_them(c->vertex(1)) ||
+        is_one_of_them(c->vertex(2)) || is_one_of_them(c->vertex(3)))
+      result.push_back(c);
   return result;
 }
 
