@@ -219,6 +219,30 @@ TEST(Edge_collapse, keeps_the_topology_of_labels_that_touch) {
                          2, 1);
 }
 
+// Four sectors meet around an edge, two of them of label 1, and four at its first vertex, where
+// label 1 has but one: the fourth is of label 0, which the collapse would join to that at the other
+// vertex.
+TEST(Edge_collapse, keeps_vertices_where_other_sectors_meet_than_around_the_edge) {
+  Complex dsc = jittered_grid(
+      4, [](const Point&) { return 1; }, .2, 7);
+  const std::vector<Vertex_handle> vertices = dsc.vertices();
+  const std::size_t a = 113, b = 91;
+  const std::pair<std::array<std::size_t, 4>, int> others[] = {
+      {{a, b, 68, 90}, 3},  {{a, 68, 90, 114}, 3}, {{a, b, 85, 89}, 5},
+      {{a, 85, 89, 93}, 5}, {{a, 9, 90, 116}, 0},  {{b, 82, 83, 86}, 0}};
+  Cell_handle c;
+  for (const auto& [v, label] : others) {
+    ASSERT_TRUE(dsc.triangulation().is_cell(vertices[v[0]], vertices[v[1]], vertices[v[2]],
+                                            vertices[v[3]], c));
+    dsc.relabel(c, label);
+  }
+  int i, j;
+  ASSERT_TRUE(dsc.triangulation().is_edge(vertices[a], vertices[b], c, i, j));
+  ASSERT_FALSE(has_same_topology(collapsed_from_scratch(dsc, vertices[a], vertices[b]), dsc));
+  Cavity cavity(dsc);
+  EXPECT_FALSE(propose_edge_collapse(dsc, c, i, j, 0, cavity));
+}
+
 TEST(Edge_collapse, makes_no_cell_below_the_quality_asked_for) {
   const Complex dsc = jittered_grid(3, small_meshes::uniform, .3, 8);
   Cavity cavity(dsc);

@@ -31,16 +31,17 @@ public:
   Collapse_test_3(const Complex& complex, Vertex_handle a, Vertex_handle b)
       : m_complex(complex), m_a(a), m_b(b) {}
 
-  // Whether the removed vertex is no more singular than the edge: as many sectors of one label (the
-  // outside of the domain being one) meet in its star as around the edge. A vertex in a sheet may
-  // thus go along the sheet, one on a triple line along the line, and a point where more meet
-  // stays.
+  // Whether the removed vertex is no more singular than the edge: the sectors of one label (the
+  // outside of the domain being one) that meet in its star are those around the edge. A vertex in a
+  // sheet may thus go along the sheet, one on a triple line along the line, and a point where more
+  // meet stays.
   bool has_same_stratum(const Star& star_a) const {
     Star around_edge;
     for (Cell_handle c : star_a)
       if (c->has_vertex(m_b))
         around_edge.push_back(c);
-    return sectors(star_a) == sectors(around_edge);
+    const Sectors at_vertex = sectors(star_a), at_edge = sectors(around_edge);
+    return at_vertex.number == at_vertex.number_at_edge && at_vertex.number == at_edge.number;
   }
 
   // Lk(a) and Lk(b) meet in Lk(ab), exactly: then the collapse keeps the topology of space, and if
@@ -134,29 +135,37 @@ private:
     }
   }
 
+  struct Sectors
+  {
+    std::size_t number = 0, number_at_edge = 0;
+  };
+
   // Connected sets of cells of one label, infinite cells having a label of their own.
-  std::size_t sectors(const Star& cells) const {
-    std::size_t count = 0;
+  Sectors sectors(const Star& cells) const {
+    Sectors result;
     Star front;
     for (Cell_handle c : cells)
       c->tds_data().mark_in_conflict();
     for (Cell_handle seed : cells) {
       if (!seed->tds_data().is_in_conflict())
         continue;
-      ++count;
+      bool is_at_edge = false;
       seed->tds_data().clear();
       front.push_back(seed);
       while (!front.empty()) {
         const Cell_handle c = front.back();
         front.pop_back();
+        is_at_edge = is_at_edge || c->has_vertex(m_b);
         for (int i = 0; i < 4; ++i)
           if (c->neighbor(i)->tds_data().is_in_conflict() && has_same_label(c, c->neighbor(i))) {
             c->neighbor(i)->tds_data().clear();
             front.push_back(c->neighbor(i));
           }
       }
+      ++result.number;
+      result.number_at_edge += is_at_edge;
     }
-    return count;
+    return result;
   }
 
   const Complex& m_complex;
