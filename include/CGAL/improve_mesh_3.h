@@ -8,6 +8,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Patch_improver_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
 
 #include <type_traits>
@@ -33,15 +34,16 @@ What is improved is the measure of the complex. Where dihedral angles count,
   \cgalParamNBegin{quality_threshold}
     \cgalParamDescription{only cells of lower quality are improved, in [0, 1];
                           the higher it is, the more vertices are inserted}
-    \cgalParamType{`double`} \cgalParamDefault{0.25; 0.35 if `aggressive`}
+    \cgalParamType{`double`} \cgalParamDefault{0.25; 0.46 if `aggressive`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{how many rounds at the most: each round works on what the last one made}
     \cgalParamType{`unsigned int`} \cgalParamDefault{10}
   \cgalParamNEnd
   \cgalParamNBegin{aggressive}
-    \cgalParamDescription{whether to raise the threshold in steps, worst cells first, and so to
-                          take several times as long for better cells}
+    \cgalParamDescription{whether to raise the threshold in steps, and then to disturb and improve
+                          the surroundings of bad cells again and again: takes minutes instead of
+                          seconds}
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{smooth_interface}
@@ -60,7 +62,8 @@ What is improved is the measure of the complex. Where dihedral angles count,
 \throws Deformable_simplicial_complexes::Error if the threshold is out of its range; the complex is
        then unchanged. An exception of the visitor leaves a valid complex.
 
-A pass over the cells, then n log n in the number of cells below the threshold.
+A pass over the cells, then n log n in the number of cells below the threshold. Random numbers are
+drawn from a generator of its own, with a fixed seed.
 */
 template <class Complex, class NamedParameters =
                              Deformable_simplicial_complexes::parameters::Default_named_parameters>
@@ -74,7 +77,7 @@ Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedP
   auto& visitor = Deformable_simplicial_complexes::internal::unwrap(given_visitor);
   const bool aggressive = choose_parameter(get_parameter(np, tags::aggressive), false);
   const double threshold =
-      choose_parameter(get_parameter(np, tags::quality_threshold), aggressive ? .35 : .25);
+      choose_parameter(get_parameter(np, tags::quality_threshold), aggressive ? .46 : .25);
   Deformable_simplicial_complexes::internal::check_threshold(threshold);
   const unsigned rounds =
       choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 10u);
@@ -84,12 +87,20 @@ Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedP
   using Visitor = std::remove_reference_t<decltype(visitor)>;
   Deformable_simplicial_complexes::internal::Mesh_improver_3<Complex, Visitor> improver(
       dsc, visitor, threshold, true, smooth_interface);
-  static constexpr double first = .25, step = 1.2;
-  if (aggressive)
-    for (double t = first; t < threshold; t *= step)
-      improver.improve_all(t, rounds);
-  improver.improve_all(threshold, rounds);
-  return improver.report();
+  static constexpr int attempts = 5;
+  if (!aggressive) {
+    improver.improve_all(threshold, rounds, attempts);
+    return improver.report();
+  }
+  static constexpr double first = .25, step = 1.2, part = .8;
+  for (double t = first; t < part * threshold; t *= step)
+    improver.improve_all(t, rounds, attempts);
+  improver.improve_all(part * threshold, rounds, attempts);
+  Deformable_simplicial_complexes::internal::Patch_improver_3<Complex, Visitor> patch_improver(
+      dsc, visitor, threshold);
+  patch_improver.run();
+  improver.improve_all(threshold, rounds, attempts);
+  return improver.report() + patch_improver.report();
 }
 
 } // namespace CGAL

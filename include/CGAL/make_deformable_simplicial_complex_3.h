@@ -44,7 +44,7 @@ template <class Complex, class NP> void finish(Complex& dsc, const NP& np) {
   if (choose_parameter(get_parameter(np, internal_np::improve), true)) {
     Deformation_visitor_3 visitor;
     Mesh_improver_3<Complex, Deformation_visitor_3> improver(dsc, visitor, threshold);
-    improver.improve_all(threshold, rounds);
+    improver.improve_all(threshold, rounds, 0);
   }
   dsc.sort_storage();
 }

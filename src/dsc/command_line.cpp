@@ -181,7 +181,7 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
                    "File for the improved tetrahedra (.mesh, .vtu); may be INPUT")
       ->required();
   improve->add_flag("--aggressive", improve_options.aggressive,
-                    "Take several times as long for better tetrahedra");
+                    "Take minutes instead of seconds for better tetrahedra");
   improve->add_option("--threshold", threshold,
                       "Improve tetrahedra of a lower quality only: the least sine of a dihedral "
                       "angle, obtuse ones times 0.7, in units of the regular tetrahedron");

@@ -25,14 +25,16 @@ public:
   /// `v` was created on the edge between `a` and `b`, which it replaced by two.
   void after_split(Complex::Vertex_handle v, Complex::Vertex_handle a, Complex::Vertex_handle b);
 
-  /// `v` was created; its star has replaced other cells.
+  /// `v` was created; its star has replaced other cells. In `improve_mesh()` with `aggressive`,
+  /// vertices around it may be new too; these calls follow each other.
   void after_insertion(Complex::Vertex_handle v);
 
   /// `removed` is about to disappear into `kept`, which stays where it is. Both are still there.
   void before_collapse(Complex::Vertex_handle removed, Complex::Vertex_handle kept);
 
-  /// `cells` have replaced other cells of the same vertices: an edge, facets, or an edge of the
-  /// interface was removed.
+  /// `cells` have replaced other cells: an edge, facets, or an edge of the interface was removed; or,
+  /// in `improve_mesh()` with `aggressive`, all between vertices of which some may have collapsed,
+  /// moved or been created.
   void after_flip(const std::vector<Complex::Cell_handle>& cells);
 
   /// `cell` had the label `before` and has another one now.

@@ -23,7 +23,8 @@ A proposed replacement: cells to remove, tetrahedra to create in their place, an
 before and after. A mesh operation fills a cavity without touching the complex;
 `Deformable_simplicial_complex_3::replace()` then commits it whole, or it is dropped.
 
-Vertices have indices within the cavity. Infinite cells may take part; a tetrahedron with the
+Vertices have indices within the cavity. Those that have only removed cells may be moved, and vanish
+if no tetrahedron is planned for them. Infinite cells may take part; a tetrahedron with the
 infinite vertex has no orientation and no quality. If the tetrahedra have the boundary of the
 removed cells and all finite ones are positive, they fill exactly the same space: no further
 geometric test is needed.
@@ -43,7 +44,7 @@ public:
   struct Vertex
   {
     Vertex_handle handle;         ///< null while the vertex is yet to be created
-    Point_3 point;                ///< where it is or is to be created
+    Point_3 point;                ///< where it is to be
     Approximate_point_3 position; ///< the same, with coordinates of type `double`
     std::uint8_t boundary_class;  ///< see `Boundary_class`
   };
@@ -79,6 +80,14 @@ public:
     return Index(m_vertices.size() - 1);
   }
 
+  /// The index of v, which is to be at p. \pre all cells of v are removed
+  Index add(Vertex_handle v, const Point_3& p) {
+    const Index index = add(v);
+    m_vertices[index].point = p;
+    m_vertices[index].position = m_complex->geom_traits().construct_approximate_point_3_object()(p);
+    return index;
+  }
+
   /// The index of a vertex to be created at p.
   Index add(const Point_3& p, std::uint8_t boundary_class) {
     const auto approximate = m_complex->geom_traits().construct_approximate_point_3_object();
@@ -95,7 +104,7 @@ public:
       m_quality_before = (std::min)(m_quality_before, c->quality());
   }
 
-  /// Plans the removal of a vertex all of whose cells are removed; it collapses into `kept`.
+  /// Tells that the vertex v, all of whose cells are removed, collapses into `kept`.
   void remove(Vertex_handle v, Vertex_handle kept) {
     m_vanishing_vertex = v;
     m_kept_vertex = kept;
@@ -139,7 +148,7 @@ public:
   const std::vector<Cell_handle>& removed() const { return m_removed; }
   /// The tetrahedra to be created, in the order of the calls of `create()`.
   const std::vector<Tetrahedron>& tetrahedra() const { return m_tetrahedra; }
-  /// The vertex to be removed, null if there is none.
+  /// The vertex that collapses, null if there is none.
   Vertex_handle vanishing_vertex() const { return m_vanishing_vertex; }
   /// The vertex that it collapses into, null if there is none.
   Vertex_handle kept_vertex() const { return m_kept_vertex; }

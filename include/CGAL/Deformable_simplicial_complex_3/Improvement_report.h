@@ -20,6 +20,16 @@ struct Improvement_report
   std::size_t flipped = 0;   ///< edges and sets of facets removed
   std::size_t smoothed = 0;  ///< vertices smoothed
   std::size_t inserted = 0;  ///< vertices inserted into cells
+
+  /// What was done in both.
+  friend Improvement_report operator+(Improvement_report a, const Improvement_report& b) {
+    a.split += b.split;
+    a.collapsed += b.collapsed;
+    a.flipped += b.flipped;
+    a.smoothed += b.smoothed;
+    a.inserted += b.inserted;
+    return a;
+  }
 };
 
 } // namespace CGAL

@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_MESH_IMPROVER_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_MESH_IMPROVER_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/degeneracy_removal_3.h>
@@ -32,6 +33,15 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// Whether two facets of a cell are on the interface, which thus dictates their angle.
+template <class Complex>
+bool has_dictated_angle(const Complex& complex, typename Complex::Cell_handle c) {
+  int number = 0;
+  for (int i = 0; i < 4; ++i)
+    number += complex.is_interface(std::make_pair(c, i));
+  return number > 1;
+}
+
 // The operations of Algorithm 3, each applied to one bad cell: every function tries to improve the
 // cell and says whether it did; cells that an operation made or touched go into `touched`.
 template <class Complex, class Visitor> class Mesh_improver_3
@@ -51,16 +61,15 @@ public:
   const Improvement_report& report() const { return m_report; }
 
   // Improves all cells below a threshold. Those that stay are often held by neighbors that are but
-  // a little better: if thorough, the cells around them are improved to a higher one.
-  void improve_all(double threshold, unsigned rounds) {
+  // a little better: in a number of attempts, the cells around them are improved to higher ones.
+  void improve_all(double threshold, unsigned rounds, int number_of_attempts) {
     static constexpr double higher = 1.1;
-    static constexpr int number_of_attempts = 5;
     m_threshold = threshold;
     Cells cells;
     for (Cell_handle c : m_complex.triangulation().finite_cell_handles())
       push_afresh(c, cells);
     improve(std::move(cells), rounds);
-    for (int i = 0; m_is_thorough && i < number_of_attempts; ++i) {
+    for (int i = 0; i < number_of_attempts; ++i) {
       m_threshold = (std::min)(1., higher * m_threshold);
       cells.clear();
       push_neighbors_of_stuck(threshold, cells);
@@ -146,7 +155,8 @@ public:
     };
     if (!(split_length > 0) || longest < split_length * split_length || !is_tied(v) ||
         !is_tied(w) || m_complex.is_interface(typename Complex::Edge(c, a, b)) ||
-        !propose_edge_split(m_complex, c, a, b, .5, m_cavity))
+        !propose_edge_split(m_complex, c, a, b, .5, m_cavity) ||
+        (m_cavity.vertices().back().boundary_class & Boundary_class::fixed) != 0)
       return false;
     m_complex.replace(m_cavity);
     ++m_report.split;
@@ -216,12 +226,11 @@ private:
         });
   }
 
-  // Adds the cells below the threshold around those that stayed below a bound. Two facets on the
-  // interface dictate their angle.
+  // Adds the cells below the threshold around those that stayed below a bound.
   void push_neighbors_of_stuck(double bound, Cells& cells) {
     std::vector<Cell_handle> stuck;
     for (Cell_handle c : m_complex.triangulation().finite_cell_handles())
-      if (c->quality() < bound && number_of_interface_facets(c) < 2)
+      if (c->quality() < bound && !has_dictated_angle(m_complex, c))
         stuck.push_back(c);
     for (Cell_handle c : star_union(m_complex, numbered_vertices_of<Complex>(stuck)))
       push_afresh(c, cells);
@@ -232,13 +241,6 @@ private:
     m_complex.clear_exhausted(c);
     if (!m_complex.is_infinite(c) && is_bad(c))
       cells.push(c);
-  }
-
-  int number_of_interface_facets(Cell_handle c) const {
-    int result = 0;
-    for (int i = 0; i < 4; ++i)
-      result += m_complex.is_interface(std::make_pair(c, i));
-    return result;
   }
 
   // How many facets of a planned tetrahedron are on the interface.

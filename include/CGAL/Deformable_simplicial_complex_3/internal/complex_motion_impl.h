@@ -183,6 +183,8 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
       v.handle = tds.create_vertex();
       v.handle->set_point(v.point);
       v.handle->set_boundary_class(v.boundary_class);
+    } else if (v.handle->point() != v.point) {
+      v.handle->set_point(v.point);
     }
   for (const auto& t : cavity.tetrahedra()) {
     const Cell_handle c = tds.create_cell();
@@ -198,17 +200,15 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
   }
   sew(cavity);
 
-  const Vertex_handle vanishing = cavity.vanishing_vertex();
-  if (vanishing != Vertex_handle())
-    tds.delete_vertex(vanishing);
+  for (const auto& v : cavity.vertices())
+    if (v.handle->cell()->tds_data().is_in_conflict()) // a removed cell: it has no other
+      tds.delete_vertex(v.handle);
+    else if (is_label_mixed && !is_infinite(v.handle))
+      v.handle->set_interface(has_interface_facet(v.handle));
   for (Cell_handle c : cavity.removed())
     tds.delete_cell(c);
-  if (is_label_mixed) {
-    for (const auto& v : cavity.vertices())
-      if (v.handle != vanishing && !is_infinite(v.handle))
-        v.handle->set_interface(has_interface_facet(v.handle));
+  if (is_label_mixed)
     m_components.invalidate();
-  }
 }
 
 // Makes the created cells neighbors of each other and of the cells around the cavity.
