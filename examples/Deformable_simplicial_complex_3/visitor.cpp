@@ -33,14 +33,18 @@ struct Temperatures : public CGAL::Deformation_visitor_3
     temperature[v] = (temperature.at(a) + temperature.at(b)) / 2;
     ++splits;
   }
-  // The mean of those around.
+  // The mean of those around that are known: some may be new as well.
   void after_insertion(Vertex_handle v) {
     std::vector<Vertex_handle> neighbors;
     complex.triangulation().finite_adjacent_vertices(v, std::back_inserter(neighbors));
     double sum = 0;
+    unsigned known = 0;
     for (const Vertex_handle w : neighbors)
-      sum += temperature.at(w);
-    temperature[v] = sum / double(neighbors.size());
+      if (const auto it = temperature.find(w); it != temperature.end()) {
+        sum += it->second;
+        ++known;
+      }
+    temperature[v] = known == 0 ? 0 : sum / known;
     ++insertions;
   }
   void before_collapse(Vertex_handle removed, Vertex_handle /*kept*/) {

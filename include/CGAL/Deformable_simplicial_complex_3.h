@@ -312,7 +312,8 @@ public:
 
   /*!
   Commits a cavity: removes its cells, creates its tetrahedra and fills in `cavity.created()` and
-  the handles of new vertices. A new vertex without destination has none.
+  the handles of new vertices, which have no destination. Vertices of removed cells alone vanish if
+  no tetrahedron is planned for them, and move to where the cavity has them.
   \pre the cavity was filled since the last change of the complex, `cavity.is_positive()`, and its
        tetrahedra have the boundary of its removed cells.
 

@@ -97,9 +97,10 @@ Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedP
     improver.improve_all(t, rounds, attempts);
   improver.improve_all(part * threshold, rounds, attempts);
   Deformable_simplicial_complexes::internal::Patch_improver_3<Complex, Visitor> patch_improver(
-      dsc, visitor, threshold);
-  patch_improver.run();
-  improver.improve_all(threshold, rounds, attempts);
+      dsc, visitor, threshold, rounds);
+  if (rounds > 0)
+    patch_improver.run();
+  improver.improve_all(threshold, rounds, 0);
   return improver.report() + patch_improver.report();
 }
 

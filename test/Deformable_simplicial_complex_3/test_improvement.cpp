@@ -113,10 +113,13 @@ TEST(Improve_mesh, leaves_a_good_mesh_alone) {
   Complex dsc = jittered_grid(4, small_meshes::ball, .45, 3);
   const auto state = dsc.state();
   EXPECT_EQ(number_of_changes(improve(dsc, parameters::quality_threshold(1e-6))), 0u);
-  EXPECT_EQ(number_of_changes(improve(dsc, parameters::number_of_iterations(0u))), 0u);
-  EXPECT_TRUE(dsc.state() == state);
-  Complex empty;
-  EXPECT_EQ(number_of_changes(CGAL::improve_mesh(empty)), 0u);
+  for (bool aggressive : {false, true}) {
+    const auto mode = parameters::aggressive(aggressive);
+    EXPECT_EQ(number_of_changes(improve(dsc, mode.number_of_iterations(0u))), 0u);
+    EXPECT_TRUE(dsc.state() == state);
+    Complex empty;
+    EXPECT_EQ(number_of_changes(CGAL::improve_mesh(empty, mode)), 0u);
+  }
 }
 
 TEST(Improve_mesh, tells_the_visitor_of_each_change) {
@@ -244,6 +247,27 @@ TEST(Improve_mesh, aggressively_leaves_less_to_be_desired) {
   EXPECT_TRUE(books.vertices == std::set<Vertex_handle>(vertices.begin(), vertices.end()));
 }
 
+// The domain is no box, so that its boundary stays.
+TEST(Improve_mesh, aggressively_keeps_the_boundary) {
+  Labelled_mesh mesh = grid(3, small_meshes::uniform);
+  for (Point& p : mesh.points)
+    p = Point(p.x() + .3 * p.y() * p.z(), p.y(), p.z());
+  Complex dsc = make_complex(mesh);
+  const auto hull = [&] {
+    std::set<std::array<double, 3>> result;
+    for (Vertex_handle v : dsc.vertices())
+      if (dsc.is_boundary(v))
+        result.insert({v->point().x(), v->point().y(), v->point().z()});
+    return result;
+  };
+  const auto before = hull();
+  const double volume = dsc.volume(0);
+  EXPECT_GT(number_of_changes(improve(dsc, parameters::quality_threshold(.5).aggressive(true))),
+            0u);
+  EXPECT_TRUE(hull() == before);
+  EXPECT_EQ(dsc.volume(0), volume);
+}
+
 TEST(Improve_mesh, aggressively_twice_gives_the_same_bits) {
   const Complex initial = jittered_grid(3, small_meshes::two_boxes, .45, 5);
   Complex one = initial, two = initial;
@@ -252,7 +276,7 @@ TEST(Improve_mesh, aggressively_twice_gives_the_same_bits) {
   EXPECT_TRUE(one.state() == two.state());
 }
 
-// A corner of a box, the other one of which touches it: two parts of one label.
+// Two columns that touch in a line: two parts of one label.
 TEST(Improve_mesh, aggressively_keeps_components) {
   const auto checkered = [](const Point& p) { return (p.x() < 0) == (p.y() < 0) ? 1 : 0; };
   Complex dsc = jittered_grid(4, checkered, .4, 6);

@@ -29,7 +29,9 @@ public:
   /// vertices around it may be new too; these calls follow each other.
   void after_insertion(Complex::Vertex_handle v);
 
-  /// `removed` is about to disappear into `kept`, which stays where it is. Both are still there.
+  /// `removed` is about to disappear into `kept`, which stays where it is. Both are still there. In
+  /// `improve_mesh()` with `aggressive`, they need not share an edge: `kept` is the nearest vertex
+  /// around that stays.
   void before_collapse(Complex::Vertex_handle removed, Complex::Vertex_handle kept);
 
   /// `cells` have replaced other cells: an edge, facets, or an edge of the interface was removed; or,

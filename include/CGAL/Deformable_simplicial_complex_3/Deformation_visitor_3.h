@@ -22,15 +22,15 @@ struct Deformation_visitor_3
   template <class Vertex_handle>
   void after_split(Vertex_handle /*v*/, Vertex_handle /*a*/, Vertex_handle /*b*/) {}
 
-  /// `v` was created among the cells that are its star now.
+  /// `v` was created among the cells that are its star now, maybe with vertices around it.
   template <class Vertex_handle> void after_insertion(Vertex_handle /*v*/) {}
 
   /// `removed` is about to disappear into `kept`; both are still there.
   template <class Vertex_handle>
   void before_collapse(Vertex_handle /*removed*/, Vertex_handle /*kept*/) {}
 
-  /// `cells` have replaced others of the same vertices: an edge, facets, or an edge of the
-  /// interface was removed.
+  /// `cells` have replaced others: an edge, facets, or an edge of the interface was removed, or the
+  /// surroundings of a cell were improved as a whole.
   template <class Cells> void after_flip(const Cells& /*cells*/) {}
 
   /// `cell` had the label `before`.

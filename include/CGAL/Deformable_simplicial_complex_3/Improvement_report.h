@@ -11,7 +11,8 @@ namespace CGAL {
 
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
-What was done to the mesh.
+What was done to the mesh. Where the surroundings of a cell were replaced whole, that counts as one
+flip, and vertices that are new, gone or elsewhere as inserted, collapsed or smoothed.
 */
 struct Improvement_report
 {

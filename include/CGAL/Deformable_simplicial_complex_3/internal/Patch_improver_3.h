@@ -36,8 +36,10 @@ public:
   using Cell_handle = typename Complex::Cell_handle;
   using Vector = typename Complex::Approximate_vector_3;
 
-  Patch_improver_3(Complex& complex, Visitor& visitor, double threshold)
-      : m_complex(complex), m_visitor(visitor), m_threshold(threshold), m_cavity(complex),
+  // Each improvement of a copy takes a number of rounds at the most.
+  Patch_improver_3(Complex& complex, Visitor& visitor, double threshold, unsigned rounds)
+      : m_complex(complex), m_visitor(visitor), m_threshold(threshold),
+        m_rounds((std::min)(rounds, 5u)), m_cavity(complex),
         m_copy(complex.geom_traits(), complex.quality_measure()), m_copy_cavity(m_copy) {}
 
   const Improvement_report& report() const { return m_report; }
@@ -47,6 +49,7 @@ public:
   // then above all for what the worst ones lack.
   void run() {
     static constexpr int passes = 4;
+    m_complex.number_of_components(0); // numbers all: a patch keeps the numbers of its parts
     for (double emphasis : {1., 3.}) {
       m_emphasis = emphasis;
       for (int pass = 0; pass < passes; ++pass)
@@ -93,10 +96,12 @@ private:
 
   // Returns whether the cells are a ball: others are left as they are.
   bool improve_patch(const std::vector<Cell_handle>& cells) {
-    static constexpr int tries = 10, rounds = 5, attempts = 1;
+    static constexpr int tries = 10, attempts = 1;
+    static constexpr double less = 1 - 1e-6; // than what rounding does
     Patch_3<Complex> patch(cells);
     Deformation_visitor_3 nobody;
     double best = deficit(cells);
+    const double worst = worst_quality(cells);
     bool is_better = false;
     for (int i = 0; i < tries; ++i) {
       if (!patch.copy_to(m_copy))
@@ -104,10 +109,10 @@ private:
       if (i > 0)
         disturb();
       Mesh_improver_3<Complex, Deformation_visitor_3> improver(m_copy, nobody, m_threshold, true);
-      improver.improve_all(m_threshold, rounds, attempts);
+      improver.improve_all(m_threshold, m_rounds, attempts);
       const auto copied = m_copy.cells();
       const double now = deficit(copied);
-      if (!(now < best))
+      if (!(now < less * best) || worst_quality(copied) < worst)
         continue;
       best = now;
       is_better = true;
@@ -133,6 +138,13 @@ private:
     double result = 0;
     for (Cell_handle c : cells)
       result += std::pow((std::max)(0., m_threshold - c->quality()), m_emphasis);
+    return result;
+  }
+
+  static double worst_quality(const std::vector<Cell_handle>& cells) {
+    double result = std::numeric_limits<double>::infinity();
+    for (Cell_handle c : cells)
+      result = (std::min)(result, c->quality());
     return result;
   }
 
@@ -213,7 +225,7 @@ private:
       } else if (!stays[i]) {
         m_visitor.before_collapse(v.handle, nearest_that_stays(v.handle, stays));
         ++m_report.collapsed;
-      } else if (v.handle->point() != v.point) {
+      } else if (!is_unmoved(v)) {
         ++m_report.smoothed;
       }
     }
@@ -225,12 +237,16 @@ private:
     m_visitor.after_flip(m_cavity.created());
   }
 
+  static bool is_unmoved(const typename Cavity_3<Complex>::Vertex& v) {
+    return v.handle->point() == v.point;
+  }
+
   Vertex_handle nearest_that_stays(Vertex_handle v, const std::vector<bool>& stays) const {
     Vertex_handle result;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < stays.size(); ++i) {
       const Vertex_handle w = m_cavity.vertices()[i].handle;
-      if (!stays[i] || w == Vertex_handle())
+      if (!stays[i] || w == Vertex_handle() || !is_unmoved(m_cavity.vertices()[i]))
         continue;
       const double distance = (m_complex.position(w) - m_complex.position(v)).squared_length();
       if (distance < least) {
@@ -244,6 +260,7 @@ private:
   Complex& m_complex;
   Visitor& m_visitor;
   double m_threshold, m_emphasis = 1;
+  unsigned m_rounds;
   Cavity_3<Complex> m_cavity;
   Complex m_copy;
   Cavity_3<Complex> m_copy_cavity;

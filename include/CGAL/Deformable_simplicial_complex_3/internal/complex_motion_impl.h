@@ -183,7 +183,7 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
       v.handle = tds.create_vertex();
       v.handle->set_point(v.point);
       v.handle->set_boundary_class(v.boundary_class);
-    } else if (v.handle->point() != v.point) {
+    } else if (!is_infinite(v.handle) && !(v.handle->point() == v.point)) {
       v.handle->set_point(v.point);
     }
   for (const auto& t : cavity.tetrahedra()) {
