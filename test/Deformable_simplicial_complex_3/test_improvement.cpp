@@ -262,7 +262,7 @@ TEST(Improve_mesh, aggressively_keeps_the_boundary) {
   };
   const auto before = hull();
   const double volume = dsc.volume(0);
-  EXPECT_GT(number_of_changes(improve(dsc, parameters::quality_threshold(.5).aggressive(true))),
+  EXPECT_GT(number_of_changes(improve(dsc, parameters::quality_threshold(.6).aggressive(true))),
             0u);
   EXPECT_TRUE(hull() == before);
   EXPECT_EQ(dsc.volume(0), volume);
