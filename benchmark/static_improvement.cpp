@@ -36,6 +36,13 @@ struct Statistics
 {
   Angles all, free;
   std::size_t dictated = 0, cramped = 0;
+  std::size_t poor = 0; // free ones with an angle outside 25 to 145 degrees
+
+  void add_free(const std::array<double, 6>& angles) {
+    free.add(angles);
+    const auto extremes = std::minmax_element(angles.begin(), angles.end());
+    poor += *extremes.first < 25 || *extremes.second > 145;
+  }
 };
 
 double smallest_angle(const Complex& complex, const Complex::Facet& f) {
@@ -82,7 +89,7 @@ Statistics statistics(const Complex& complex, double sharp) {
     else if (is_cramped)
       ++result.cramped;
     else
-      result.free.add(angles);
+      result.add_free(angles);
   }
   return result;
 }
@@ -130,8 +137,8 @@ int measure(const std::string& input, std::size_t triangles, bool aggressive, do
   print_angles(start.all);
   print_angles(end.all);
   print_angles(end.free);
-  std::cout << end.dictated << " | " << end.cramped << " | " << seconds << " | "
-            << double(tetrahedra) / seconds << " |\n";
+  std::cout << end.poor << " | " << end.dictated << " | " << end.cramped << " | " << seconds
+            << " | " << double(tetrahedra) / seconds << " |\n";
   return check(complex) && interface_of(complex) == before ? 0 : 1;
 }
 
