@@ -80,8 +80,8 @@ public:
     return Index(m_vertices.size() - 1);
   }
 
-  /// The index of v, which is to be at p. To be called before tetrahedra
-  /// are planned. \pre all cells of v are removed, or p is where v is
+  /// The index of v, which is to be at p. To be called before tetrahedra are planned.
+  /// \pre all cells of v are removed, or p is where v is
   Index add(Vertex_handle v, const Point_3& p) {
     const Index index = add(v);
     m_vertices[index].point = p;

@@ -232,13 +232,12 @@ public:
       report.unfinished.push_back({v, remaining_distance(v)});
     report.vanished = m_vanished;
     report.complete = report.unfinished.empty();
-    for (const Improvement_report& part : {m_improver.report(), m_small_angles.report()}) {
-      report.split += part.split;
-      report.collapsed += part.collapsed;
-      report.flipped += part.flipped;
-      report.smoothed += part.smoothed;
-      report.inserted += part.inserted;
-    }
+    const Improvement_report done = m_improver.report() + m_small_angles.report();
+    report.split = done.split;
+    report.collapsed = done.collapsed;
+    report.flipped = done.flipped;
+    report.smoothed = done.smoothed;
+    report.inserted = done.inserted;
     report.relocated = m_small_angles.number_of_relocated();
     report.relabeled = m_trapped_cells.number_of_relabeled();
     m_trapped_cells.log().report(passes, report);

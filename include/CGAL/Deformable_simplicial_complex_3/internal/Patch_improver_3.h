@@ -86,11 +86,9 @@ private:
   void improve_around(Cell_handle c, int rings) {
     bool is_ball = improve_patch(cells_around({c}, rings));
     for (int i = 0; i < 4 && !is_ball; ++i) {
-      m_complex.star(c->vertex(i), m_star);
-      m_star.erase(std::remove_if(m_star.begin(), m_star.end(),
-                                  [&](Cell_handle d) { return m_complex.is_infinite(d); }),
-                   m_star.end());
-      is_ball = improve_patch(cells_around(m_star, rings - 1));
+      const std::vector<Vertex_handle> center(1, c->vertex(i));
+      number_vertices(center);
+      is_ball = improve_patch(cells_around(sorted_star_union(m_complex, center), rings - 1));
     }
   }
 

@@ -15,8 +15,8 @@ namespace internal {
 
 // Orthogonal directions in which a vertex must not move lest the interface changes: none off the
 // interface, one where it is flat, two where its facets have a line in common. Returns false if the
-// vertex must not move at all. Planes are the same if they
-// are so to seven digits, which is more than what rounding does to moved vertices.
+// vertex must not move at all. Planes are the same if they are so to seven digits, which is more
+// than what rounding does to moved vertices.
 template <class Complex>
 bool find_blocked_directions(const Complex& complex,
                              const std::vector<typename Complex::Cell_handle>& star,
