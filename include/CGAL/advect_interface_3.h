@@ -8,83 +8,10 @@
 #include <CGAL/Deformable_simplicial_complex_3/Integration_scheme.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface_paths_3.h>
 #include <CGAL/deform_interface_3.h>
 
-#include <type_traits>
-#include <vector>
-
 namespace CGAL {
-
-namespace Deformable_simplicial_complexes {
-namespace internal {
-
-// Velocities of all vertices of a snapshot at given positions, from a field of velocities
-// (position, time) or from a function of the whole interface.
-template <class Complex, class Velocity>
-std::vector<typename Complex::Approximate_vector_3>
-velocities_at(const Interface_snapshot_3<Complex>& interface_,
-              const std::vector<typename Complex::Approximate_point_3>& positions, double t,
-              const Velocity& velocity) {
-  std::vector<typename Complex::Approximate_vector_3> result;
-  if constexpr (std::is_invocable_v<const Velocity&, typename Complex::Approximate_point_3,
-                                    double>) {
-    for (const auto& p : positions)
-      result.push_back(velocity(p, t));
-  } else {
-    velocity(interface_, positions, t, result);
-    if (result.size() != positions.size())
-      throw Invalid_destination_error(
-          "a velocity must be given for each vertex of the interface, no more and no fewer", {});
-  }
-  std::vector<std::size_t> refused;
-  for (std::size_t i = 0; i < result.size(); ++i)
-    if (!has_finite_coordinates(result[i]))
-      refused.push_back(i);
-  if (!refused.empty())
-    throw Invalid_destination_error(
-        "a velocity is not finite; check the velocities and the time step", refused);
-  return result;
-}
-
-// Where the vertices of a snapshot are at t + dt.
-template <class Complex, class Velocity>
-std::vector<typename Complex::Approximate_point_3>
-integrate(const Interface_snapshot_3<Complex>& interface_,
-          const std::vector<typename Complex::Approximate_point_3>& start, const Velocity& velocity,
-          double t, double dt, Integration_scheme scheme) {
-  using Point = typename Complex::Approximate_point_3;
-  if constexpr (std::is_invocable_v<const Velocity&, Point, double, double>) {
-    std::vector<Point> result;
-    for (const Point& p : start)
-      result.push_back(velocity(p, t, dt));
-    return result;
-  } else {
-    using Vectors = std::vector<typename Complex::Approximate_vector_3>;
-    const auto advance = [&](const Vectors& v, double step) {
-      std::vector<Point> result;
-      for (std::size_t i = 0; i < start.size(); ++i)
-        result.push_back(start[i] + step * v[i]);
-      return result;
-    };
-    const auto at = [&](const std::vector<Point>& positions, double time) {
-      return velocities_at(interface_, positions, time, velocity);
-    };
-    Vectors k1 = at(start, t);
-    if (scheme == Integration_scheme::euler)
-      return advance(k1, dt);
-    const Vectors k2 = at(advance(k1, dt / 2), t + dt / 2);
-    if (scheme == Integration_scheme::rk2)
-      return advance(k2, dt);
-    const Vectors k3 = at(advance(k2, dt / 2), t + dt / 2);
-    const Vectors k4 = at(advance(k3, dt), t + dt);
-    for (std::size_t i = 0; i < k1.size(); ++i)
-      k1[i] = (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]) / 6;
-    return advance(k1, dt);
-  }
-}
-
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
 
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
@@ -94,11 +21,15 @@ calls `deform_interface()`. The path within the step is not followed, only its e
 
 \param dsc the complex
 \param velocity one of
-  - a velocity field, called as `velocity(p, t)` with a position and a time: returns a vector;
+  - a velocity field (model of `VelocityField_3`), called as `velocity(p, t)` with a position and a
+    time: returns a vector;
   - a flow map (model of `InterfaceFlowMap_3`), called as `velocity(p, t, dt)`: returns the position
     at t + dt of what is at p at t; the scheme does not matter then;
   - a function of the whole interface (model of `InterfaceVelocity_3`), called once for each
-    evaluation as `velocity(interface, positions, t, velocities)`, which fills `velocities`.
+    evaluation as `velocity(interface, positions, t, velocities)`, which fills `velocities`;
+  - a motion of the whole interface (model of `InterfaceStep_3`), called once for the step as
+    `velocity(interface, positions, t, dt, destinations)`, which fills `destinations`; the scheme
+    does not matter then.
   .
   Positions and vectors are of `Complex::Approximate_point_3` and `Approximate_vector_3`, in the
   coordinates of the complex.
@@ -112,11 +43,20 @@ calls `deform_interface()`. The path within the step is not followed, only its e
     \cgalParamType{`Deformable_simplicial_complexes::Integration_scheme`}
     \cgalParamDefault{`Integration_scheme::rk2`}
   \cgalParamNEnd
+  \cgalParamNBegin{integration_tolerance}
+    \cgalParamDescription{how far the error of a destination is estimated to be at the most with
+                          `Integration_scheme::adaptive`, for each of the steps that it takes within
+                          `dt`, in units of `dsc.mean_interface_edge()`, positive}
+    \cgalParamType{`double`}
+    \cgalParamDefault{1e-4}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the report of `deform_interface()`.
 \throws Deformable_simplicial_complexes::Invalid_destination_error if a velocity is not finite; the
         complex is then unchanged.
+\throws Deformable_simplicial_complexes::Error if the tolerance is not positive or cannot be kept;
+        the complex is then unchanged.
 */
 template <
     class Complex, class Velocity,
@@ -124,14 +64,22 @@ template <
 Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& velocity, double t,
                                              double dt,
                                              const NamedParameters& np = NamedParameters()) {
+  namespace tags = Deformable_simplicial_complexes::internal_np;
+  namespace internal = Deformable_simplicial_complexes::internal;
   using Deformable_simplicial_complexes::Integration_scheme;
-  const Integration_scheme scheme = parameters::choose_parameter(
-      parameters::get_parameter(np, Deformable_simplicial_complexes::internal_np::scheme),
-      Integration_scheme::rk2);
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const Integration_scheme scheme =
+      choose_parameter(get_parameter(np, tags::scheme), Integration_scheme::rk2);
+  const double tolerance = choose_parameter(get_parameter(np, tags::integration_tolerance), 1e-4);
+  if (!(tolerance > 0))
+    throw Deformable_simplicial_complexes::Error(
+        "the tolerance of the integration is out of range: use more than 0");
   const Interface_snapshot_3<Complex> interface_(dsc);
-  const auto destinations = Deformable_simplicial_complexes::internal::integrate(
-      interface_, interface_.positions(dsc), velocity, t, dt, scheme);
-  Deformable_simplicial_complexes::internal::number_vertices(interface_.vertices);
+  const auto destinations =
+      internal::find_destinations(interface_, interface_.positions(dsc), velocity, t, dt, scheme,
+                                  tolerance * dsc.mean_interface_edge());
+  internal::number_vertices(interface_.vertices);
   return deform_interface(
       dsc,
       [&](typename Complex::Vertex_handle v) {

@@ -213,8 +213,8 @@ public:
   bool go_further(unsigned) { return true; }
 };
 
-// The destination of a vertex, InterfaceFlowMap_3, a velocity field, and InterfaceVelocity_3:
-// all move everything by the same small vector.
+// The destination of a vertex, InterfaceFlowMap_3, VelocityField_3, InterfaceVelocity_3, and
+// InterfaceStep_3: all move everything by the same small vector.
 
 inline Traits::Approximate_vector_3 small_vector() { return {.03, .02, .01}; }
 
@@ -255,6 +255,17 @@ public:
                   const std::vector<Traits::Approximate_point_3>& positions, double,
                   std::vector<Traits::Approximate_vector_3>& velocities) const {
     velocities.assign(positions.size(), small_vector());
+  }
+};
+
+template <class Complex> class Interface_step
+{
+public:
+  void operator()(const CGAL::Interface_snapshot_3<Complex>&,
+                  const std::vector<Traits::Approximate_point_3>& positions, double, double dt,
+                  std::vector<Traits::Approximate_point_3>& destinations) const {
+    for (const Traits::Approximate_point_3& p : positions)
+      destinations.push_back(p + dt * small_vector());
   }
 };
 

@@ -3,10 +3,12 @@
 
 #include "small_meshes.h"
 
+#include <CGAL/deform_interface_3.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <random>
@@ -56,6 +58,17 @@ template <class Label>
 small_meshes::Complex jittered_grid(std::size_t n, Label label, double part, unsigned seed) {
   auto dsc = small_meshes::make_complex(small_meshes::grid(n, label));
   jitter(dsc, part * 2. / double(n), seed);
+  return dsc;
+}
+
+// A sphere of radius r about the origin, made of the cube of side 1 in a grid with n^3 cubes; n
+// must be a multiple of 4 and r about .6. It has 3 n^2 triangles.
+inline small_meshes::Complex sphere(std::size_t n, double r) {
+  auto dsc = small_meshes::make_complex(small_meshes::grid(n, small_meshes::cube));
+  CGAL::deform_interface(dsc, [&](small_meshes::Complex::Vertex_handle v) {
+    const auto x = dsc.position(v) - CGAL::ORIGIN;
+    return exact_point(dsc, CGAL::ORIGIN + r / std::sqrt(x.squared_length()) * x);
+  });
   return dsc;
 }
 

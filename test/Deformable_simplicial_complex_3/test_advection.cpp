@@ -70,6 +70,72 @@ TEST(Advection, midpoint_rule_is_of_second_order) { expect_order(Integration_sch
 
 TEST(Advection, runge_kutta_is_of_fourth_order) { expect_order(Integration_scheme::rk4, 4); }
 
+// In steps as short as a tolerance asks for, whatever the steps of the caller.
+TEST(Advection, adaptive_steps_keep_a_tolerance) {
+  for (double tolerance : {1e-3, 1e-6}) {
+    Complex dsc = make_complex(grid(4, small_meshes::cube));
+    const auto vertices = dsc.interface_vertices();
+    std::vector<Position> expected;
+    for (Vertex_handle v : vertices)
+      expected.push_back(after_spiral(dsc.position(v), .4));
+    EXPECT_TRUE(
+        CGAL::advect_interface(
+            dsc, spiral, 0, .4,
+            parameters::scheme(Integration_scheme::adaptive).integration_tolerance(tolerance))
+            .complete);
+    double squared = 0;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      squared = (std::max)(squared, (dsc.position(vertices[i]) - expected[i]).squared_length());
+    EXPECT_LT(std::sqrt(squared), 3 * tolerance * dsc.mean_interface_edge());
+  }
+}
+
+TEST(Advection, refuses_tolerances_that_cannot_be_kept) {
+  Complex dsc = make_complex(grid(4, small_meshes::cube));
+  const auto before = dsc.state();
+  const auto adaptive = parameters::scheme(Integration_scheme::adaptive);
+  for (double tolerance : {0., -1., std::nan("")})
+    EXPECT_THROW(
+        CGAL::advect_interface(dsc, spiral, 0, .1, adaptive.integration_tolerance(tolerance)),
+        CGAL::Deformable_simplicial_complexes::Error);
+  const auto rough = [](const Position& p, double t) {
+    return Vector(1e6 * std::sin(1e12 * t * p.x()), 0, 0);
+  };
+  EXPECT_THROW(CGAL::advect_interface(dsc, rough, 0, .1, adaptive.integration_tolerance(1e-300)),
+               CGAL::Deformable_simplicial_complexes::Error);
+  EXPECT_TRUE(dsc.state() == before);
+}
+
+// Asked once, whatever the scheme.
+TEST(Advection, steps_of_the_whole_interface) {
+  Complex dsc = make_complex(grid(4, small_meshes::cube));
+  const auto vertices = dsc.interface_vertices();
+  std::vector<Position> expected;
+  for (Vertex_handle v : vertices)
+    expected.push_back(after_spiral(dsc.position(v), .2));
+  int calls = 0;
+  const auto step = [&](const CGAL::Interface_snapshot_3<Complex>& snapshot,
+                        const std::vector<Position>& positions, double t, double dt,
+                        std::vector<Position>& destinations) {
+    EXPECT_EQ(snapshot.vertices, vertices);
+    EXPECT_EQ(t, 3);
+    for (const Position& p : positions)
+      destinations.push_back(after_spiral(p, dt));
+    ++calls;
+  };
+  EXPECT_TRUE(CGAL::advect_interface(dsc, step, 3, .2).complete);
+  EXPECT_EQ(calls, 1);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    EXPECT_EQ(dsc.position(vertices[i]), expected[i]);
+
+  const auto nothing = [](const CGAL::Interface_snapshot_3<Complex>&, const std::vector<Position>&,
+                          double, double, std::vector<Position>&) {};
+  const auto before = dsc.state();
+  EXPECT_THROW(CGAL::advect_interface(dsc, nothing, 0, .1),
+               CGAL::Deformable_simplicial_complexes::Invalid_destination_error);
+  EXPECT_TRUE(dsc.state() == before);
+}
+
 TEST(Advection, second_order_is_the_default) {
   Complex a = make_complex(grid(4, small_meshes::cube)), b = a;
   CGAL::advect_interface(a, spiral, 0, .1);

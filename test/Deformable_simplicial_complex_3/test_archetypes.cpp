@@ -1,13 +1,18 @@
 #include "archetypes.h"
 #include "mesh_helpers.h"
 
+#include <CGAL/Curvature_size_field_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Triangulation_data_structure_3.h>
 #include <CGAL/advect_interface_3.h>
 #include <CGAL/control_detail_3.h>
 #include <CGAL/deform_interface_3.h>
+#include <CGAL/face_offsetting_3.h>
+#include <CGAL/improve_interface_3.h>
 #include <CGAL/improve_mesh_3.h>
+#include <CGAL/mean_curvature_flow_3.h>
 #include <CGAL/remove_degeneracies_3.h>
+#include <CGAL/restore_volumes_3.h>
 
 #include <gtest/gtest.h>
 
@@ -117,5 +122,31 @@ TEST(Archetypes, advect_interface) {
     CGAL::advect_interface(dsc, archetypes::Flow_map(), 0, 1);
     CGAL::advect_interface(dsc, archetypes::Velocity_field(), 1, 1);
     CGAL::advect_interface(dsc, archetypes::Interface_velocity<Complex>(), 2, 1);
+    CGAL::advect_interface(dsc, archetypes::Interface_step<Complex>(), 3, 1);
+    CGAL::advect_interface(
+        dsc, archetypes::Velocity_field(), 4, 1,
+        parameters::scheme(CGAL::Deformable_simplicial_complexes::Integration_scheme::adaptive));
+  });
+}
+
+TEST(Archetypes, flows) {
+  expect_same([](auto& dsc) {
+    const double volume = dsc.volume(1);
+    CGAL::advect_interface(dsc, CGAL::Face_offset_3(1), 0, .02);
+    CGAL::advect_interface(
+        dsc,
+        CGAL::Advective_face_offset_3<archetypes::Velocity_field>(archetypes::Velocity_field()), 0,
+        .5);
+    CGAL::advect_interface(dsc, CGAL::Mean_curvature_flow_3(true), 0, .001);
+    CGAL::advect_interface(dsc, CGAL::Mean_curvature_velocity_3(), 0, .001);
+    CGAL::restore_volumes(dsc, {{1, volume}});
+  });
+}
+
+TEST(Archetypes, improve_interface) {
+  expect_same([](auto& dsc) {
+    CGAL::improve_interface(dsc, parameters::curved_splits(true).interface_split_length(1.2));
+    const CGAL::Curvature_size_field_3 size(dsc, .1, .2, 1.);
+    CGAL::improve_interface(dsc, parameters::size_field(size));
   });
 }

@@ -9,6 +9,7 @@ complex; a velocity need not define it, and its function may be a template.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Normal_offset_3}
+\cgalHasModels{CGAL::Mean_curvature_velocity_3}
 \cgalHasModelsEnd
 */
 class InterfaceVelocity_3

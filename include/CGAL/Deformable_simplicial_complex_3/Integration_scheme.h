@@ -11,9 +11,10 @@ namespace Deformable_simplicial_complexes {
 /// \ingroup PkgDeformableSimplicialComplex3Ref
 /// How `advect_interface()` gets destinations from velocities.
 enum class Integration_scheme {
-  euler, ///< first order, one evaluation of the velocity: the paper's Algorithm 1
-  rk2,   ///< second order, the midpoint rule, two evaluations
-  rk4    ///< fourth order, the classical rule of Runge and Kutta, four evaluations
+  euler,   ///< first order, one evaluation of the velocity: the paper's Algorithm 1
+  rk2,     ///< second order, the midpoint rule, two evaluations
+  rk4,     ///< fourth order, the classical rule of Runge and Kutta, four evaluations
+  adaptive ///< fifth order, the rule of Dormand and Prince in as many steps as a tolerance asks for
 };
 
 } // namespace Deformable_simplicial_complexes

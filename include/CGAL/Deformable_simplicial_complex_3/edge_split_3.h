@@ -17,11 +17,12 @@ namespace CGAL {
 \ingroup PkgDeformableSimplicialComplex3Ref
 
 Proposes to split an edge at a point: each cell around it becomes two. Labels and boundary classes
-are those of before, so that the interface changes by the rounding of the point only.
+are those of before.
 
 \param complex is not changed.
 \param cell, i, j the edge between the finite vertices i and j of the cell.
-\param ratio where to split, in (0, 1) from i to j.
+\param point where the new vertex is to be. If that is not on the edge, the interface changes
+       accordingly. \pre it is on the edge, up to rounding, if that is on the boundary of the domain
 \param cavity filled with the proposal if there is one. Its last vertex is the new one.
 \return whether all new tetrahedra are positive.
 
@@ -29,7 +30,8 @@ Linear in the number of cells around the edge.
 */
 template <class Complex>
 bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,
-                        double ratio, Cavity_3<Complex>& cavity) {
+                        const typename Complex::Approximate_point_3& point,
+                        Cavity_3<Complex>& cavity) {
   using Vertex_handle = typename Complex::Vertex_handle;
   using Index = typename Cavity_3<Complex>::Index;
   const Vertex_handle a = cell->vertex(i), b = cell->vertex(j);
@@ -41,10 +43,9 @@ bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle ce
     cavity.remove(typename Complex::Cell_handle(c));
   } while (++c != done);
 
-  const auto p = complex.position(a), q = complex.position(b);
-  const Index middle = cavity.add(
-      complex.geom_traits().construct_exact_point_3_object()(p + ratio * (q - p)),
-      is_on_boundary ? a->boundary_class() & b->boundary_class() : Boundary_class::inside);
+  const Index middle = cavity.add(complex.geom_traits().construct_exact_point_3_object()(point),
+                                  is_on_boundary ? a->boundary_class() & b->boundary_class()
+                                                 : Boundary_class::inside);
   for (std::size_t k = 0; k < cavity.removed().size(); ++k) {
     const auto parent = cavity.removed()[k];
     std::array<Index, 4> whole;
@@ -58,6 +59,19 @@ bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle ce
     cavity.create(half, parent);
   }
   return cavity.is_positive();
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+The same, with the point given by the part of the way from i to j, in (0, 1): the interface changes
+by the rounding of the point only.
+*/
+template <class Complex>
+bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,
+                        double ratio, Cavity_3<Complex>& cavity) {
+  const auto p = complex.position(cell->vertex(i)), q = complex.position(cell->vertex(j));
+  return propose_edge_split(complex, cell, i, j, p + ratio * (q - p), cavity);
 }
 
 } // namespace CGAL

@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_SIZE_FIELD_3_H
+#define CGAL_CURVATURE_SIZE_FIELD_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface_triangles_3.h>
+
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Search_traits_adapter.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Lengths of edges by the curvature of an interface, as it is when the field is made: an edge of
+length h lies up to about \f$\kappa h^2 / 8\f$ below a surface that bends with the curvature
+\f$\kappa\f$ along it, and that is to be a given tolerance. Between vertices, the length of the
+nearest one holds. For `improve_interface()` and `control_detail()`.
+*/
+class Curvature_size_field_3
+{
+public:
+  using Point_3 = Simple_cartesian<double>::Point_3; ///< in the coordinates of the complex
+
+  /*!
+  Estimates the curvatures from the normals of the vertices.
+
+  \param dsc the complex.
+  \param tolerance distance between edges and surface, positive.
+  \param shortest, longest bounds on the lengths, positive. Far from the interface, too.
+  \param gradation by how much lengths may differ from vertex to vertex along an edge of the
+         interface, by the length of that edge, positive.
+  \throws Deformable_simplicial_complexes::Error if a parameter is not positive, or `shortest` is
+          more than `longest`.
+
+  n log n in the size of the interface, as lengths are asked for.
+  */
+  template <class Complex>
+  Curvature_size_field_3(const Complex& dsc, double tolerance, double shortest, double longest,
+                         double gradation = .5) {
+    if (!(tolerance > 0 && shortest > 0 && shortest <= longest && gradation > 0))
+      throw Deformable_simplicial_complexes::Error(
+          "a size field by curvature needs a tolerance, a gradation and lengths that are positive, "
+          "the shortest one up to the longest one");
+    const Interface_snapshot_3<Complex> interface_(dsc);
+    const auto positions = interface_.positions(dsc);
+    std::vector<double> lengths =
+        lengths_by_curvature(interface_, positions, tolerance, shortest, longest);
+    grade(interface_, positions, gradation, lengths);
+    std::vector<Sized_point> points;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      points.emplace_back(Point_3(positions[i].x(), positions[i].y(), positions[i].z()),
+                          lengths[i]);
+    m_longest = longest;
+    m_tree = std::make_shared<Tree>(points.begin(), points.end());
+    if (!points.empty())
+      m_tree->build();
+  }
+
+  /// The wanted length of an edge at p. Logarithmic in the size of the interface.
+  double operator()(const Point_3& p) const {
+    if (m_tree->empty())
+      return m_longest;
+    return Search(*m_tree, p, 1).begin()->first.second;
+  }
+
+private:
+  using Sized_point = std::pair<Point_3, double>;
+  using Tree_traits = Search_traits_adapter<Sized_point, First_of_pair_property_map<Sized_point>,
+                                            Search_traits_3<Simple_cartesian<double>>>;
+  using Search = Orthogonal_k_neighbor_search<Tree_traits>;
+  using Tree = Search::Tree;
+
+  template <class Interface, class Points>
+  static std::vector<double> lengths_by_curvature(const Interface& interface_,
+                                                  const Points& positions, double tolerance,
+                                                  double shortest, double longest) {
+    namespace internal = Deformable_simplicial_complexes::internal;
+    const auto normals = internal::vertex_normals(interface_, positions);
+    std::vector<double> lengths(positions.size(), longest);
+    for_each_edge(interface_, [&](std::size_t a, std::size_t b) {
+      const auto edge = positions[b] - positions[a];
+      const double bend = std::abs((normals[b] - normals[a]) * edge); // curvature * squared length
+      if (!(bend > 0))
+        return;
+      const double length =
+          std::max(shortest, std::sqrt(8 * tolerance * edge.squared_length() / bend));
+      lengths[a] = std::min(lengths[a], length);
+      lengths[b] = std::min(lengths[b], length);
+    });
+    return lengths;
+  }
+
+  // Short lengths spread, as far as a few edges.
+  template <class Interface, class Points>
+  static void grade(const Interface& interface_, const Points& positions, double gradation,
+                    std::vector<double>& lengths) {
+    static constexpr int reach = 4;
+    for (int i = 0; i < reach; ++i)
+      for_each_edge(interface_, [&](std::size_t a, std::size_t b) {
+        const double more = gradation * std::sqrt((positions[b] - positions[a]).squared_length());
+        lengths[a] = std::min(lengths[a], lengths[b] + more);
+        lengths[b] = std::min(lengths[b], lengths[a] + more);
+      });
+  }
+
+  template <class Interface, class Function>
+  static void for_each_edge(const Interface& interface_, const Function& function) {
+    for (const auto& triangle : interface_.triangles)
+      for (int i = 0; i < 3; ++i)
+        function(triangle.vertices[i], triangle.vertices[(i + 1) % 3]);
+  }
+
+  std::shared_ptr<Tree> m_tree; // shared by copies, and never changed
+  double m_longest = 0;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_SIZE_FIELD_3_H

@@ -1,0 +1,309 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_IMPROVER_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_IMPROVER_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Interface_edge_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Interface_fan_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/changed_facets_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/curved_midpoint_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/triangle_quality.h>
+#include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complex_3/null_space_smoothing_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// What improve_interface() is asked for.
+struct Interface_thresholds
+{
+  double aggressiveness;
+  double split, collapse;   // in edge units
+  double swept_volume;      // in cubes of edge units
+  double flip_angle;        // between the normals of two facets, in radians
+  double smallest_angle;    // of a facet, in radians
+  double quality_threshold; // of tetrahedra
+  bool splits_curved;
+};
+
+inline void check_interface_thresholds(const Interface_thresholds& t) {
+  if (!(t.aggressiveness >= 0 && t.aggressiveness < 1))
+    throw Error("the aggressiveness is out of range: use 0 to less than 1");
+  if (!(t.split > 0))
+    throw Error("a length from which edges are split is out of range: use more than 0");
+  if (!(t.collapse >= 0))
+    throw Error("a length up to which edges are collapsed is out of range: use 0 or more");
+  if (!(t.swept_volume >= 0))
+    throw Error("the volume that the interface may sweep is out of range: use 0 or more");
+  check_threshold(t.quality_threshold);
+}
+
+// The passes over the interface, in the order in which improve_interface() takes them.
+template <class Complex, class Visitor, class Unit> class Interface_improver_3
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Edge = typename Complex::Edge;
+
+  // Lengths of edges are measured by `unit`.
+  Interface_improver_3(Complex& complex, Visitor& visitor, const Interface_thresholds& thresholds,
+                       const Unit& unit)
+      : m_complex(complex), m_visitor(visitor), m_thresholds(thresholds), m_unit(unit),
+        m_improver(complex, visitor, thresholds.quality_threshold), m_cavity(complex) {}
+
+  Improvement_report report() const { return m_report + m_improver.report(); }
+
+  void split_long_edges() {
+    static constexpr unsigned rounds = 10; // each halves what is too long
+    work_in_rounds(m_complex, cells_at_interface(), rounds,
+                   [&](Cell_handle c, Work_list<Cell_handle>& touched) {
+                     const auto [i, j] = longest_edge(c);
+                     if (i != j && split(c, i, j))
+                       push_created(touched);
+                   });
+  }
+
+  void collapse_short_edges() {
+    static constexpr double good = .5; // quality of facets
+    for_each_interface_edge([&](Cell_handle c, int i, int j) {
+      if (!(length_in_units(c->vertex(i), c->vertex(j)) < m_thresholds.collapse))
+        return false;
+      for (const auto& [vanishing, kept] : {std::make_pair(i, j), std::make_pair(j, i)})
+        if (const auto change = propose_collapse(c, vanishing, kept))
+          if (change->worst_after >= (std::min)(good, change->worst_before) && !makes_long_edge())
+            return commit();
+      return false;
+    });
+  }
+
+  // Flips or collapses an edge of a facet with a small angle, whichever sweeps least, if that makes
+  // the worst of the facets it changes better.
+  void remove_small_angles() {
+    work_in_rounds(m_complex, cells_at_interface(), 1, [&](Cell_handle c, Work_list<Cell_handle>&) {
+      for (int k = 0; k < 4; ++k)
+        if (m_complex.is_interface(typename Complex::Facet(c, k)) && has_small_angle(c, k) &&
+            remove_small_angle(c, k))
+          return;
+    });
+  }
+
+  void flip_edges() {
+    for_each_interface_edge([&](Cell_handle c, int i, int j) {
+      const Interface_edge_3<Complex> edge(m_complex, c, i, j);
+      return edge.is_in_sheet() && edge.violates_delaunay_criterion() &&
+             edge.bend() < m_thresholds.flip_angle &&
+             propose_interface_edge_flip(m_complex, c, i, j, m_cavity) && commit();
+    });
+  }
+
+  void smooth_vertices() {
+    if (m_thresholds.aggressiveness == 0) // nothing but planes would do
+      return;
+    typename Complex::Point_3 target;
+    for (Vertex_handle v : m_complex.interface_vertices()) {
+      m_complex.star(v, m_star);
+      if (!propose_null_space_position(m_complex, v, m_star, m_thresholds.aggressiveness,
+                                       m_thresholds.quality_threshold, target))
+        continue;
+      m_complex.set_point(v, m_star, target);
+      ++m_report.smoothed;
+      for (Cell_handle c : m_star)
+        touch(c);
+    }
+  }
+
+  // Brings the tetrahedra around all that has changed back to quality.
+  void improve_tetrahedra() {
+    m_improver.improve(std::move(m_touched), 3);
+    m_touched.clear();
+  }
+
+private:
+  // The cells behind the facets of the interface.
+  Work_list<Cell_handle> cells_at_interface() const {
+    Work_list<Cell_handle> cells;
+    for (const auto& facet : m_complex.interface_facets())
+      cells.push(facet.first);
+    return cells;
+  }
+
+  // Calls `work` for the edges of the interface until it has changed the cell.
+  template <class Work> void for_each_interface_edge(const Work& work) {
+    work_in_rounds(m_complex, cells_at_interface(), 1, [&](Cell_handle c, Work_list<Cell_handle>&) {
+      for (int i = 0; i < 4; ++i)
+        for (int j = i + 1; j < 4; ++j)
+          if (is_interface_edge(c, i, j) && work(c, i, j))
+            return;
+    });
+  }
+
+  bool is_interface_edge(Cell_handle c, int i, int j) const {
+    return c->vertex(i)->is_interface() && c->vertex(j)->is_interface() &&
+           m_complex.is_interface(Edge(c, i, j));
+  }
+
+  double length_in_units(Vertex_handle v, Vertex_handle w) const {
+    const auto p = m_complex.position(v);
+    const auto edge = m_complex.position(w) - p;
+    return std::sqrt(edge.squared_length()) / m_unit(p + .5 * edge);
+  }
+
+  // The edge of the interface that exceeds its threshold most; twice the same vertex if none does.
+  std::pair<int, int> longest_edge(Cell_handle c) const {
+    std::pair<int, int> result(0, 0);
+    double longest = m_thresholds.split;
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j) {
+        if (!is_interface_edge(c, i, j))
+          continue;
+        const double length = length_in_units(c->vertex(i), c->vertex(j));
+        if (length > longest) {
+          longest = length;
+          result = {i, j};
+        }
+      }
+    return result;
+  }
+
+  bool split(Cell_handle c, int i, int j) {
+    const Vertex_handle v = c->vertex(i), w = c->vertex(j);
+    const auto curved = m_thresholds.splits_curved ? curved_middle(c, i, j) : std::nullopt;
+    if (!(curved && propose_edge_split(m_complex, c, i, j, *curved, m_cavity)) &&
+        !propose_edge_split(m_complex, c, i, j, .5, m_cavity))
+      return false;
+    m_complex.replace(m_cavity);
+    ++m_report.split;
+    m_visitor.after_split(m_cavity.vertices().back().handle, v, w);
+    touch_created();
+    return true;
+  }
+
+  // Nothing where the interface is not a single smooth sheet.
+  std::optional<typename Complex::Approximate_point_3> curved_middle(Cell_handle c, int i, int j) {
+    m_complex.star(c->vertex(i), m_star);
+    const Interface_fan_3<Complex> a(m_complex, c->vertex(i), m_star);
+    m_complex.star(c->vertex(j), m_star);
+    const Interface_fan_3<Complex> b(m_complex, c->vertex(j), m_star);
+    if (!a.is_disk() || !b.is_disk())
+      return std::nullopt;
+    return curved_midpoint(m_complex, a, b);
+  }
+
+  bool has_small_angle(Cell_handle c, int k) const {
+    const auto v = m_complex.facet_vertices({c, k});
+    return smallest_angle(std::array<typename Complex::Approximate_point_3, 3>{
+               m_complex.position(v[0]), m_complex.position(v[1]), m_complex.position(v[2])}) <
+           m_thresholds.smallest_angle;
+  }
+
+  bool remove_small_angle(Cell_handle c, int k) {
+    Cavity_3<Complex> best(m_complex);
+    double least = std::numeric_limits<double>::infinity();
+    const auto consider = [&](const std::optional<Changed_facets_3>& change) {
+      if (!change || !(change->worst_after > change->worst_before) ||
+          !(change->swept_volume < least))
+        return;
+      least = change->swept_volume;
+      std::swap(best, m_cavity);
+    };
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j)
+        if (i != j && i != k && j != k) {
+          consider(propose_collapse(c, i, j));
+          if (i < j)
+            consider(propose_flip(c, i, j));
+        }
+    std::swap(best, m_cavity);
+    return least < std::numeric_limits<double>::infinity() && commit();
+  }
+
+  // Proposes to collapse vertex i into vertex j if little of the interface moves.
+  std::optional<Changed_facets_3> propose_collapse(Cell_handle c, int i, int j) {
+    static constexpr double worst = .05; // quality of a cell that a collapse may make
+    if (!propose_edge_collapse(m_complex, c, i, j, worst, m_cavity))
+      return std::nullopt;
+    return if_small(facets_changed_by_collapse(m_complex, m_cavity), c, i);
+  }
+
+  std::optional<Changed_facets_3> propose_flip(Cell_handle c, int i, int j) {
+    const Interface_edge_3<Complex> edge(m_complex, c, i, j);
+    if (!edge.is_in_sheet() || !propose_interface_edge_flip(m_complex, c, i, j, m_cavity))
+      return std::nullopt;
+    return if_small(facets_changed_by_flip(edge), c, i);
+  }
+
+  std::optional<Changed_facets_3> if_small(const Changed_facets_3& change, Cell_handle c,
+                                           int i) const {
+    const double unit = m_unit(m_complex.position(c->vertex(i)));
+    if (change.swept_volume <= m_thresholds.swept_volume * unit * unit * unit)
+      return change;
+    return std::nullopt;
+  }
+
+  bool makes_long_edge() const {
+    const Vertex_handle kept = m_cavity.kept_vertex();
+    return std::any_of(m_cavity.vertices().begin(), m_cavity.vertices().end(), [&](const auto& v) {
+      return v.handle != kept && v.handle != m_cavity.vanishing_vertex() &&
+             v.handle->is_interface() && length_in_units(v.handle, kept) > m_thresholds.split;
+    });
+  }
+
+  bool commit() {
+    commit_proposal(m_complex, m_cavity, m_visitor, m_report);
+    touch_created();
+    return true;
+  }
+
+  void touch_created() {
+    for (Cell_handle c : m_cavity.created())
+      touch(c);
+  }
+
+  void touch(Cell_handle c) {
+    if (!m_complex.is_infinite(c) && m_improver.is_bad(c))
+      m_touched.push(c);
+  }
+
+  void push_created(Work_list<Cell_handle>& cells) const {
+    for (Cell_handle c : m_cavity.created())
+      if (!m_complex.is_infinite(c))
+        cells.push(c);
+  }
+
+  Complex& m_complex;
+  Visitor& m_visitor;
+  Interface_thresholds m_thresholds;
+  Unit m_unit;
+  Mesh_improver_3<Complex, Visitor> m_improver;
+  Cavity_3<Complex> m_cavity;
+  std::vector<Cell_handle> m_star;
+  Work_list<Cell_handle> m_touched;
+  Improvement_report m_report;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_IMPROVER_3_H

@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_PATHS_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_PATHS_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Integration_scheme.h>
+#include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
+
+#include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
+#include <boost/numeric/odeint/stepper/generation.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Velocities of all vertices of a snapshot at given positions, from a field of velocities
+// (position, time) or from a function of the whole interface.
+template <class Complex, class Velocity>
+std::vector<typename Complex::Approximate_vector_3>
+velocities_at(const Interface_snapshot_3<Complex>& interface_,
+              const std::vector<typename Complex::Approximate_point_3>& positions, double t,
+              const Velocity& velocity) {
+  std::vector<typename Complex::Approximate_vector_3> result;
+  if constexpr (std::is_invocable_v<const Velocity&, typename Complex::Approximate_point_3,
+                                    double>) {
+    for (const auto& p : positions)
+      result.push_back(velocity(p, t));
+  } else {
+    velocity(interface_, positions, t, result);
+    if (result.size() != positions.size())
+      throw Invalid_destination_error(
+          "a velocity must be given for each vertex of the interface, no more and no fewer", {});
+  }
+  std::vector<std::size_t> refused;
+  for (std::size_t i = 0; i < result.size(); ++i)
+    if (!has_finite_coordinates(result[i]))
+      refused.push_back(i);
+  if (!refused.empty())
+    throw Invalid_destination_error(
+        "a velocity is not finite; check the velocities and the time step", refused);
+  return result;
+}
+
+// Paths by the rule of Dormand and Prince, in as many steps as it takes to stay below a tolerance.
+template <class Complex, class Velocity>
+std::vector<typename Complex::Approximate_point_3>
+integrate_adaptively(const Interface_snapshot_3<Complex>& interface_,
+                     const std::vector<typename Complex::Approximate_point_3>& start,
+                     const Velocity& velocity, double t, double dt, double tolerance) {
+  namespace odeint = boost::numeric::odeint;
+  using State = std::vector<double>; // coordinates of all vertices
+  using Points = std::vector<typename Complex::Approximate_point_3>;
+  const auto points = [](const State& state) {
+    Points result;
+    for (std::size_t i = 0; i < state.size(); i += 3)
+      result.emplace_back(state[i], state[i + 1], state[i + 2]);
+    return result;
+  };
+  State state;
+  for (const auto& p : start)
+    state.insert(state.end(), {p.x(), p.y(), p.z()});
+  const auto derivative = [&](const State& x, State& derivatives, double time) {
+    double* out = derivatives.data();
+    for (const auto& v : velocities_at(interface_, points(x), time, velocity))
+      for (int i = 0; i < 3; ++i)
+        *out++ = v[i];
+  };
+  try {
+    odeint::integrate_adaptive(
+        odeint::make_controlled(tolerance, 0., odeint::runge_kutta_dopri5<State>()), derivative,
+        state, t, t + dt, dt);
+  } catch (const odeint::odeint_error&) {
+    throw Error("the velocities change too fast to be integrated to the tolerance; use a larger "
+                "one, or shorter steps");
+  }
+  return points(state);
+}
+
+// Paths by a rule of Runge and Kutta in one step.
+template <class Complex, class Velocity>
+std::vector<typename Complex::Approximate_point_3>
+integrate_with_fixed_steps(const Interface_snapshot_3<Complex>& interface_,
+                           const std::vector<typename Complex::Approximate_point_3>& start,
+                           const Velocity& velocity, double t, double dt,
+                           Integration_scheme scheme) {
+  using Points = std::vector<typename Complex::Approximate_point_3>;
+  using Vectors = std::vector<typename Complex::Approximate_vector_3>;
+  const auto advance = [&](const Vectors& v, double step) {
+    Points result;
+    for (std::size_t i = 0; i < start.size(); ++i)
+      result.push_back(start[i] + step * v[i]);
+    return result;
+  };
+  const auto at = [&](const Points& positions, double time) {
+    return velocities_at(interface_, positions, time, velocity);
+  };
+  Vectors k1 = at(start, t);
+  if (scheme == Integration_scheme::euler)
+    return advance(k1, dt);
+  const Vectors k2 = at(advance(k1, dt / 2), t + dt / 2);
+  if (scheme == Integration_scheme::rk2)
+    return advance(k2, dt);
+  const Vectors k3 = at(advance(k2, dt / 2), t + dt / 2);
+  const Vectors k4 = at(advance(k3, dt), t + dt);
+  for (std::size_t i = 0; i < k1.size(); ++i)
+    k1[i] = (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]) / 6;
+  return advance(k1, dt);
+}
+
+// Where the vertices of a snapshot are at t + dt, for all that `advect_interface()` takes.
+template <class Complex, class Velocity>
+std::vector<typename Complex::Approximate_point_3>
+find_destinations(const Interface_snapshot_3<Complex>& interface_,
+                  const std::vector<typename Complex::Approximate_point_3>& start,
+                  const Velocity& velocity, double t, double dt, Integration_scheme scheme,
+                  double tolerance) {
+  using Point = typename Complex::Approximate_point_3;
+  constexpr bool is_flow_map = std::is_invocable_v<const Velocity&, Point, double, double>;
+  constexpr bool is_step =
+      std::is_invocable_v<const Velocity&, const Interface_snapshot_3<Complex>&,
+                          const std::vector<Point>&, double, double, std::vector<Point>&>;
+  if constexpr (is_flow_map) {
+    std::vector<Point> result;
+    for (const Point& p : start)
+      result.push_back(velocity(p, t, dt));
+    return result;
+  } else if constexpr (is_step) {
+    std::vector<Point> result;
+    velocity(interface_, start, t, dt, result);
+    if (result.size() != start.size())
+      throw Invalid_destination_error(
+          "a destination must be given for each vertex of the interface, no more and no fewer", {});
+    return result;
+  } else if (scheme == Integration_scheme::adaptive) {
+    return integrate_adaptively(interface_, start, velocity, t, dt, tolerance);
+  } else {
+    return integrate_with_fixed_steps(interface_, start, velocity, t, dt, scheme);
+  }
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_PATHS_3_H

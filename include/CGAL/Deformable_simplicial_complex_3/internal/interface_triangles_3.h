@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_TRIANGLES_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_TRIANGLES_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/cotangent_weights_3.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The corners of a triangle of a snapshot.
+template <class Triangle, class Point>
+std::array<Point, 3> corners(const Triangle& triangle, const std::vector<Point>& positions) {
+  const auto& v = triangle.vertices;
+  return {positions[v[0]], positions[v[1]], positions[v[2]]};
+}
+
+// Perpendicular to a triangle, towards its front, as long as its area.
+template <class Point> auto area_vector(const std::array<Point, 3>& p) {
+  return cross_product(p[1] - p[0], p[2] - p[0]) / 2;
+}
+
+// Whether a triangle goes forwards (1), backwards (-1) or not at all (0) when labelled phases grow
+// into the outside, label 0.
+template <class Triangle> double sign_of_growth(const Triangle& triangle) {
+  return triangle.in_front == 0 ? 1 : triangle.behind == 0 ? -1 : 0;
+}
+
+template <class Vector> struct Area_triangle
+{
+  std::size_t index; // in the snapshot
+  Vector unit_normal;
+  double area;
+};
+
+// The triangles of a snapshot that have an area.
+template <class Complex>
+std::vector<Area_triangle<typename Complex::Approximate_vector_3>>
+area_triangles(const Interface_snapshot_3<Complex>& interface_,
+               const std::vector<typename Complex::Approximate_point_3>& positions) {
+  std::vector<Area_triangle<typename Complex::Approximate_vector_3>> result;
+  for (std::size_t i = 0; i < interface_.triangles.size(); ++i) {
+    const auto normal = area_vector(corners(interface_.triangles[i], positions));
+    const double area = std::sqrt(normal.squared_length());
+    if (area > 0)
+      result.push_back({i, normal / area, area});
+  }
+  return result;
+}
+
+// The normals of the vertices of a snapshot, of length 1 or, where facets cancel, 0: means of those
+// of the facets, weighted by the angles there, each facet seen from the smaller label.
+template <class Complex>
+std::vector<typename Complex::Approximate_vector_3>
+vertex_normals(const Interface_snapshot_3<Complex>& interface_,
+               const std::vector<typename Complex::Approximate_point_3>& positions) {
+  using Vector = typename Complex::Approximate_vector_3;
+  std::vector<Vector> result(positions.size(), Vector(0, 0, 0));
+  for (const auto& triangle : area_triangles(interface_, positions)) {
+    const auto& v = interface_.triangles[triangle.index].vertices;
+    for (int i = 0; i < 3; ++i) {
+      const Vector a = positions[v[(i + 1) % 3]] - positions[v[i]];
+      const Vector b = positions[v[(i + 2) % 3]] - positions[v[i]];
+      result[v[i]] = result[v[i]] + std::atan2(2 * triangle.area, a * b) * triangle.unit_normal;
+    }
+  }
+  for (Vector& normal : result) {
+    const double length = std::sqrt(normal.squared_length());
+    if (length > 0)
+      normal = normal / length;
+  }
+  return result;
+}
+
+// The area that belongs to each vertex of a snapshot.
+template <class Complex>
+std::vector<double>
+mixed_areas(const Interface_snapshot_3<Complex>& interface_,
+            const std::vector<typename Complex::Approximate_point_3>& positions) {
+  std::vector<double> areas(positions.size(), 0);
+  for (const auto& triangle : interface_.triangles) {
+    const Cotangent_weights_3 weights(corners(triangle, positions));
+    for (int i = 0; i < 3; ++i)
+      areas[triangle.vertices[i]] += weights.mixed_areas[i];
+  }
+  return areas;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_TRIANGLES_3_H

@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABEL_VOLUMES_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABEL_VOLUMES_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface_triangles_3.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Moves the vertices of an interface along its normals so that volumes of labels change by given
+// amounts, up to rounding; the facets of a label go as far as each other. By Newton's method with
+// one unknown for each label. Volumes are those that the interface encloses: where it ends on the
+// boundary of the domain, the part between it and the boundary is not counted.
+template <class Complex> class Volume_changer_3
+{
+public:
+  using Label = typename Complex::Label;
+  using Point = typename Complex::Approximate_point_3;
+  using Vector = typename Complex::Approximate_vector_3;
+
+  explicit Volume_changer_3(const Interface_snapshot_3<Complex>& interface_)
+      : m_interface(interface_) {}
+
+  // Changes of the volumes of labels between two states of the vertices.
+  std::map<Label, double> changes(const std::vector<Point>& from,
+                                  const std::vector<Point>& to) const {
+    std::map<Label, double> result;
+    for (const auto& triangle : m_interface.triangles) {
+      const auto before = corners(triangle, from), after = corners(triangle, to);
+      const double change = swept_volume(before, after);
+      result[triangle.behind] += change;
+      result[triangle.in_front] -= change;
+    }
+    return result;
+  }
+
+  // Labels that are not mentioned take what is left.
+  void change_by(const std::map<Label, double>& amounts, std::vector<Point>& positions) const {
+    static constexpr int iterations = 10; // Newton's method doubles the digits in each
+    static constexpr double rounding = 1e-14;
+    const std::vector<Point> start = positions;
+    double size = 0;
+    for (const auto& [label, amount] : amounts)
+      size = (std::max)(size, std::abs(amount));
+    double last_error = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < iterations; ++k) {
+      const auto changed = changes(start, positions);
+      Eigen::VectorXd missing(amounts.size());
+      Eigen::Index row = 0;
+      for (const auto& [label, amount] : amounts) {
+        const auto found = changed.find(label);
+        missing(row++) = amount - (found == changed.end() ? 0 : found->second);
+      }
+      const double error = missing.size() == 0 ? 0 : missing.cwiseAbs().maxCoeff();
+      if (!(error > rounding * size) || !(error < last_error))
+        break;
+      last_error = error;
+      offset(amounts, missing, positions);
+    }
+  }
+
+private:
+  // The volume that a triangle sweeps on its way, positive if towards its front; exact for motions
+  // of the corners along straight lines.
+  static double swept_volume(const std::array<Point, 3>& a, const std::array<Point, 3>& b) {
+    // Simpson's rule is exact for the quadratic polynomial in time that the flux is.
+    const std::array<Point, 3> m = {midpoint(a[0], b[0]), midpoint(a[1], b[1]),
+                                    midpoint(a[2], b[2])};
+    const Vector way = ((b[0] - a[0]) + (b[1] - a[1]) + (b[2] - a[2])) / 3;
+    return way * (area_vector(a) + 4 * area_vector(m) + area_vector(b)) / 6;
+  }
+
+  // One step of Newton's method: the displacement of a vertex is a combination of the gradients of
+  // the volumes there, divided by its area.
+  void offset(const std::map<Label, double>& labels, const Eigen::VectorXd& missing,
+              std::vector<Point>& positions) const {
+    std::map<Label, Eigen::Index> row;
+    for (const auto& [label, amount] : labels)
+      row.emplace(label, Eigen::Index(row.size()));
+    std::vector<std::map<Eigen::Index, Vector>> gradients(positions.size());
+    for (const auto& triangle : m_interface.triangles) {
+      const Vector normal = area_vector(corners(triangle, positions)) / 3;
+      for (const auto& [label, sign] :
+           {std::make_pair(triangle.behind, 1.), std::make_pair(triangle.in_front, -1.)}) {
+        const auto found = row.find(label);
+        if (found != row.end())
+          for (std::size_t v : triangle.vertices) {
+            Vector& gradient = gradients[v].try_emplace(found->second, 0, 0, 0).first->second;
+            gradient = gradient + sign * normal;
+          }
+      }
+    }
+    const std::vector<double> areas = mixed_areas(m_interface, positions);
+    Eigen::MatrixXd products = Eigen::MatrixXd::Zero(missing.size(), missing.size());
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      for (const auto& [i, a] : gradients[v])
+        for (const auto& [j, b] : gradients[v])
+          if (areas[v] > 0)
+            products(i, j) += a * b / areas[v];
+    // Singular where all labels are given, as their sum is.
+    const Eigen::VectorXd lengths = products.completeOrthogonalDecomposition().solve(missing);
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      for (const auto& [i, gradient] : gradients[v])
+        if (areas[v] > 0)
+          positions[v] = positions[v] + lengths(i) / areas[v] * gradient;
+  }
+
+  const Interface_snapshot_3<Complex>& m_interface;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABEL_VOLUMES_3_H

@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_FACE_OFFSETTING_3_H
+#define CGAL_FACE_OFFSETTING_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Integration_scheme.h>
+#include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Vertex_quadric_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface_paths_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface_triangles_3.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Wavefrontal motion by face offsetting (X. Jiao, *Face offsetting: A unified approach for explicit
+moving interfaces*, Journal of Computational Physics 220, 2007): the planes of the facets move along
+their normals, and vertices go where their planes meet. Labelled phases grow into the outside, label
+0, or shrink if the speed is negative; facets between other labels hold their vertices in their
+planes.
+
+Edges and corners that the front runs away from become round, as in Huygens' principle: their
+vertices keep the distance of the offset. Those that it runs into stay sharp. `Normal_offset_3` is
+simpler, and smooths both.
+
+\cgalModels `InterfaceStep_3`
+*/
+class Face_offset_3
+{
+public:
+  /// \param speed length per unit of time, in the coordinates of the complex.
+  /// \param eigenvalue_threshold what is an edge, see `improve_interface()`; in [0, 1).
+  explicit Face_offset_3(double speed, double eigenvalue_threshold = .025)
+      : m_speed(speed), m_threshold(eigenvalue_threshold) {}
+
+  /// computes where vertices go, as `InterfaceStep_3` says. Linear in the size of the interface.
+  template <class Complex>
+  void operator()(const Interface_snapshot_3<Complex>& interface_,
+                  const std::vector<typename Complex::Approximate_point_3>& positions, double /*t*/,
+                  double dt,
+                  std::vector<typename Complex::Approximate_point_3>& destinations) const {
+    namespace internal = Deformable_simplicial_complexes::internal;
+    using Vector = typename Complex::Approximate_vector_3;
+    const double offset = m_speed * dt;
+    struct Vertex
+    {
+      internal::Vertex_quadric_3<Vector> quadric;
+      bool is_held = false; // by a facet that does not move
+      Vector displacement = Vector(0, 0, 0), direction = Vector(0, 0, 0);
+      double weight = 0, weighted_length = 0;
+    };
+    std::vector<Vertex> vertices(positions.size());
+    const auto triangles = internal::area_triangles(interface_, positions);
+    for (const auto& triangle : triangles) {
+      const double sign = internal::sign_of_growth(interface_.triangles[triangle.index]);
+      for (std::size_t v : interface_.triangles[triangle.index].vertices) {
+        vertices[v].quadric.add(triangle.unit_normal, triangle.area, sign * offset);
+        vertices[v].is_held = vertices[v].is_held || sign == 0;
+      }
+    }
+    for (Vertex& v : vertices) {
+      v.quadric.analyse(m_threshold);
+      v.displacement = v.quadric.displacement();
+      const double length = std::sqrt(v.displacement.squared_length());
+      if (length > 0)
+        v.direction = v.displacement / length;
+    }
+    // How far along its direction the facets take a vertex: where it moves away from a facet, that
+    // is the offset, else as far as it takes to have the offset from the plane.
+    for (const auto& triangle : triangles) {
+      const auto& corner = interface_.triangles[triangle.index].vertices;
+      for (int i = 0; i < 3; ++i) {
+        Vertex& v = vertices[corner[i]];
+        const Vector into_facet = (positions[corner[(i + 1) % 3]] - positions[corner[i]]) +
+                                  (positions[corner[(i + 2) % 3]] - positions[corner[i]]);
+        const double cosine = std::abs(triangle.unit_normal * v.direction);
+        const bool is_rounded = v.quadric.rank() < 2 || into_facet * v.direction < 0;
+        const double weight = triangle.area * (is_rounded ? 1 : cosine * cosine);
+        v.weight += weight;
+        v.weighted_length += triangle.area * (is_rounded ? 1 : cosine) * std::abs(offset);
+      }
+    }
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      const Vertex& v = vertices[i];
+      destinations.push_back(v.is_held || !(v.weight > 0)
+                                 ? positions[i] + v.displacement
+                                 : positions[i] + v.weighted_length / v.weight * v.direction);
+    }
+  }
+
+private:
+  double m_speed, m_threshold;
+};
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Advective motion by face offsetting: facets go where a velocity field takes their corners, and
+vertices to where the planes of these facets meet, but only as far as these planes define it. The
+interface goes the same way as with the field itself, but its vertices do not slide along it, so
+that they stay as evenly distributed as they are. See `Face_offset_3` for the source.
+
+\tparam Field model of `VelocityField_3`
+\cgalModels `InterfaceStep_3`
+*/
+template <class Field> class Advective_face_offset_3
+{
+public:
+  /// \param field the velocities.
+  /// \param eigenvalue_threshold what is an edge, see `improve_interface()`; in [0, 1).
+  explicit Advective_face_offset_3(Field field, double eigenvalue_threshold = .025)
+      : m_field(std::move(field)), m_threshold(eigenvalue_threshold) {}
+
+  /// computes where vertices go, as `InterfaceStep_3` says. Paths are integrated by
+  /// `Integration_scheme::rk4`. Linear in the size of the interface.
+  template <class Complex>
+  void operator()(const Interface_snapshot_3<Complex>& interface_,
+                  const std::vector<typename Complex::Approximate_point_3>& positions, double t,
+                  double dt,
+                  std::vector<typename Complex::Approximate_point_3>& destinations) const {
+    namespace internal = Deformable_simplicial_complexes::internal;
+    using Deformable_simplicial_complexes::Integration_scheme;
+    using Vector = typename Complex::Approximate_vector_3;
+    const auto advected = internal::integrate_with_fixed_steps(interface_, positions, m_field, t,
+                                                               dt, Integration_scheme::rk4);
+    std::vector<internal::Vertex_quadric_3<Vector>> quadrics(positions.size());
+    for (const auto& triangle : internal::area_triangles(interface_, advected))
+      for (std::size_t v : interface_.triangles[triangle.index].vertices)
+        quadrics[v].add(triangle.unit_normal, triangle.area,
+                        (advected[v] - positions[v]) * triangle.unit_normal);
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+      quadrics[v].analyse(m_threshold);
+      destinations.push_back(positions[v] + quadrics[v].displacement());
+    }
+  }
+
+private:
+  Field m_field;
+  double m_threshold;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_FACE_OFFSETTING_3_H

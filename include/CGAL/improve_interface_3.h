@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_IMPROVE_INTERFACE_3_H
+#define CGAL_IMPROVE_INTERFACE_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Interface_improver_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/edge_unit.h>
+#include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
+
+#include <CGAL/number_utils.h>
+
+#include <type_traits>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Improves the triangles of the interface without changing its shape by much (section 3.2.2 of the
+paper): splits long edges, collapses short ones, flips edges that do not fulfill the Delaunay
+criterion, removes facets with small angles, and moves vertices along the interface (null-space
+smoothing). The tetrahedra around are improved where that made them bad.
+
+The topology stays, and so do corners, lines and points where more than two labels meet, and edges
+between facets whose normals differ by more than what the parameters call smooth: vertices move only
+along them. Smoothing keeps the volumes of labels up to rounding; flips, collapses and curved splits
+change them slightly.
+
+\param dsc the complex.
+\param np named parameters:
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{how often all of that is done}
+    \cgalParamType{`unsigned int`} \cgalParamDefault{1}
+  \cgalParamNEnd
+  \cgalParamNBegin{aggressiveness}
+    \cgalParamDescription{up to which ratio of the eigenvalues of its quadric a vertex may move in a
+                          direction, see `propose_null_space_position()`; in [0, 1)}
+    \cgalParamType{`double`} \cgalParamDefault{0.025, the paper's}
+  \cgalParamNEnd
+  \cgalParamNBegin{flip_angle}
+    \cgalParamDescription{edges are flipped if the normals of their facets differ by less, in
+                          degrees, in [0, 90]}
+    \cgalParamType{`double`} \cgalParamDefault{5, the paper's}
+  \cgalParamNEnd
+  \cgalParamNBegin{size_field}
+    \cgalParamDescription{the wanted length of edges, a positive function of position:
+                          `double size_field(Approximate_point_3 p)`, callable as `const`, asked
+                          at midpoints of edges, in the coordinates of the complex; for example
+                          `Curvature_size_field_3`}
+    \cgalParamType{function object, by value or `std::reference_wrapper`}
+    \cgalParamDefault{`dsc.mean_interface_edge()` everywhere}
+  \cgalParamNEnd
+  \cgalParamNBegin{interface_split_length}
+    \cgalParamDescription{longer edges are split, in units of the wanted length, positive}
+    \cgalParamType{`double`} \cgalParamDefault{2, the paper's}
+  \cgalParamNEnd
+  \cgalParamNBegin{curved_splits}
+    \cgalParamDescription{whether new vertices are put on the smooth surface that the neighbors of
+                          the edge suggest, where the interface is smooth, and not on the edge}
+    \cgalParamType{`bool`} \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{interface_collapse_length}
+    \cgalParamDescription{shorter edges are collapsed, in units of the wanted length, not negative}
+    \cgalParamType{`double`} \cgalParamDefault{0.25}
+  \cgalParamNEnd
+  \cgalParamNBegin{minimum_facet_angle}
+    \cgalParamDescription{an edge of a facet with a smaller angle is flipped or collapsed, whichever
+                          changes the shape less, in degrees, in [0, 30]}
+    \cgalParamType{`double`} \cgalParamDefault{15}
+  \cgalParamNEnd
+  \cgalParamNBegin{swept_volume}
+    \cgalParamDescription{how much volume may lie between the interface before and after a collapse,
+                          or a flip for the sake of a small angle, in cubes of the wanted length,
+                          not negative}
+    \cgalParamType{`double`} \cgalParamDefault{0.1}
+  \cgalParamNEnd
+  \cgalParamNBegin{quality_threshold}
+    \cgalParamDescription{cells that changed and are of lower quality are improved, in [0, 1]}
+    \cgalParamType{`double`} \cgalParamDefault{0.2}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told of each change of the mesh}
+    \cgalParamType{model of `DeformationVisitor_3`, by value or `std::reference_wrapper`}
+    \cgalParamDefault{`Deformation_visitor_3`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return what was done.
+\throws Deformable_simplicial_complexes::Error if a parameter is out of its range, the complex then
+       being unchanged, or if the size field has a value that is not positive. An exception of the
+       size field or of the visitor leaves a valid complex.
+
+A pass over the cells and the stars of the vertices of the interface for each iteration.
+*/
+template <class Complex, class NamedParameters =
+                             Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = NamedParameters()) {
+  namespace tags = Deformable_simplicial_complexes::internal_np;
+  namespace internal = Deformable_simplicial_complexes::internal;
+  using Deformable_simplicial_complexes::Error;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  auto given_visitor =
+      choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Deformation_visitor_3());
+  auto& visitor = internal::unwrap(given_visitor);
+  static constexpr double degree = CGAL_PI / 180;
+  const double flip_angle = choose_parameter(get_parameter(np, tags::flip_angle), 5.);
+  if (!(flip_angle >= 0 && flip_angle <= 90))
+    throw Error("the angle up to which edges are flipped is out of range: use 0 to 90 degrees");
+  const double minimum_angle = choose_parameter(get_parameter(np, tags::minimum_facet_angle), 15.);
+  if (!(minimum_angle >= 0 && minimum_angle <= 30))
+    throw Error("the smallest angle of a facet is out of range: use 0 to 30 degrees");
+  const internal::Interface_thresholds thresholds = {
+      choose_parameter(get_parameter(np, tags::aggressiveness), .025),
+      choose_parameter(get_parameter(np, tags::interface_split_length), 2.),
+      choose_parameter(get_parameter(np, tags::interface_collapse_length), .25),
+      choose_parameter(get_parameter(np, tags::swept_volume), .1),
+      flip_angle * degree,
+      minimum_angle * degree,
+      choose_parameter(get_parameter(np, tags::quality_threshold), .2),
+      choose_parameter(get_parameter(np, tags::curved_splits), false)};
+  internal::check_interface_thresholds(thresholds);
+  const unsigned iterations =
+      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 1u);
+  const auto unit =
+      internal::edge_unit(get_parameter(np, tags::size_field), dsc.mean_interface_edge());
+
+  using Visitor = std::remove_reference_t<decltype(visitor)>;
+  using Unit = std::remove_const_t<decltype(unit)>;
+  internal::Interface_improver_3<Complex, Visitor, Unit> improver(dsc, visitor, thresholds, unit);
+  for (unsigned i = 0; i < iterations; ++i) {
+    improver.split_long_edges();
+    improver.collapse_short_edges();
+    improver.flip_edges();
+    improver.remove_small_angles();
+    improver.smooth_vertices();
+    improver.improve_tetrahedra();
+  }
+  return improver.report();
+}
+
+} // namespace CGAL
+
+#endif // CGAL_IMPROVE_INTERFACE_3_H

@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MEAN_CURVATURE_FLOW_3_H
+#define CGAL_MEAN_CURVATURE_FLOW_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/cotangent_weights_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface_triangles_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/label_volumes_3.h>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Mean curvature flow, step by explicit step (section 4.1.2 of the paper): the velocity of a vertex is
+the negative gradient of the area of the whole interface, by the cotangent formula, divided by the
+mixed Voronoi area of the vertex. Its length is that of the sum of the principal curvatures. Where
+several labels meet, all walls pull with the same force, so that they come to meet in angles of 120
+degrees.
+
+Stable only for steps of time below about half the area of the smallest triangles;
+`Mean_curvature_flow_3` is free of that.
+
+\cgalModels `InterfaceVelocity_3`
+*/
+struct Mean_curvature_velocity_3
+{
+  /// computes the velocities of vertices at positions, as `InterfaceVelocity_3` says. Linear in the
+  /// size of the interface.
+  template <class Complex>
+  void operator()(const Interface_snapshot_3<Complex>& interface_,
+                  const std::vector<typename Complex::Approximate_point_3>& positions, double /*t*/,
+                  std::vector<typename Complex::Approximate_vector_3>& velocities) const {
+    namespace internal = Deformable_simplicial_complexes::internal;
+    using Vector = typename Complex::Approximate_vector_3;
+    velocities.assign(positions.size(), Vector(0, 0, 0));
+    std::vector<double> areas(positions.size(), 0);
+    for (const auto& triangle : interface_.triangles) {
+      const auto& v = triangle.vertices;
+      const internal::Cotangent_weights_3 weights(internal::corners(triangle, positions));
+      for (int i = 0; i < 3; ++i) {
+        const std::size_t a = v[(i + 1) % 3], b = v[(i + 2) % 3];
+        const Vector pull = weights.halved_cotangents[i] * (positions[b] - positions[a]);
+        velocities[a] = velocities[a] + pull;
+        velocities[b] = velocities[b] - pull;
+        areas[v[i]] += weights.mixed_areas[i];
+      }
+    }
+    for (std::size_t i = 0; i < velocities.size(); ++i)
+      velocities[i] = areas[i] > 0 ? velocities[i] / areas[i] : Vector(0, 0, 0);
+  }
+};
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Mean curvature flow, semi-implicitly: the same forces as of `Mean_curvature_velocity_3`, but taken
+where a step ends, with the weights of where it begins (M. Desbrun, M. Meyer, P. Schröder,
+A. H. Barr, *Implicit fairing of irregular meshes using diffusion and curvature flow*, SIGGRAPH
+1999). One such step and two of half the length are extrapolated. Stable for steps of any length, of
+the second order in it.
+
+\cgalModels `InterfaceStep_3`
+*/
+class Mean_curvature_flow_3
+{
+public:
+  /// \param preserves_volumes whether every label keeps its volume: the interface is then moved
+  /// along its normals after each step, the facets between two labels equally far. Up to rounding
+  /// for labels that do not reach the boundary of the domain.
+  explicit Mean_curvature_flow_3(bool preserves_volumes = false)
+      : m_preserves_volumes(preserves_volumes) {}
+
+  /// computes where vertices go, as `InterfaceStep_3` says. Three sparse Cholesky factorizations:
+  /// about n log n in the size of the interface. \throws Deformable_simplicial_complexes::Error if
+  /// dt is negative, or all facets of a vertex are without area.
+  template <class Complex>
+  void operator()(const Interface_snapshot_3<Complex>& interface_,
+                  const std::vector<typename Complex::Approximate_point_3>& positions, double /*t*/,
+                  double dt,
+                  std::vector<typename Complex::Approximate_point_3>& destinations) const {
+    if (!(dt >= 0))
+      throw Deformable_simplicial_complexes::Error(
+          "mean curvature flow cannot go back in time: use a time step of 0 or more");
+    const auto whole = implicit_step(interface_, positions, dt);
+    const auto half = implicit_step(interface_, positions, dt / 2);
+    destinations = implicit_step(interface_, half, dt / 2);
+    for (std::size_t i = 0; i < destinations.size(); ++i)
+      destinations[i] = destinations[i] + (destinations[i] - whole[i]);
+    if (m_preserves_volumes)
+      keep_volumes(interface_, positions, destinations);
+  }
+
+private:
+  // One step of backward Euler with the weights of its beginning.
+  template <class Complex>
+  static std::vector<typename Complex::Approximate_point_3>
+  implicit_step(const Interface_snapshot_3<Complex>& interface_,
+                const std::vector<typename Complex::Approximate_point_3>& positions, double dt) {
+    namespace internal = Deformable_simplicial_complexes::internal;
+    using Matrix = Eigen::SparseMatrix<double>;
+    const Eigen::Index n = Eigen::Index(positions.size());
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::VectorXd areas = Eigen::VectorXd::Zero(n);
+    for (const auto& triangle : interface_.triangles) {
+      const auto& v = triangle.vertices;
+      const internal::Cotangent_weights_3 weights(internal::corners(triangle, positions));
+      for (int i = 0; i < 3; ++i) {
+        const auto a = Eigen::Index(v[(i + 1) % 3]), b = Eigen::Index(v[(i + 2) % 3]);
+        const double weight = dt * weights.halved_cotangents[i];
+        entries.emplace_back(a, a, weight);
+        entries.emplace_back(b, b, weight);
+        entries.emplace_back((std::max)(a, b), (std::min)(a, b), -weight);
+        areas(Eigen::Index(v[i])) += weights.mixed_areas[i];
+      }
+    }
+    Eigen::Matrix<double, Eigen::Dynamic, 3> right(n, 3);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      entries.emplace_back(i, i, areas(i));
+      for (int k = 0; k < 3; ++k)
+        right(i, k) = areas(i) * positions[std::size_t(i)][k];
+    }
+    Matrix matrix(n, n); // its lower triangle
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    Eigen::SimplicialLDLT<Matrix> solver(matrix);
+    if (solver.info() != Eigen::Success)
+      throw Deformable_simplicial_complexes::Error(
+          "the step of mean curvature flow cannot be solved for: a vertex has only facets without "
+          "area; improve the interface, or take shorter steps");
+    const Eigen::Matrix<double, Eigen::Dynamic, 3> solution = solver.solve(right);
+    std::vector<typename Complex::Approximate_point_3> result;
+    for (Eigen::Index i = 0; i < n; ++i)
+      result.emplace_back(solution(i, 0), solution(i, 1), solution(i, 2));
+    return result;
+  }
+
+  template <class Complex, class Points>
+  static void keep_volumes(const Interface_snapshot_3<Complex>& interface_, const Points& before,
+                           Points& positions) {
+    const Deformable_simplicial_complexes::internal::Volume_changer_3<Complex> changer(interface_);
+    auto amounts = changer.changes(before, positions);
+    for (auto& [label, amount] : amounts)
+      amount = -amount;
+    changer.change_by(amounts, positions);
+  }
+
+  bool m_preserves_volumes;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_MEAN_CURVATURE_FLOW_3_H

@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTORE_VOLUMES_3_H
+#define CGAL_RESTORE_VOLUMES_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/label_volumes_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
+#include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
+#include <CGAL/deform_interface_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Gives labels the volumes they are to have, by moving the interface along its normals, the facets
+between two labels equally far: the correction after a step of a flow that keeps volumes, whose
+discretization does not quite. It is repeated until the volumes are right, as `deform_interface()`
+may change the mesh on the way.
+
+\param dsc the complex.
+\param volumes of labels, positive, in the coordinates of the complex. Labels that are not mentioned
+       take what is left.
+\param np named parameters: those of `deform_interface()` and
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{volume_tolerance}
+    \cgalParamDescription{by how much a volume may differ in the end, relative to itself, positive}
+    \cgalParamType{`double`} \cgalParamDefault{1e-10}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{how often the interface is moved at the most}
+    \cgalParamType{`unsigned int`} \cgalParamDefault{5}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return whether all volumes are right within the tolerance. If not, they are nearer than before, or
+        something keeps the interface from where it should go.
+\throws Deformable_simplicial_complexes::Error if a label does not occur, a volume or the tolerance
+       is not positive; the complex is then unchanged.
+
+Linear in the size of the interface, plus the deformations.
+*/
+template <class Complex, class NamedParameters =
+                             Deformable_simplicial_complexes::parameters::Default_named_parameters>
+bool restore_volumes(Complex& dsc, const std::map<typename Complex::Label, double>& volumes,
+                     const NamedParameters& np = NamedParameters()) {
+  namespace tags = Deformable_simplicial_complexes::internal_np;
+  namespace internal = Deformable_simplicial_complexes::internal;
+  using Deformable_simplicial_complexes::Error;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const double tolerance = choose_parameter(get_parameter(np, tags::volume_tolerance), 1e-10);
+  const unsigned iterations =
+      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 5u);
+  if (!(tolerance > 0))
+    throw Error("the tolerance of volumes is out of range: use more than 0");
+  for (const auto& [label, volume] : volumes) {
+    if (!(volume > 0) || !std::isfinite(volume))
+      throw Error("the volume of label " + std::to_string(label) +
+                  " cannot be restored: it is not positive and finite");
+    if (dsc.number_of_cells(label) == 0)
+      throw Error("the volume of label " + std::to_string(label) +
+                  " cannot be restored: no cell has this label any more");
+  }
+
+  for (unsigned i = 0;; ++i) {
+    std::map<typename Complex::Label, double> missing;
+    bool is_right = true;
+    for (const auto& [label, volume] : volumes) {
+      missing[label] = volume - dsc.volume(label);
+      is_right = is_right && std::abs(missing[label]) <= tolerance * volume;
+    }
+    if (is_right || i == iterations)
+      return is_right;
+    const Interface_snapshot_3<Complex> interface_(dsc);
+    auto positions = interface_.positions(dsc);
+    internal::Volume_changer_3<Complex>(interface_).change_by(missing, positions);
+    internal::number_vertices(interface_.vertices);
+    deform_interface(
+        dsc,
+        [&](typename Complex::Vertex_handle v) {
+          return dsc.geom_traits().construct_exact_point_3_object()(positions[v->scratch_index()]);
+        },
+        np);
+  }
+}
+
+} // namespace CGAL
+
+#endif // CGAL_RESTORE_VOLUMES_3_H

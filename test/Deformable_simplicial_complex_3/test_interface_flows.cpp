@@ -1,0 +1,231 @@
+#include "mesh_helpers.h"
+
+#include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/label_volumes_3.h>
+#include <CGAL/advect_interface_3.h>
+#include <CGAL/face_offsetting_3.h>
+#include <CGAL/mean_curvature_flow_3.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace {
+
+using small_meshes::Complex;
+using small_meshes::grid;
+using small_meshes::make_complex;
+using Position = Complex::Approximate_point_3;
+using Vector = Complex::Approximate_vector_3;
+using Snapshot = CGAL::Interface_snapshot_3<Complex>;
+
+double length(const Vector& v) { return std::sqrt(v.squared_length()); }
+
+double area(const Snapshot& snapshot, const std::vector<Position>& positions) {
+  double sum = 0;
+  for (const auto& [vertices, behind, in_front] : snapshot.triangles)
+    sum += length(CGAL::cross_product(positions[vertices[1]] - positions[vertices[0]],
+                                      positions[vertices[2]] - positions[vertices[0]])) /
+           2;
+  return sum;
+}
+
+double mean_radius(const std::vector<Position>& positions) {
+  double sum = 0;
+  for (const Position& p : positions)
+    sum += length(p - CGAL::ORIGIN);
+  return sum / double(positions.size());
+}
+
+template <class Step>
+std::vector<Position> destinations(const Complex& dsc, const Step& step, double dt) {
+  const Snapshot snapshot(dsc);
+  std::vector<Position> result;
+  step(snapshot, snapshot.positions(dsc), 0, dt, result);
+  return result;
+}
+
+double largest_distance(const std::vector<Position>& a, const std::vector<Position>& b) {
+  double result = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    result = (std::max)(result, length(a[i] - b[i]));
+  return result;
+}
+
+double maximum_norm(const Position& p) {
+  return (std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+}
+
+} // namespace
+
+// The forces are the gradient of the area: compared with differences, triple lines included.
+TEST(Mean_curvature, velocities_are_the_gradient_of_the_area) {
+  const Complex dsc = mesh_helpers::jittered_grid(4, small_meshes::two_boxes, .2, 1);
+  const Snapshot snapshot(dsc);
+  const std::vector<Position> positions = snapshot.positions(dsc);
+  std::vector<Vector> velocities;
+  CGAL::Mean_curvature_velocity_3()(snapshot, positions, 0, velocities);
+  const auto areas =
+      CGAL::Deformable_simplicial_complexes::internal::mixed_areas(snapshot, positions);
+  double total = 0;
+  for (double a : areas)
+    total += a;
+  EXPECT_NEAR(total, area(snapshot, positions), 1e-12);
+
+  mesh_helpers::Random random(2);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    static constexpr double h = 1e-6;
+    const Vector way = random.vector<Complex>(1);
+    std::vector<Position> plus = positions, minus = positions;
+    plus[i] = plus[i] + h * way;
+    minus[i] = minus[i] - h * way;
+    EXPECT_NEAR((area(snapshot, plus) - area(snapshot, minus)) / (2 * h),
+                -areas[i] * (velocities[i] * way), 1e-8);
+  }
+}
+
+TEST(Mean_curvature, spheres_shrink_as_they_should) {
+  static constexpr double r = .6, dt = .005;
+  Complex dsc = mesh_helpers::sphere(8, r);
+  for (int i = 1; i <= 6; ++i) {
+    EXPECT_TRUE(CGAL::advect_interface(dsc, CGAL::Mean_curvature_flow_3(), i * dt, dt).complete);
+    EXPECT_TRUE(dsc.is_valid());
+    EXPECT_NEAR(mean_radius(Snapshot(dsc).positions(dsc)) / std::sqrt(r * r - 4 * i * dt), 1, .01);
+  }
+  // Step by explicit step, of a size that is stable
+  Complex by_velocity = mesh_helpers::sphere(8, r);
+  for (int i = 1; i <= 20; ++i)
+    EXPECT_TRUE(
+        CGAL::advect_interface(by_velocity, CGAL::Mean_curvature_velocity_3(), 0, .001).complete);
+  EXPECT_NEAR(mean_radius(Snapshot(by_velocity).positions(by_velocity)) / std::sqrt(r * r - .08), 1,
+              .01);
+}
+
+// The difference of a step and two half ones falls with the third power.
+TEST(Mean_curvature, steps_are_of_second_order) {
+  const Complex dsc = mesh_helpers::sphere(4, .6);
+  const CGAL::Mean_curvature_flow_3 flow;
+  const Snapshot snapshot(dsc);
+  const auto error = [&](double dt) {
+    const auto whole = destinations(dsc, flow, dt), half = destinations(dsc, flow, dt / 2);
+    std::vector<Position> twice;
+    flow(snapshot, half, dt / 2, dt / 2, twice);
+    return largest_distance(whole, twice);
+  };
+  EXPECT_NEAR(std::log2(error(.002) / error(.001)), 3, .4);
+}
+
+// Long steps are no danger: everything shrinks, nothing overshoots.
+TEST(Mean_curvature, steps_of_any_length_are_stable) {
+  const Complex dsc = mesh_helpers::sphere(4, .6);
+  for (const Position& p : destinations(dsc, CGAL::Mean_curvature_flow_3(), 1e4))
+    EXPECT_LT(length(p - CGAL::ORIGIN), .6);
+}
+
+TEST(Mean_curvature, keeps_the_volumes_of_all_labels) {
+  Complex dsc = make_complex(grid(8, small_meshes::two_boxes));
+  std::map<int, double> volumes;
+  for (int label : dsc.labels())
+    volumes[label] = dsc.volume(label);
+  double last_area = dsc.area(0) + dsc.area(1) + dsc.area(2);
+  for (int i = 0; i < 5; ++i) {
+    const auto report = CGAL::advect_interface(dsc, CGAL::Mean_curvature_flow_3(true), 0, .005);
+    EXPECT_TRUE(report.complete);
+    const double area = dsc.area(0) + dsc.area(1) + dsc.area(2);
+    EXPECT_LT(area, last_area);
+    last_area = area;
+    if (report.split + report.collapsed == 0) {
+      for (const auto& [label, volume] : volumes)
+        EXPECT_NEAR(dsc.volume(label), volume, 1e-12);
+    }
+  }
+}
+
+TEST(Mean_curvature, refuses_to_go_back_in_time) {
+  Complex dsc = mesh_helpers::sphere(4, .6);
+  const auto before = dsc.state();
+  EXPECT_THROW(CGAL::advect_interface(dsc, CGAL::Mean_curvature_flow_3(), 0, -1e-3),
+               CGAL::Deformable_simplicial_complexes::Error);
+  EXPECT_TRUE(dsc.state() == before);
+}
+
+TEST(Volume_changer, reaches_amounts_exactly) {
+  const Complex dsc = mesh_helpers::sphere(4, .6);
+  const Snapshot snapshot(dsc);
+  const std::vector<Position> before = snapshot.positions(dsc);
+  const CGAL::Deformable_simplicial_complexes::internal::Volume_changer_3<Complex> changer(
+      snapshot);
+  for (double amount : {-.1, 1e-9, .2}) {
+    std::vector<Position> after = before;
+    changer.change_by({{1, amount}}, after);
+    EXPECT_NEAR(changer.changes(before, after)[1], amount, 1e-14);
+    EXPECT_NEAR(changer.changes(before, after)[0], -amount, 1e-14);
+  }
+}
+
+// What runs away from a convex edge becomes round: vertices keep the distance of the offset.
+TEST(Face_offset, rounds_what_is_convex) {
+  static constexpr double d = .1;
+  const Complex dsc = make_complex(grid(8, small_meshes::cube));
+  const std::vector<Position> before = Snapshot(dsc).positions(dsc);
+  const std::vector<Position> after = destinations(dsc, CGAL::Face_offset_3(1), d);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_NEAR(length(after[i] - before[i]), d, 1e-12);
+    Vector expected(0, 0, 0); // towards the means of the sides that the vertex is on
+    for (int k = 0; k < 3; ++k)
+      if (std::abs(before[i][k]) == .5)
+        expected = expected + Vector(k == 0, k == 1, k == 2) * (before[i][k] > 0 ? 1 : -1);
+    EXPECT_GT(expected * (after[i] - before[i]), length(expected) * d * (1 - 1e-12));
+  }
+}
+
+TEST(Face_offset, keeps_what_is_concave_sharp) {
+  static constexpr double d = .1;
+  const Complex dsc = make_complex(grid(8, small_meshes::cube));
+  for (const Position& p : destinations(dsc, CGAL::Face_offset_3(-1), d))
+    EXPECT_NEAR(maximum_norm(p), .5 - d, 1e-12);
+}
+
+TEST(Face_offset, keeps_walls_between_labels_in_their_planes) {
+  const Complex dsc = make_complex(grid(8, small_meshes::two_boxes));
+  const std::vector<Position> before = Snapshot(dsc).positions(dsc);
+  const std::vector<Position> after = destinations(dsc, CGAL::Face_offset_3(1), .05);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (before[i].x() == 0) {
+      EXPECT_NEAR(after[i].x(), 0, 1e-12);
+      EXPECT_NEAR(maximum_norm(after[i]),
+                  maximum_norm(before[i]) == .5 ? .55 : maximum_norm(before[i]), 1e-12);
+    }
+  }
+}
+
+// Where the facets meet at angles below the threshold, vertices go exactly that far.
+TEST(Face_offset, spheres_grow_and_shrink_by_the_offset) {
+  for (double speed : {-1., 1.}) {
+    Complex dsc = mesh_helpers::sphere(8, .6);
+    const std::vector<Position> before = Snapshot(dsc).positions(dsc);
+    const std::vector<Position> after = destinations(dsc, CGAL::Face_offset_3(speed, .2), .05);
+    for (std::size_t i = 0; i < before.size(); ++i)
+      EXPECT_NEAR(length(after[i] - before[i]), .05, 1e-12);
+    EXPECT_TRUE(CGAL::advect_interface(dsc, CGAL::Face_offset_3(speed, .2), 0, .05).complete);
+    EXPECT_NEAR(mean_radius(Snapshot(dsc).positions(dsc)), .6 + speed * .05, 1e-3);
+  }
+}
+
+// The shape moves as the field says, and vertices do not slide in the sides.
+TEST(Advective_face_offset, moves_across_the_interface_only) {
+  const Vector velocity(.3, .2, .1);
+  const auto field = [&](const Position&, double) { return velocity; };
+  const Complex dsc = make_complex(grid(8, small_meshes::cube));
+  const std::vector<Position> before = Snapshot(dsc).positions(dsc);
+  const auto after = destinations(dsc, CGAL::Advective_face_offset_3<decltype(field)>(field), .5);
+  for (std::size_t i = 0; i < before.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(after[i][k], before[i][k] + (std::abs(before[i][k]) == .5 ? .5 * velocity[k] : 0),
+                  1e-12);
+}
