@@ -89,6 +89,35 @@ Surface sphere(double radius, std::size_t n) {
   return surface;
 }
 
+Surface torus(double tube_radius, std::size_t n) {
+  std::vector<std::array<double, 2>> circle;
+  for (std::size_t i = 0; i < 3 * n; ++i) {
+    const double angle = 2 * CGAL_PI * double(i) / double(3 * n);
+    circle.push_back({tube_radius * std::sin(angle), 1 - tube_radius * std::cos(angle)});
+  }
+  circle.push_back(circle.front());
+  Surface surface;
+  append_revolved(surface, circle, 5 * n);
+  return surface;
+}
+
+Surface dumbbell(std::size_t n) {
+  static constexpr double ball_radius = .5, degree = CGAL_PI / 180;
+  const double bar_end = 1 - ball_radius * std::cos(30 * degree); // the bar begins at 150 degrees
+  std::vector<std::array<double, 2>> profile;
+  for (std::size_t i = 0; i < 2 * n; ++i) {
+    const double angle = 150 * degree * double(i) / double(2 * n);
+    profile.push_back({-1 - ball_radius * std::cos(angle), ball_radius * std::sin(angle)});
+  }
+  for (std::size_t i = 0; i <= n; ++i)
+    profile.push_back({-bar_end * double(n - i) / double(n), dumbbell_bar_radius});
+  for (std::size_t i = profile.size() - 1; i-- > 0;)
+    profile.push_back({-profile[i][0], profile[i][1]});
+  Surface surface;
+  append_revolved(surface, profile, 2 * n);
+  return surface;
+}
+
 void append(Surface& surface, const Surface& other) {
   const std::size_t first = surface.points.size();
   surface.points.insert(surface.points.end(), other.points.begin(), other.points.end());

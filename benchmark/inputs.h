@@ -31,6 +31,14 @@ void append_revolved(Surface& surface, const std::vector<std::array<double, 2>>&
 /// A sphere about the origin, of 20 n^2 triangles.
 Surface sphere(double radius, std::size_t n);
 
+/// A torus about the x axis, whose tube has its centre at a distance of 1 from it, of 30 n^2
+/// triangles.
+Surface torus(double tube_radius, std::size_t n);
+
+/// Balls of radius 0.5 about (-1, 0, 0) and (1, 0, 0) and a bar between them.
+Surface dumbbell(std::size_t n);
+constexpr double dumbbell_bar_radius = .25;
+
 /// Appends the triangles of another surface.
 void append(Surface& surface, const Surface& other);
 

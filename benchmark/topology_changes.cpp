@@ -81,45 +81,24 @@ Flow to_axis(const std::function<double(double)>& speed) {
 }
 
 // Its hole closes when the radius 0.4 of the hole has been covered.
-Scenario torus(std::size_t n) {
+Scenario shrinking_torus(std::size_t n) {
   static constexpr double tube_radius = .6;
-  std::vector<std::array<double, 2>> circle;
-  for (std::size_t i = 0; i < 3 * n; ++i) {
-    const double angle = 2 * CGAL_PI * double(i) / double(3 * n);
-    circle.push_back({tube_radius * std::sin(angle), 1 - tube_radius * std::cos(angle)});
-  }
-  circle.push_back(circle.front());
-  Surface surface;
-  append_revolved(surface, circle, 5 * n);
-  return {surface,
+  return {torus(tube_radius, n),
           to_axis([](double) { return 1.; }),
           {{{1, 1, 0}, 0}, {{1, 1, 2}, 1 - tube_radius}},
           {},
           .8};
 }
 
-// Balls about (-1, 0, 0) and (1, 0, 0) and a bar between them, pinched in the middle.
-Scenario dumbbell(std::size_t n) {
-  static constexpr double ball_radius = .5, bar_radius = .25; // the bar begins at 150 degrees
-  const double bar_end = 1 - ball_radius * std::cos(30 * degree);
-  std::vector<std::array<double, 2>> profile;
-  for (std::size_t i = 0; i < 2 * n; ++i) {
-    const double angle = 150 * degree * double(i) / double(2 * n);
-    profile.push_back({-1 - ball_radius * std::cos(angle), ball_radius * std::sin(angle)});
-  }
-  for (std::size_t i = 0; i <= n; ++i)
-    profile.push_back({-bar_end * double(n - i) / double(n), bar_radius});
-  for (std::size_t i = profile.size() - 1; i-- > 0;)
-    profile.push_back({-profile[i][0], profile[i][1]});
-  Surface surface;
-  append_revolved(surface, profile, 2 * n);
+// Pinched in the middle.
+Scenario pinched_dumbbell(std::size_t n) {
   const auto bump = [](double x) {
     const double y = 1 - 4 * x * x;
     return y > 0 ? y * y : 0.;
   };
-  return {surface,
+  return {dumbbell(n),
           to_axis(bump),
-          {{{1, 1, 2}, 0}, {{2, 1, 4}, bar_radius}},
+          {{{1, 1, 2}, 0}, {{2, 1, 4}, dumbbell_bar_radius}},
           {"label 1 split 1 → 2"},
           .5};
 }
@@ -265,7 +244,10 @@ int main(int argc, char** argv) {
   using namespace dsc_benchmark;
   CLI::App app("Moves a surface by a flow that changes its topology.");
   const std::map<std::string, Scenario (*)(std::size_t)> scenarios = {
-      {"torus", torus}, {"dumbbell", dumbbell}, {"shell", shell}, {"split", split}};
+      {"torus", shrinking_torus},
+      {"dumbbell", pinched_dumbbell},
+      {"shell", shell},
+      {"split", split}};
   std::string name;
   std::size_t n = 10;
   bool prints_steps = false;

@@ -38,7 +38,8 @@ public:
   using Point_3 = Simple_cartesian<double>::Point_3; ///< in the coordinates of the complex
 
   /*!
-  Estimates the curvatures from the normals of the vertices.
+  Estimates the curvatures from the normals of the vertices, but for those on lines where more than
+  two labels meet, which have none.
 
   \param dsc the complex.
   \param tolerance distance between edges and surface, positive.
@@ -72,11 +73,19 @@ public:
       m_tree->build();
   }
 
-  /// The wanted length of an edge at p. Logarithmic in the size of the interface.
+  /// The wanted length of an edge at p: where two vertices are equally near, the shorter one of
+  /// theirs. Logarithmic in the size of the interface.
   double operator()(const Point_3& p) const {
+    static constexpr double same = 1 + 1e-6; // ratio of squared distances that rounding may change
     if (m_tree->empty())
       return m_longest;
-    return Search(*m_tree, p, 1).begin()->first.second;
+    const Search search(*m_tree, p, 2);
+    const auto nearest = search.begin();
+    double result = nearest->first.second;
+    for (auto next = search.begin(); next != search.end(); ++next)
+      if (next->second <= same * nearest->second)
+        result = (std::min)(result, next->first.second);
+    return result;
   }
 
 private:
@@ -92,31 +101,40 @@ private:
                                                   double shortest, double longest) {
     namespace internal = Deformable_simplicial_complexes::internal;
     const auto normals = internal::vertex_normals(interface_, positions);
+    const std::vector<char> is_on_line = internal::vertices_on_lines(interface_);
     std::vector<double> lengths(positions.size(), longest);
     for_each_edge(interface_, [&](std::size_t a, std::size_t b) {
+      if (is_on_line[a] || is_on_line[b]) // there is no normal
+        return;
       const auto edge = positions[b] - positions[a];
       const double bend = std::abs((normals[b] - normals[a]) * edge); // curvature * squared length
       if (!(bend > 0))
         return;
       const double length =
-          std::max(shortest, std::sqrt(8 * tolerance * edge.squared_length() / bend));
-      lengths[a] = std::min(lengths[a], length);
-      lengths[b] = std::min(lengths[b], length);
+          (std::max)(shortest, std::sqrt(8 * tolerance * edge.squared_length() / bend));
+      lengths[a] = (std::min)(lengths[a], length);
+      lengths[b] = (std::min)(lengths[b], length);
     });
     return lengths;
   }
 
-  // Short lengths spread, as far as a few edges.
+  // Short lengths spread until none is longer than its neighbors allow.
   template <class Interface, class Points>
   static void grade(const Interface& interface_, const Points& positions, double gradation,
                     std::vector<double>& lengths) {
-    static constexpr int reach = 4;
-    for (int i = 0; i < reach; ++i)
+    for (bool has_changed = true; has_changed;) {
+      has_changed = false;
       for_each_edge(interface_, [&](std::size_t a, std::size_t b) {
-        const double more = gradation * std::sqrt((positions[b] - positions[a]).squared_length());
-        lengths[a] = std::min(lengths[a], lengths[b] + more);
-        lengths[b] = std::min(lengths[b], lengths[a] + more);
+        if (lengths[a] > lengths[b])
+          std::swap(a, b);
+        const double bound =
+            lengths[a] + gradation * std::sqrt((positions[b] - positions[a]).squared_length());
+        if (lengths[b] > bound) {
+          lengths[b] = bound;
+          has_changed = true;
+        }
       });
+    }
   }
 
   template <class Interface, class Function>

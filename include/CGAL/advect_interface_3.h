@@ -9,6 +9,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface_paths_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
 #include <CGAL/deform_interface_3.h>
 
 namespace CGAL {
@@ -76,6 +77,11 @@ Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& veloc
     throw Deformable_simplicial_complexes::Error(
         "the tolerance of the integration is out of range: use more than 0");
   const Interface_snapshot_3<Complex> interface_(dsc);
+  if (scheme == Integration_scheme::adaptive && !(dsc.mean_interface_edge() > 0) &&
+      !interface_.vertices.empty())
+    throw Deformable_simplicial_complexes::Error(
+        "there is no unit for the tolerance of the integration: the complex was built without an "
+        "interface; use another scheme");
   const auto destinations =
       internal::find_destinations(interface_, interface_.positions(dsc), velocity, t, dt, scheme,
                                   tolerance * dsc.mean_interface_edge());

@@ -5,9 +5,9 @@
 #ifndef CGAL_FACE_OFFSETTING_3_H
 #define CGAL_FACE_OFFSETTING_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complex_3/Integration_scheme.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Vertex_quadric_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface_paths_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface_triangles_3.h>
@@ -25,8 +25,8 @@ namespace CGAL {
 Wavefrontal motion by face offsetting (X. Jiao, *Face offsetting: A unified approach for explicit
 moving interfaces*, Journal of Computational Physics 220, 2007): the planes of the facets move along
 their normals, and vertices go where their planes meet. Labelled phases grow into the outside, label
-0, or shrink if the speed is negative; facets between other labels hold their vertices in their
-planes.
+0, or shrink if the speed is negative; facets between other labels, and the sides of the domain,
+hold their vertices in their planes.
 
 Edges and corners that the front runs away from become round, as in Huygens' principle: their
 vertices keep the distance of the offset. Those that it runs into stay sharp. `Normal_offset_3` is
@@ -39,8 +39,11 @@ class Face_offset_3
 public:
   /// \param speed length per unit of time, in the coordinates of the complex.
   /// \param eigenvalue_threshold what is an edge, see `improve_interface()`; in [0, 1).
+  /// \throws Deformable_simplicial_complexes::Error if the threshold is out of its range.
   explicit Face_offset_3(double speed, double eigenvalue_threshold = .025)
-      : m_speed(speed), m_threshold(eigenvalue_threshold) {}
+      : m_speed(speed), m_threshold(eigenvalue_threshold) {
+    Deformable_simplicial_complexes::internal::check_eigenvalue_threshold(m_threshold);
+  }
 
   /// computes where vertices go, as `InterfaceStep_3` says. Linear in the size of the interface.
   template <class Complex>
@@ -67,12 +70,15 @@ public:
         vertices[v].is_held = vertices[v].is_held || sign == 0;
       }
     }
-    for (Vertex& v : vertices) {
+    static constexpr double short_part = .1; // of the offset, where its facets cancel each other
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      Vertex& v = vertices[i];
+      v.is_held = hold_in_sides(interface_.vertices[i]->boundary_class(), v.quadric) || v.is_held;
       v.quadric.analyse(m_threshold);
       v.displacement = v.quadric.displacement();
       const double length = std::sqrt(v.displacement.squared_length());
-      if (length > 0)
-        v.direction = v.displacement / length;
+      v.direction = length > short_part * std::abs(offset) ? v.displacement / length
+                                                           : v.quadric.mean_direction();
     }
     // How far along its direction the facets take a vertex: where it moves away from a facet, that
     // is the offset, else as far as it takes to have the offset from the plane.
@@ -98,6 +104,15 @@ public:
   }
 
 private:
+  // Sides of the domain are planes that do not move.
+  template <class Quadric> static bool hold_in_sides(Boundary_class::Bits sides, Quadric& quadric) {
+    const double weight = quadric.sum_of_weights();
+    for (int axis = 0; axis < 3; ++axis)
+      if (Boundary_class::fixes(sides, axis))
+        quadric.add({axis == 0 ? 1. : 0., axis == 1 ? 1. : 0., axis == 2 ? 1. : 0.}, weight);
+    return sides != Boundary_class::inside;
+  }
+
   double m_speed, m_threshold;
 };
 
@@ -117,8 +132,11 @@ template <class Field> class Advective_face_offset_3
 public:
   /// \param field the velocities.
   /// \param eigenvalue_threshold what is an edge, see `improve_interface()`; in [0, 1).
+  /// \throws Deformable_simplicial_complexes::Error if the threshold is out of its range.
   explicit Advective_face_offset_3(Field field, double eigenvalue_threshold = .025)
-      : m_field(std::move(field)), m_threshold(eigenvalue_threshold) {}
+      : m_field(std::move(field)), m_threshold(eigenvalue_threshold) {
+    Deformable_simplicial_complexes::internal::check_eigenvalue_threshold(m_threshold);
+  }
 
   /// computes where vertices go, as `InterfaceStep_3` says. Paths are integrated by
   /// `Integration_scheme::rk4`. Linear in the size of the interface.

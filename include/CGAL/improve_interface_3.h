@@ -26,10 +26,10 @@ paper): splits long edges, collapses short ones, flips edges that do not fulfill
 criterion, removes facets with small angles, and moves vertices along the interface (null-space
 smoothing). The tetrahedra around are improved where that made them bad.
 
-The topology stays, and so do corners, lines and points where more than two labels meet, and edges
-between facets whose normals differ by more than what the parameters call smooth: vertices move only
-along them. Smoothing keeps the volumes of labels up to rounding; flips, collapses and curved splits
-change them slightly.
+The topology stays, and so do lines and points where more than two labels meet, but for splits.
+Sharp edges, corners and their shape stay: vertices move and collapse only along edges, and these
+are not flipped. Smoothing keeps the volumes of labels up to rounding; flips, collapses and curved
+splits change them slightly.
 
 \param dsc the complex.
 \param np named parameters:
@@ -48,6 +48,12 @@ change them slightly.
     \cgalParamDescription{edges are flipped if the normals of their facets differ by less, in
                           degrees, in [0, 90]}
     \cgalParamType{`double`} \cgalParamDefault{5, the paper's}
+  \cgalParamNEnd
+  \cgalParamNBegin{feature_angle}
+    \cgalParamDescription{edges where the normals of the facets differ by more are features, in
+                          degrees, in [0, 180]: never flipped, and collapsed only along lines that
+                          bend by less}
+    \cgalParamType{`double`} \cgalParamDefault{60}
   \cgalParamNEnd
   \cgalParamNBegin{size_field}
     \cgalParamDescription{the wanted length of edges, a positive function of position:
@@ -93,7 +99,8 @@ change them slightly.
 \cgalNamedParamsEnd
 
 \return what was done.
-\throws Deformable_simplicial_complexes::Error if a parameter is out of its range, the complex then
+\throws Deformable_simplicial_complexes::Error if a parameter is out of its range, or there is
+       neither a size field nor was there an interface when the complex was built, the complex then
        being unchanged, or if the size field has a value that is not positive. An exception of the
        size field or of the visitor leaves a valid complex.
 
@@ -115,17 +122,21 @@ Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = N
   const double flip_angle = choose_parameter(get_parameter(np, tags::flip_angle), 5.);
   if (!(flip_angle >= 0 && flip_angle <= 90))
     throw Error("the angle up to which edges are flipped is out of range: use 0 to 90 degrees");
+  const double feature_angle = choose_parameter(get_parameter(np, tags::feature_angle), 60.);
+  if (!(feature_angle >= 0 && feature_angle <= 180))
+    throw Error("the angle of features is out of range: use 0 to 180 degrees");
   const double minimum_angle = choose_parameter(get_parameter(np, tags::minimum_facet_angle), 15.);
   if (!(minimum_angle >= 0 && minimum_angle <= 30))
     throw Error("the smallest angle of a facet is out of range: use 0 to 30 degrees");
   const internal::Interface_thresholds thresholds = {
-      choose_parameter(get_parameter(np, tags::aggressiveness), .025),
-      choose_parameter(get_parameter(np, tags::interface_split_length), 2.),
-      choose_parameter(get_parameter(np, tags::interface_collapse_length), .25),
-      choose_parameter(get_parameter(np, tags::swept_volume), .1),
+      double(choose_parameter(get_parameter(np, tags::aggressiveness), .025)),
+      double(choose_parameter(get_parameter(np, tags::interface_split_length), 2.)),
+      double(choose_parameter(get_parameter(np, tags::interface_collapse_length), .25)),
+      double(choose_parameter(get_parameter(np, tags::swept_volume), .1)),
       flip_angle * degree,
+      feature_angle * degree,
       minimum_angle * degree,
-      choose_parameter(get_parameter(np, tags::quality_threshold), .2),
+      double(choose_parameter(get_parameter(np, tags::quality_threshold), .2)),
       choose_parameter(get_parameter(np, tags::curved_splits), false)};
   internal::check_interface_thresholds(thresholds);
   const unsigned iterations =
@@ -135,6 +146,9 @@ Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = N
 
   using Visitor = std::remove_reference_t<decltype(visitor)>;
   using Unit = std::remove_const_t<decltype(unit)>;
+  if (!Unit::is_size_field && !(dsc.mean_interface_edge() > 0) && !dsc.interface_vertices().empty())
+    throw Error("there is no wanted length of edges: the complex was built without an interface; "
+                "give a size field");
   internal::Interface_improver_3<Complex, Visitor, Unit> improver(dsc, visitor, thresholds, unit);
   for (unsigned i = 0; i < iterations; ++i) {
     improver.split_long_edges();

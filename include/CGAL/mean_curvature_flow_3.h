@@ -5,6 +5,7 @@
 #ifndef CGAL_MEAN_CURVATURE_FLOW_3_H
 #define CGAL_MEAN_CURVATURE_FLOW_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/cotangent_weights_3.h>
@@ -77,14 +78,15 @@ class Mean_curvature_flow_3
 {
 public:
   /// \param preserves_volumes whether every label keeps its volume: the interface is then moved
-  /// along its normals after each step, the facets between two labels equally far. Up to rounding
+  /// along its normals after each step, flat parts between two labels equally far. Up to rounding
   /// for labels that do not reach the boundary of the domain.
   explicit Mean_curvature_flow_3(bool preserves_volumes = false)
       : m_preserves_volumes(preserves_volumes) {}
 
-  /// computes where vertices go, as `InterfaceStep_3` says. Three sparse Cholesky factorizations:
-  /// about n log n in the size of the interface. \throws Deformable_simplicial_complexes::Error if
-  /// dt is negative, or all facets of a vertex are without area.
+  /// computes where vertices go, as `InterfaceStep_3` says. Three sparse Cholesky factorizations,
+  /// more where the interface ends on sides of the domain: about n log n in the size of the
+  /// interface. \throws Deformable_simplicial_complexes::Error if dt is negative, or all facets of
+  /// a vertex are without area.
   template <class Complex>
   void operator()(const Interface_snapshot_3<Complex>& interface_,
                   const std::vector<typename Complex::Approximate_point_3>& positions, double /*t*/,
@@ -103,15 +105,17 @@ public:
   }
 
 private:
-  // One step of backward Euler with the weights of its beginning.
+  using Entries = std::vector<Eigen::Triplet<double>>;
+
+  // One step of backward Euler with the weights of its beginning. Vertices on sides of the domain
+  // stay on them.
   template <class Complex>
   static std::vector<typename Complex::Approximate_point_3>
   implicit_step(const Interface_snapshot_3<Complex>& interface_,
                 const std::vector<typename Complex::Approximate_point_3>& positions, double dt) {
     namespace internal = Deformable_simplicial_complexes::internal;
-    using Matrix = Eigen::SparseMatrix<double>;
     const Eigen::Index n = Eigen::Index(positions.size());
-    std::vector<Eigen::Triplet<double>> entries;
+    Entries stiffness; // its lower triangle
     Eigen::VectorXd areas = Eigen::VectorXd::Zero(n);
     for (const auto& triangle : interface_.triangles) {
       const auto& v = triangle.vertices;
@@ -119,29 +123,66 @@ private:
       for (int i = 0; i < 3; ++i) {
         const auto a = Eigen::Index(v[(i + 1) % 3]), b = Eigen::Index(v[(i + 2) % 3]);
         const double weight = dt * weights.halved_cotangents[i];
-        entries.emplace_back(a, a, weight);
-        entries.emplace_back(b, b, weight);
-        entries.emplace_back((std::max)(a, b), (std::min)(a, b), -weight);
+        stiffness.emplace_back(a, a, weight);
+        stiffness.emplace_back(b, b, weight);
+        stiffness.emplace_back((std::max)(a, b), (std::min)(a, b), -weight);
         areas(Eigen::Index(v[i])) += weights.mixed_areas[i];
       }
     }
-    Eigen::Matrix<double, Eigen::Dynamic, 3> right(n, 3);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      entries.emplace_back(i, i, areas(i));
-      for (int k = 0; k < 3; ++k)
-        right(i, k) = areas(i) * positions[std::size_t(i)][k];
+    Eigen::Matrix<double, Eigen::Dynamic, 3> solution(n, 3);
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver;
+    std::vector<char> is_fixed, was_fixed;
+    for (int axis = 0; axis < 3; ++axis) {
+      Eigen::VectorXd start(n);
+      is_fixed.clear();
+      for (std::size_t i = 0; i < positions.size(); ++i) {
+        start(Eigen::Index(i)) = positions[i][axis];
+        is_fixed.push_back(Boundary_class::fixes(interface_.vertices[i]->boundary_class(), axis));
+      }
+      if (axis == 0 || is_fixed != was_fixed)
+        factorize(stiffness, areas, is_fixed, solver);
+      solution.col(axis) = solver.solve(right_side(stiffness, areas, is_fixed, start));
+      was_fixed = is_fixed;
     }
-    Matrix matrix(n, n); // its lower triangle
+    std::vector<typename Complex::Approximate_point_3> result;
+    for (Eigen::Index i = 0; i < n; ++i)
+      result.emplace_back(solution(i, 0), solution(i, 1), solution(i, 2));
+    return result;
+  }
+
+  // Rows of fixed vertices are those of the identity.
+  template <class Solver>
+  static void factorize(const Entries& stiffness, const Eigen::VectorXd& areas,
+                        const std::vector<char>& is_fixed, Solver& solver) {
+    Entries entries;
+    for (const auto& entry : stiffness)
+      if (!is_fixed[std::size_t(entry.row())] && !is_fixed[std::size_t(entry.col())])
+        entries.push_back(entry);
+    for (Eigen::Index i = 0; i < areas.size(); ++i)
+      entries.emplace_back(i, i, is_fixed[std::size_t(i)] ? 1 : areas(i));
+    Eigen::SparseMatrix<double> matrix(areas.size(), areas.size());
     matrix.setFromTriplets(entries.begin(), entries.end());
-    Eigen::SimplicialLDLT<Matrix> solver(matrix);
+    solver.compute(matrix);
     if (solver.info() != Eigen::Success)
       throw Deformable_simplicial_complexes::Error(
           "the step of mean curvature flow cannot be solved for: a vertex has only facets without "
           "area; improve the interface, or take shorter steps");
-    const Eigen::Matrix<double, Eigen::Dynamic, 3> solution = solver.solve(right);
-    std::vector<typename Complex::Approximate_point_3> result;
-    for (Eigen::Index i = 0; i < n; ++i)
-      result.emplace_back(solution(i, 0), solution(i, 1), solution(i, 2));
+  }
+
+  static Eigen::VectorXd right_side(const Entries& stiffness, const Eigen::VectorXd& areas,
+                                    const std::vector<char>& is_fixed,
+                                    const Eigen::VectorXd& start) {
+    Eigen::VectorXd result = areas.cwiseProduct(start);
+    for (const auto& entry : stiffness) {
+      const auto i = entry.row(), j = entry.col();
+      if (is_fixed[std::size_t(i)] && !is_fixed[std::size_t(j)])
+        result(j) -= entry.value() * start(i);
+      if (is_fixed[std::size_t(j)] && !is_fixed[std::size_t(i)])
+        result(i) -= entry.value() * start(j);
+    }
+    for (Eigen::Index i = 0; i < result.size(); ++i)
+      if (is_fixed[std::size_t(i)])
+        result(i) = start(i);
     return result;
   }
 

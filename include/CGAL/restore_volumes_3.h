@@ -12,7 +12,6 @@
 #include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
 #include <CGAL/deform_interface_3.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -22,7 +21,7 @@ namespace CGAL {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Gives labels the volumes they are to have, by moving the interface along its normals, the facets
+Gives labels the volumes they are to have, by moving the interface along its normals, flat parts
 between two labels equally far: the correction after a step of a flow that keeps volumes, whose
 discretization does not quite. It is repeated until the volumes are right, as `deform_interface()`
 may change the mesh on the way.
@@ -43,10 +42,11 @@ may change the mesh on the way.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return whether all volumes are right within the tolerance. If not, they are nearer than before, or
-        something keeps the interface from where it should go.
+\return whether all volumes are right within the tolerance. If not, something keeps the interface
+        from where it should go, or there were too few iterations.
 \throws Deformable_simplicial_complexes::Error if a label does not occur, a volume or the tolerance
-       is not positive; the complex is then unchanged.
+       is not positive, or all labels are given and their volumes do not fill the domain; the
+complex is then unchanged.
 
 Linear in the size of the interface, plus the deformations.
 */
@@ -64,7 +64,11 @@ bool restore_volumes(Complex& dsc, const std::map<typename Complex::Label, doubl
       choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 5u);
   if (!(tolerance > 0))
     throw Error("the tolerance of volumes is out of range: use more than 0");
+  double domain = 0, wanted = 0;
+  for (const auto label : dsc.labels())
+    domain += dsc.volume(label);
   for (const auto& [label, volume] : volumes) {
+    wanted += volume;
     if (!(volume > 0) || !std::isfinite(volume))
       throw Error("the volume of label " + std::to_string(label) +
                   " cannot be restored: it is not positive and finite");
@@ -72,6 +76,10 @@ bool restore_volumes(Complex& dsc, const std::map<typename Complex::Label, doubl
       throw Error("the volume of label " + std::to_string(label) +
                   " cannot be restored: no cell has this label any more");
   }
+  if (volumes.size() == dsc.labels().size() && std::abs(wanted - domain) > tolerance * domain)
+    throw Error(
+        "the volumes of all labels are given, but do not sum up to that of the domain; leave "
+        "a label out, and it will take what is left");
 
   for (unsigned i = 0;; ++i) {
     std::map<typename Complex::Label, double> missing;

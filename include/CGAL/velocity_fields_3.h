@@ -53,7 +53,7 @@ private:
 \ingroup PkgDeformableSimplicialComplex3Ref
 
 The single vortex of Bell, Colella and Glaz in each plane of constant z, that is the curl of
-\f$\psi = \sin^2(\pi x) \sin^2(\pi y) / \pi\f$, with time running backwards in every second half of
+\f$\psi = -\sin^2(\pi x) \sin^2(\pi y) / \pi\f$, with time running backwards in every second half of
 the period. It keeps volumes and the unit square.
 
 \cgalModels `VelocityField_3`
@@ -106,13 +106,15 @@ public:
       const double r = std::sqrt(1 - z * z);
       return Vector_3(r * std::cos(angle), r * std::sin(angle), z);
     };
-    // The square of a cosine is 1/2 on average, that of the sine between two directions 2/3.
-    const double amplitude = speed * std::sqrt(3. / number_of_waves);
+    double mean_square = 0;
     for (unsigned i = 0; i < number_of_waves; ++i) {
       const Vector_3 along = direction(), potential = direction();
-      m_waves.push_back({2 * CGAL_PI / wave_length * along,
-                         amplitude * cross_product(along, potential), 2 * CGAL_PI * uniform()});
+      m_waves.push_back({2 * CGAL_PI / wave_length * along, cross_product(along, potential),
+                         2 * CGAL_PI * uniform()});
+      mean_square += m_waves.back().velocity.squared_length() / 2; // of a cosine: 1/2
     }
+    for (Wave& wave : m_waves)
+      wave.velocity = speed / std::sqrt(mean_square) * wave.velocity;
   }
 
   /// The velocity at p, which does not depend on the time.

@@ -272,15 +272,56 @@ TEST(Improve_interface, random_complexes) {
     CGAL::improve_interface(dsc, np);
     EXPECT_TRUE(dsc.is_valid());
     EXPECT_TRUE(betti_numbers::of_complex(dsc) == topology);
+    EXPECT_EQ(dsc.labels(), input.labels());
     CGAL::improve_interface(again, np);
     EXPECT_TRUE(dsc.state() == again.state());
   }
+}
+
+// Short edges and small angles of the sides and of the edges go, the cube stays.
+TEST(Improve_interface, keeps_features) {
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    Complex dsc = disturbed_cube(seed);
+    const double volume = dsc.volume(1);
+    const auto report = CGAL::improve_interface(dsc, parameters::interface_collapse_length(.9)
+                                                         .minimum_facet_angle(30.)
+                                                         .swept_volume(1.)
+                                                         .number_of_iterations(3));
+    EXPECT_TRUE(dsc.is_valid());
+    EXPECT_GT(report.collapsed, 10u);
+    EXPECT_NEAR(dsc.volume(1), volume, 1e-12);
+    int corners = 0;
+    for (Vertex_handle v : dsc.interface_vertices()) {
+      EXPECT_GE(number_of_sides(dsc.position(v)), 1);
+      corners += number_of_sides(dsc.position(v)) == 3;
+    }
+    EXPECT_EQ(corners, 8);
+  }
+}
+
+// An interface may end on a side of the domain in a ridge: new vertices are to stay on the side.
+TEST(Improve_interface, curved_splits_stay_on_the_boundary) {
+  const auto ridge = [](const small_meshes::Point& p) {
+    return p.z() < -.5 - std::abs(p.y()) ? 1 : 0;
+  };
+  Complex dsc = make_complex(grid(4, ridge));
+  CGAL::improve_interface(dsc, parameters::curved_splits(true).interface_split_length(.6));
+  EXPECT_TRUE(dsc.is_valid());
+}
+
+TEST(Improve_interface, needs_a_length) {
+  Complex dsc = make_complex(grid(4, small_meshes::uniform));
+  dsc.relabel(dsc.cells().front(), 1); // an interface that was not there when it was built
+  EXPECT_THROW(CGAL::improve_interface(dsc), CGAL::Deformable_simplicial_complexes::Error);
+  CGAL::improve_interface(dsc, parameters::size_field([](const Position&) { return 1.; }));
+  EXPECT_TRUE(dsc.is_valid());
 }
 
 TEST(Improve_interface, removes_small_angles) {
   Complex dsc = mesh_helpers::jittered_grid(6, small_meshes::ball, .45, 8);
   const double worst = worst_facet(dsc);
   const auto report = CGAL::improve_interface(dsc, only_smoothing.aggressiveness(0.)
+                                                       .feature_angle(180.)
                                                        .minimum_facet_angle(30.)
                                                        .swept_volume(1.)
                                                        .number_of_iterations(3));
@@ -298,6 +339,8 @@ TEST(Improve_interface, refuses_parameters_out_of_range) {
     EXPECT_THROW(CGAL::improve_interface(dsc, parameters::aggressiveness(bad)), Error);
   for (double bad : {-1., 91., nan})
     EXPECT_THROW(CGAL::improve_interface(dsc, parameters::flip_angle(bad)), Error);
+  for (double bad : {-1., 181., nan})
+    EXPECT_THROW(CGAL::improve_interface(dsc, parameters::feature_angle(bad)), Error);
   for (double bad : {-1., 31., nan})
     EXPECT_THROW(CGAL::improve_interface(dsc, parameters::minimum_facet_angle(bad)), Error);
   for (double bad : {-1., 0., nan})
@@ -331,6 +374,8 @@ TEST(Curvature_size_field, is_graded) {
   EXPECT_EQ(size({.5, .375, 0}), .01);
   EXPECT_NEAR(size({.5, .25, 0}), .01 + .5 * .125, 1e-12);
   EXPECT_NEAR(size({.5, .125, 0}), .01 + .5 * .25, 1e-12);
+  const CGAL::Curvature_size_field_3 slowly(dsc, 1e-6, .01, 1., .05);
+  EXPECT_NEAR(slowly({.5, 0, 0}), .01 + .05 * .375, 1e-12);
   const Complex nothing = make_complex(grid(2, small_meshes::uniform));
   EXPECT_EQ(CGAL::Curvature_size_field_3(nothing, 1e-6, .01, 1.)({0, 0, 0}), 1);
 }

@@ -38,8 +38,10 @@ TEST(Restore_volumes, of_labels_that_touch) {
   expect_restored(make_complex(grid(8, small_meshes::two_boxes)), {{0, 1.}, {1, 1.05}, {2, .95}});
 }
 
-// The interface ends on the sides of the domain, and slides along them.
+// The interface ends on the sides of the domain, at right angles or not, and slides along them.
 TEST(Restore_volumes, of_labels_on_the_boundary) {
+  const auto slope = [](const small_meshes::Point& p) { return p.x() > p.y() ? 1 : 0; };
+  expect_restored(make_complex(grid(4, slope)), {{1, 1.01}});
   expect_restored(make_complex(grid(4, small_meshes::four_phases)), {{0, 1.02}, {1, .97}, {2, 1.}});
 }
 
@@ -66,6 +68,7 @@ TEST(Restore_volumes, refuses_nonsense) {
   const auto before = dsc.state();
   using CGAL::Deformable_simplicial_complexes::Error;
   EXPECT_THROW(CGAL::restore_volumes(dsc, {{7, 1.}}), Error);
+  EXPECT_THROW(CGAL::restore_volumes(dsc, {{0, dsc.volume(0)}, {1, .9 * dsc.volume(1)}}), Error);
   for (double bad : {0., -1., std::nan(""), HUGE_VAL})
     EXPECT_THROW(CGAL::restore_volumes(dsc, {{1, bad}}), Error);
   for (double bad : {0., -1., std::nan("")})

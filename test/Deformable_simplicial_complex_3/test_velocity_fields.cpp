@@ -83,7 +83,7 @@ TEST(Velocity_fields, curl_noise) {
     differs = differs || field(p, 0) != CGAL::Curl_noise_velocity_3(.5, speed, 8)(p, 0);
   }
   EXPECT_TRUE(differs);
-  EXPECT_NEAR(std::sqrt(squares / samples), speed, .25 * speed);
+  EXPECT_NEAR(std::sqrt(squares / samples), speed, .05 * speed);
 }
 
 TEST(Velocity_fields, in_user_coordinates) {

@@ -9,6 +9,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {

@@ -45,10 +45,7 @@ public:
   bool is_in_sheet() const { return m_facets.size() == 2 && m_is_between_two_labels; }
 
   // The angle between the normals of the two facets, in radians. \pre is_in_sheet()
-  double bend() const {
-    const Vector a = area_vector(m_facets[0]), b = area_vector(m_facets[1]);
-    return std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
-  }
+  double bend() const { return angle_between(area_vector(m_facets[0]), area_vector(m_facets[1])); }
 
   // Whether the angles opposite to the edge sum up to more than 180 degrees, by more than rounding.
   // \pre is_in_sheet()
@@ -80,9 +77,8 @@ private:
   }
 
   double opposite_angle(std::size_t i) const {
-    const Vector a = m_complex.position(m_ends[0]) - m_opposite[i];
-    const Vector b = m_complex.position(m_ends[1]) - m_opposite[i];
-    return std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
+    return angle_between(m_complex.position(m_ends[0]) - m_opposite[i],
+                         m_complex.position(m_ends[1]) - m_opposite[i]);
   }
 
   const Complex& m_complex;

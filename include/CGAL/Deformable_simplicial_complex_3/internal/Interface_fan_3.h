@@ -5,6 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_FAN_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_FAN_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface_triangles_3.h>
+
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
@@ -77,6 +79,19 @@ public:
         return steps == size();
     }
     return false;
+  }
+
+  // The neighbors across whose edges the facets bend by more than an angle, in radians.
+  // \pre is_disk()
+  std::vector<Vertex_handle> neighbors_along_features(double angle) const {
+    std::vector<Vertex_handle> result;
+    const Point p = m_complex.position(m_center);
+    for (std::size_t i = 0; i < size(); ++i)
+      for (std::size_t j = 0; j < size(); ++j)
+        if (m_facets[i][1] == m_facets[j][0] &&
+            angle_between(area_vector(facet(i, p)), area_vector(facet(j, p))) > angle)
+          result.push_back(m_facets[j][0]);
+    return result;
   }
 
 private:

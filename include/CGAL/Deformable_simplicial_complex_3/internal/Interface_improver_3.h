@@ -41,6 +41,7 @@ struct Interface_thresholds
   double split, collapse;   // in edge units
   double swept_volume;      // in cubes of edge units
   double flip_angle;        // between the normals of two facets, in radians
+  double feature_angle;     // between the normals of two facets, in radians
   double smallest_angle;    // of a facet, in radians
   double quality_threshold; // of tetrahedra
   bool splits_curved;
@@ -64,7 +65,6 @@ template <class Complex, class Visitor, class Unit> class Interface_improver_3
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
-  using Edge = typename Complex::Edge;
 
   // Lengths of edges are measured by `unit`.
   Interface_improver_3(Complex& complex, Visitor& visitor, const Interface_thresholds& thresholds,
@@ -158,9 +158,12 @@ private:
     });
   }
 
+  // Whether the edge belongs to a facet of the cell that is on the interface.
   bool is_interface_edge(Cell_handle c, int i, int j) const {
-    return c->vertex(i)->is_interface() && c->vertex(j)->is_interface() &&
-           m_complex.is_interface(Edge(c, i, j));
+    for (int k = 0; k < 4; ++k)
+      if (k != i && k != j && m_complex.is_interface(typename Complex::Facet(c, k)))
+        return true;
+    return false;
   }
 
   double length_in_units(Vertex_handle v, Vertex_handle w) const {
@@ -199,8 +202,11 @@ private:
     return true;
   }
 
-  // Nothing where the interface is not a single smooth sheet.
+  // Nothing where the interface is not a single smooth sheet, or touches the boundary of the
+  // domain.
   std::optional<typename Complex::Approximate_point_3> curved_middle(Cell_handle c, int i, int j) {
+    if (m_complex.is_boundary(c->vertex(i)) && m_complex.is_boundary(c->vertex(j)))
+      return std::nullopt;
     m_complex.star(c->vertex(i), m_star);
     const Interface_fan_3<Complex> a(m_complex, c->vertex(i), m_star);
     m_complex.star(c->vertex(j), m_star);
@@ -238,24 +244,43 @@ private:
     return least < std::numeric_limits<double>::infinity() && commit();
   }
 
+  // Whether no feature goes with v: that it is in a smooth sheet, or that it goes along a straight
+  // feature.
+  bool may_collapse(Vertex_handle v, Vertex_handle kept) {
+    m_complex.star(v, m_star);
+    const Interface_fan_3<Complex> fan(m_complex, v, m_star);
+    if (!fan.is_disk())
+      return false;
+    const auto neighbors = fan.neighbors_along_features(m_thresholds.feature_angle);
+    if (neighbors.empty())
+      return true;
+    const auto p = m_complex.position(v);
+    return neighbors.size() == 2 && (kept == neighbors[0] || kept == neighbors[1]) &&
+           angle_between(m_complex.position(neighbors[0]) - p,
+                         p - m_complex.position(neighbors[1])) < m_thresholds.feature_angle;
+  }
+
   // Proposes to collapse vertex i into vertex j if little of the interface moves.
   std::optional<Changed_facets_3> propose_collapse(Cell_handle c, int i, int j) {
     static constexpr double worst = .05; // quality of a cell that a collapse may make
-    if (!propose_edge_collapse(m_complex, c, i, j, worst, m_cavity))
+    if (!may_collapse(c->vertex(i), c->vertex(j)) ||
+        !propose_edge_collapse(m_complex, c, i, j, worst, m_cavity))
       return std::nullopt;
-    return if_small(facets_changed_by_collapse(m_complex, m_cavity), c, i);
+    return if_small(facets_changed_by_collapse(m_complex, m_cavity), c, i, j);
   }
 
   std::optional<Changed_facets_3> propose_flip(Cell_handle c, int i, int j) {
     const Interface_edge_3<Complex> edge(m_complex, c, i, j);
-    if (!edge.is_in_sheet() || !propose_interface_edge_flip(m_complex, c, i, j, m_cavity))
+    if (!edge.is_in_sheet() || edge.bend() > m_thresholds.feature_angle ||
+        !propose_interface_edge_flip(m_complex, c, i, j, m_cavity))
       return std::nullopt;
-    return if_small(facets_changed_by_flip(edge), c, i);
+    return if_small(facets_changed_by_flip(edge), c, i, j);
   }
 
-  std::optional<Changed_facets_3> if_small(const Changed_facets_3& change, Cell_handle c,
-                                           int i) const {
-    const double unit = m_unit(m_complex.position(c->vertex(i)));
+  std::optional<Changed_facets_3> if_small(const Changed_facets_3& change, Cell_handle c, int i,
+                                           int j) const {
+    const double unit =
+        m_unit(midpoint(m_complex.position(c->vertex(i)), m_complex.position(c->vertex(j))));
     if (change.swept_volume <= m_thresholds.swept_volume * unit * unit * unit)
       return change;
     return std::nullopt;

@@ -6,7 +6,6 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_TRIANGLES_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/cotangent_weights_3.h>
 
 #include <array>
 #include <cmath>
@@ -27,6 +26,11 @@ std::array<Point, 3> corners(const Triangle& triangle, const std::vector<Point>&
 // Perpendicular to a triangle, towards its front, as long as its area.
 template <class Point> auto area_vector(const std::array<Point, 3>& p) {
   return cross_product(p[1] - p[0], p[2] - p[0]) / 2;
+}
+
+// In radians; accurate for small angles, and 0 if a vector is.
+template <class Vector> double angle_between(const Vector& a, const Vector& b) {
+  return std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
 }
 
 // Whether a triangle goes forwards (1), backwards (-1) or not at all (0) when labelled phases grow
@@ -73,26 +77,28 @@ vertex_normals(const Interface_snapshot_3<Complex>& interface_,
       result[v[i]] = result[v[i]] + std::atan2(2 * triangle.area, a * b) * triangle.unit_normal;
     }
   }
+  static constexpr double rounding = 1e-9; // of sums of angles
   for (Vector& normal : result) {
     const double length = std::sqrt(normal.squared_length());
-    if (length > 0)
-      normal = normal / length;
+    normal = length > rounding ? normal / length : Vector(0, 0, 0);
   }
   return result;
 }
 
-// The area that belongs to each vertex of a snapshot.
+// Whether more than two labels meet in each vertex of a snapshot.
 template <class Complex>
-std::vector<double>
-mixed_areas(const Interface_snapshot_3<Complex>& interface_,
-            const std::vector<typename Complex::Approximate_point_3>& positions) {
-  std::vector<double> areas(positions.size(), 0);
-  for (const auto& triangle : interface_.triangles) {
-    const Cotangent_weights_3 weights(corners(triangle, positions));
-    for (int i = 0; i < 3; ++i)
-      areas[triangle.vertices[i]] += weights.mixed_areas[i];
-  }
-  return areas;
+std::vector<char> vertices_on_lines(const Interface_snapshot_3<Complex>& interface_) {
+  std::vector<char> result(interface_.vertices.size(), false);
+  std::vector<const typename Interface_snapshot_3<Complex>::Triangle*> first(result.size(),
+                                                                             nullptr);
+  for (const auto& triangle : interface_.triangles)
+    for (std::size_t v : triangle.vertices) {
+      if (first[v] == nullptr)
+        first[v] = &triangle;
+      result[v] = result[v] || triangle.behind != first[v]->behind ||
+                  triangle.in_front != first[v]->in_front;
+    }
+  return result;
 }
 
 } // namespace internal

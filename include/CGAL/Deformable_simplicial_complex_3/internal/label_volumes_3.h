@@ -5,12 +5,12 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABEL_VOLUMES_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABEL_VOLUMES_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface_triangles_3.h>
 
 #include <Eigen/Dense>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -24,9 +24,9 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // Moves the vertices of an interface along its normals so that volumes of labels change by given
-// amounts, up to rounding; the facets of a label go as far as each other. By Newton's method with
-// one unknown for each label. Volumes are those that the interface encloses: where it ends on the
-// boundary of the domain, the part between it and the boundary is not counted.
+// amounts, up to rounding; flat parts between two labels stay flat and go equally far. By Newton's
+// method with one unknown for each label. Volumes are those that the interface encloses: where it
+// ends on the boundary of the domain, the part between it and the boundary is not counted.
 template <class Complex> class Volume_changer_3
 {
 public:
@@ -53,14 +53,11 @@ public:
   // Labels that are not mentioned take what is left.
   void change_by(const std::map<Label, double>& amounts, std::vector<Point>& positions) const {
     static constexpr int iterations = 10; // Newton's method doubles the digits in each
-    static constexpr double rounding = 1e-14;
     const std::vector<Point> start = positions;
-    double size = 0;
-    for (const auto& [label, amount] : amounts)
-      size = (std::max)(size, std::abs(amount));
-    double last_error = std::numeric_limits<double>::infinity();
+    std::vector<Point> candidate = positions;
+    double least_error = std::numeric_limits<double>::infinity();
     for (int k = 0; k < iterations; ++k) {
-      const auto changed = changes(start, positions);
+      const auto changed = changes(start, candidate);
       Eigen::VectorXd missing(amounts.size());
       Eigen::Index row = 0;
       for (const auto& [label, amount] : amounts) {
@@ -68,10 +65,11 @@ public:
         missing(row++) = amount - (found == changed.end() ? 0 : found->second);
       }
       const double error = missing.size() == 0 ? 0 : missing.cwiseAbs().maxCoeff();
-      if (!(error > rounding * size) || !(error < last_error))
-        break;
-      last_error = error;
-      offset(amounts, missing, positions);
+      if (!(error < least_error))
+        return;
+      least_error = error;
+      positions = candidate;
+      offset(amounts, missing, candidate);
     }
   }
 
@@ -94,6 +92,7 @@ private:
     for (const auto& [label, amount] : labels)
       row.emplace(label, Eigen::Index(row.size()));
     std::vector<std::map<Eigen::Index, Vector>> gradients(positions.size());
+    std::vector<double> areas(positions.size(), 0); // a third of each facet around
     for (const auto& triangle : m_interface.triangles) {
       const Vector normal = area_vector(corners(triangle, positions)) / 3;
       for (const auto& [label, sign] :
@@ -102,11 +101,12 @@ private:
         if (found != row.end())
           for (std::size_t v : triangle.vertices) {
             Vector& gradient = gradients[v].try_emplace(found->second, 0, 0, 0).first->second;
-            gradient = gradient + sign * normal;
+            gradient = gradient + sign * within_sides(normal, m_interface.vertices[v]);
           }
       }
+      for (std::size_t v : triangle.vertices)
+        areas[v] += std::sqrt(normal.squared_length());
     }
-    const std::vector<double> areas = mixed_areas(m_interface, positions);
     Eigen::MatrixXd products = Eigen::MatrixXd::Zero(missing.size(), missing.size());
     for (std::size_t v = 0; v < positions.size(); ++v)
       for (const auto& [i, a] : gradients[v])
@@ -114,11 +114,23 @@ private:
           if (areas[v] > 0)
             products(i, j) += a * b / areas[v];
     // Singular where all labels are given, as their sum is.
-    const Eigen::VectorXd lengths = products.completeOrthogonalDecomposition().solve(missing);
+    static constexpr double rounding = 1e-10;
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+    decomposition.setThreshold(rounding);
+    decomposition.compute(products);
+    const Eigen::VectorXd lengths = decomposition.solve(missing);
     for (std::size_t v = 0; v < positions.size(); ++v)
       for (const auto& [i, gradient] : gradients[v])
         if (areas[v] > 0)
           positions[v] = positions[v] + lengths(i) / areas[v] * gradient;
+  }
+
+  // What is left of a vector where the vertex must stay on sides of the domain.
+  template <class Vertex_handle> static Vector within_sides(const Vector& vector, Vertex_handle v) {
+    const auto component = [&](int axis) {
+      return Boundary_class::fixes(v->boundary_class(), axis) ? 0 : vector[axis];
+    };
+    return Vector(component(0), component(1), component(2));
   }
 
   const Interface_snapshot_3<Complex>& m_interface;

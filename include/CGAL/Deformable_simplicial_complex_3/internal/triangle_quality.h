@@ -5,6 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_TRIANGLE_QUALITY_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_TRIANGLE_QUALITY_H
 
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface_triangles_3.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,10 +27,8 @@ template <class Point> double triangle_quality(const std::array<Point, 3>& p) {
 // The smallest angle of a triangle, in radians; 0 if a side is.
 template <class Point> double smallest_angle(const std::array<Point, 3>& p) {
   double result = 4; // more than there is
-  for (int i = 0; i < 3; ++i) {
-    const auto a = p[(i + 1) % 3] - p[i], b = p[(i + 2) % 3] - p[i];
-    result = (std::min)(result, std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b));
-  }
+  for (int i = 0; i < 3; ++i)
+    result = (std::min)(result, angle_between(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]));
   return result;
 }
 
