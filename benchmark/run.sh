@@ -2,12 +2,12 @@
 # Builds the benchmarks, runs them on the meshes of CGAL, and writes tables and raw results into
 # BUILD_DIR/benchmark-results. See README.md for what is measured.
 # Usage: benchmark/run.sh [BUILD_DIR [motion] [breathing] [topology] [improvement] [memory] [operations]
-#                                   [abuse] [meshes]]
+#                                   [flows] [surfaces] [abuse] [meshes]]
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
 build=$(realpath --canonicalize-missing "${1:-$source/build}")
 parts=("${@:2}")
-[ ${#parts[@]} -gt 0 ] || parts=(motion breathing topology improvement memory operations abuse meshes)
+[ ${#parts[@]} -gt 0 ] || parts=(motion breathing topology flows surfaces improvement memory operations abuse meshes)
 mesh_seconds=${MESH_SECONDS:-600} # the time limit of one mesh in `meshes`
 
 programs=$build/benchmark
@@ -102,6 +102,45 @@ measure_breathing() {
   add_row "$table" "$programs/breathing" "$meshes/bunny00.off" --triangles 13900 --breaths 5
   add_row "$table" "$programs/breathing" "$meshes/bunny00.off" --triangles 13900 --breaths 5 \
     --length .02
+}
+
+measure_flows() {
+  local table=$results/enright.md enright=$programs/enright n
+  begin_table "$table" input period tolerance "triangles at the start" "at most" "in the end" valid \
+    "incomplete steps" "change of volume at whole periods (%)" "in between (%)" \
+    "mean distance to the start / edge" maximum "volume between interface and sphere" \
+    "area in the middle / at the start" seconds "sweeps per step"
+  for n in 16 32; do
+    add_row "$table" "$enright" sphere -n "$n"
+  done
+  add_row "$table" "$enright" "$meshes/armadillo.off"
+  for n in 8 16 32; do
+    add_row "$table" "$enright" sphere -n "$n" --period 3 --end 3 --tolerance .05
+  done
+
+  table=$results/mean_curvature.md
+  begin_table "$table" surface triangles what exact measured steps "incomplete steps" valid seconds \
+    "most sweeps for a step"
+  for n in 8 16 32; do
+    add_row "$table" "$programs/mean_curvature" sphere -n "$n"
+  done
+  local input
+  for input in torus thick_torus dumbbell "$meshes/bunny00.off"; do
+    add_row "$table" "$programs/mean_curvature" "$input"
+  done
+}
+
+measure_surfaces() {
+  local table=$results/interface_improvement.md name aggressiveness
+  begin_table "$table" input aggressiveness triangles "in the end" valid "maximum distance / edge" \
+    "mean distance / edge" "loss of volume (%)" "smallest angle before" after "mean before" after \
+    seconds
+  for name in refined_elephant armadillo; do
+    for aggressiveness in .2 .025 .003125; do
+      add_row "$table" "$programs/interface_improvement" "$meshes/$name.off" \
+        --aggressiveness "$aggressiveness"
+    done
+  done
 }
 
 measure_memory() {

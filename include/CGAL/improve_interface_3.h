@@ -41,7 +41,8 @@ splits change them slightly.
   \cgalParamNEnd
   \cgalParamNBegin{aggressiveness}
     \cgalParamDescription{up to which ratio of the eigenvalues of its quadric a vertex may move in a
-                          direction, see `propose_null_space_position()`; in [0, 1)}
+                          direction, see `propose_null_space_position()`; in [0, 1), 0 for no
+                          smoothing}
     \cgalParamType{`double`} \cgalParamDefault{0.025, the paper's}
   \cgalParamNEnd
   \cgalParamNBegin{flip_angle}

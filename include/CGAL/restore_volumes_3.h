@@ -43,7 +43,7 @@ may change the mesh on the way.
 \cgalNamedParamsEnd
 
 \return whether all volumes are right within the tolerance. If not, something keeps the interface
-        from where it should go, or there were too few iterations.
+        from where it should go, a visitor has ended it, or there were too few iterations.
 \throws Deformable_simplicial_complexes::Error if a label does not occur, a volume or the tolerance
        is not positive, or all labels are given and their volumes do not fill the domain; the
 complex is then unchanged.
@@ -94,12 +94,14 @@ bool restore_volumes(Complex& dsc, const std::map<typename Complex::Label, doubl
     auto positions = interface_.positions(dsc);
     internal::Volume_changer_3<Complex>(interface_).change_by(missing, positions);
     internal::number_vertices(interface_.vertices);
-    deform_interface(
+    const auto report = deform_interface(
         dsc,
         [&](typename Complex::Vertex_handle v) {
           return dsc.geom_traits().construct_exact_point_3_object()(positions[v->scratch_index()]);
         },
         np);
+    if (report.passes == 0) // a visitor has ended it, or nothing is left to move
+      return false;
   }
 }
 

@@ -3,9 +3,10 @@
 \cgalConcept
 
 An object that is told of each change that `CGAL::deform_interface()`, `CGAL::advect_interface()`,
-`CGAL::improve_mesh()`, `CGAL::control_detail()` and `CGAL::remove_degeneracies()` make to the
-simplices of a complex, so that data attached to them can follow, and that may end a deformation.
-Motion is not told of. Only the first two relabel cells, change the topology or have passes.
+`CGAL::restore_volumes()`, `CGAL::improve_mesh()`, `CGAL::improve_interface()`,
+`CGAL::control_detail()` and `CGAL::remove_degeneracies()` make to the simplices of a complex, so that
+data attached to them can follow, and that may end a deformation. Motion is not told of. Only the
+first three relabel cells, change the topology or have passes.
 
 The functions are called in an order that does not depend on the number of threads, by one thread at
 a time. None of them may change the complex. If one throws, the exception reaches the caller, and

@@ -58,6 +58,10 @@ public:
       function(facet[0]);
   }
 
+  bool has_neighbor(std::size_t i, Vertex_handle v) const {
+    return m_facets[i][0] == v || m_facets[i][1] == v;
+  }
+
   // Facet i with the center at p, counterclockwise seen from the front, p first.
   std::array<Point, 3> facet(std::size_t i, const Point& p) const {
     return {p, m_complex.position(m_facets[i][0]), m_complex.position(m_facets[i][1])};

@@ -85,14 +85,12 @@ public:
   }
 
   void collapse_short_edges() {
-    static constexpr double good = .5; // quality of facets
     for_each_interface_edge([&](Cell_handle c, int i, int j) {
       if (!(length_in_units(c->vertex(i), c->vertex(j)) < m_thresholds.collapse))
         return false;
       for (const auto& [vanishing, kept] : {std::make_pair(i, j), std::make_pair(j, i)})
-        if (const auto change = propose_collapse(c, vanishing, kept))
-          if (change->worst_after >= (std::min)(good, change->worst_before) && !makes_long_edge())
-            return commit();
+        if (propose_collapse(c, vanishing, kept) && !makes_long_edge())
+          return commit();
       return false;
     });
   }
@@ -118,7 +116,7 @@ public:
   }
 
   void smooth_vertices() {
-    if (m_thresholds.aggressiveness == 0) // nothing but planes would do
+    if (m_thresholds.aggressiveness == 0)
       return;
     typename Complex::Point_3 target;
     for (Vertex_handle v : m_complex.interface_vertices()) {
@@ -244,46 +242,48 @@ private:
     return least < std::numeric_limits<double>::infinity() && commit();
   }
 
-  // Whether no feature goes with v: that it is in a smooth sheet, or that it goes along a straight
-  // feature.
-  bool may_collapse(Vertex_handle v, Vertex_handle kept) {
-    m_complex.star(v, m_star);
-    const Interface_fan_3<Complex> fan(m_complex, v, m_star);
-    if (!fan.is_disk())
-      return false;
-    const auto neighbors = fan.neighbors_along_features(m_thresholds.feature_angle);
+  // Whether no feature goes with the center of a disk: that it is in a smooth sheet, or that it
+  // goes along a straight feature.
+  bool keeps_features(const Interface_fan_3<Complex>& disk, Vertex_handle kept) const {
+    const auto neighbors = disk.neighbors_along_features(m_thresholds.feature_angle);
     if (neighbors.empty())
       return true;
-    const auto p = m_complex.position(v);
+    const auto p = m_complex.position(disk.center());
     return neighbors.size() == 2 && (kept == neighbors[0] || kept == neighbors[1]) &&
            angle_between(m_complex.position(neighbors[0]) - p,
                          p - m_complex.position(neighbors[1])) < m_thresholds.feature_angle;
   }
 
-  // Proposes to collapse vertex i into vertex j if little of the interface moves.
+  // Proposes to collapse vertex i into vertex j if little of the interface moves, and no facet
+  // comes to be bad that was not.
   std::optional<Changed_facets_3> propose_collapse(Cell_handle c, int i, int j) {
+    static constexpr double good = .5;   // quality of facets
     static constexpr double worst = .05; // quality of a cell that a collapse may make
-    if (!may_collapse(c->vertex(i), c->vertex(j)) ||
-        !propose_edge_collapse(m_complex, c, i, j, worst, m_cavity))
+    m_complex.star(c->vertex(i), m_star);
+    const Interface_fan_3<Complex> fan(m_complex, c->vertex(i), m_star);
+    if (!fan.is_disk() || !keeps_features(fan, c->vertex(j)))
       return std::nullopt;
-    return if_small(facets_changed_by_collapse(m_complex, m_cavity), c, i, j);
+    const auto change = facets_changed_by_collapse(m_complex, fan, c->vertex(j));
+    if (!(change.worst_after > 0 && change.worst_after >= (std::min)(good, change.worst_before)) ||
+        !is_small(change, c, i, j) || !propose_edge_collapse(m_complex, c, i, j, worst, m_cavity))
+      return std::nullopt;
+    return change;
   }
 
   std::optional<Changed_facets_3> propose_flip(Cell_handle c, int i, int j) {
     const Interface_edge_3<Complex> edge(m_complex, c, i, j);
-    if (!edge.is_in_sheet() || edge.bend() > m_thresholds.feature_angle ||
-        !propose_interface_edge_flip(m_complex, c, i, j, m_cavity))
+    if (!edge.is_in_sheet() || edge.bend() > m_thresholds.feature_angle)
       return std::nullopt;
-    return if_small(facets_changed_by_flip(edge), c, i, j);
+    const auto change = facets_changed_by_flip(edge);
+    if (!is_small(change, c, i, j) || !propose_interface_edge_flip(m_complex, c, i, j, m_cavity))
+      return std::nullopt;
+    return change;
   }
 
-  std::optional<Changed_facets_3> if_small(const Changed_facets_3& change, Cell_handle c, int i,
-                                           int j) const {
+  bool is_small(const Changed_facets_3& change, Cell_handle c, int i, int j) const {
     const double unit =
         m_unit(midpoint(m_complex.position(c->vertex(i)), m_complex.position(c->vertex(j))));
-    if (change.swept_volume <= m_thresholds.swept_volume * unit * unit * unit)
-      return change;
-    return std::nullopt;
+    return change.swept_volume <= m_thresholds.swept_volume * unit * unit * unit;
   }
 
   bool makes_long_edge() const {

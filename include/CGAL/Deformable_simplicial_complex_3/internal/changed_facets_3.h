@@ -5,23 +5,21 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CHANGED_FACETS_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CHANGED_FACETS_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Interface_edge_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Interface_fan_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface_triangles_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/swept_volume_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/triangle_quality.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
-#include <utility>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What a proposal makes of the facets of the interface that it changes.
+// What an operation makes of the facets of the interface that it changes.
 struct Changed_facets_3
 {
   double worst_before = std::numeric_limits<double>::infinity(); // triangle_quality()
@@ -29,32 +27,23 @@ struct Changed_facets_3
   double swept_volume = 0; // between the interface before and after
 };
 
+// What the collapse of the center of a fan into one of its neighbors makes of its facets.
 template <class Complex>
 Changed_facets_3 facets_changed_by_collapse(const Complex& complex,
-                                            const Cavity_3<Complex>& collapse) {
-  using Point = typename Complex::Approximate_point_3;
+                                            const Interface_fan_3<Complex>& fan,
+                                            typename Complex::Vertex_handle kept) {
+  const auto from = complex.position(fan.center()), to = complex.position(kept);
   Changed_facets_3 result;
-  for (const auto c : collapse.removed())
-    for (int i = 0; i < 4; ++i) {
-      const std::pair<typename Complex::Cell_handle, int> facet(c, i);
-      if (c->vertex(i) == collapse.vanishing_vertex() || !complex.is_interface(facet))
-        continue;
-      const auto v = complex.facet_vertices(facet);
-      std::array<Point, 3> before, after;
-      bool vanishes = false;
-      for (int k = 0; k < 3; ++k) {
-        vanishes = vanishes || v[k] == collapse.kept_vertex();
-        before[k] = complex.position(v[k]);
-        after[k] = v[k] == collapse.vanishing_vertex() ? complex.position(collapse.kept_vertex())
-                                                       : before[k];
-      }
-      result.worst_before = (std::min)(result.worst_before, triangle_quality(before));
-      if (vanishes)
-        continue;
-      const bool turns_over = !(area_vector(before) * area_vector(after) > 0);
-      result.worst_after = (std::min)(result.worst_after, turns_over ? 0 : triangle_quality(after));
-    }
-  result.swept_volume = volume_swept_by_collapse(complex, collapse);
+  for (std::size_t i = 0; i < fan.size(); ++i) {
+    const auto before = fan.facet(i, from);
+    result.worst_before = (std::min)(result.worst_before, triangle_quality(before));
+    if (fan.has_neighbor(i, kept))
+      continue; // it vanishes
+    const auto after = fan.facet(i, to);
+    const bool turns_over = !(area_vector(before) * area_vector(after) > 0);
+    result.worst_after = (std::min)(result.worst_after, turns_over ? 0 : triangle_quality(after));
+    result.swept_volume += std::abs((to - from) * area_vector(before)) / 3;
+  }
   return result;
 }
 
