@@ -1,3 +1,5 @@
+#include "instantiations.h"
+
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>

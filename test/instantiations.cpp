@@ -1,0 +1,3 @@
+#define DSC_TEST_EXTERN
+
+#include "instantiations.h"
