@@ -5,10 +5,10 @@
 // Tries whether surfaces can be tracked: builds a complex of each and turns it a little, or says
 // why not. Prints one row of a table per file, without its head.
 
+#include "inputs.h"
 #include "measures.h"
 
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/IO/labelled_surface_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/advect_interface_3.h>
 #include <CGAL/interface_flows_3.h>
@@ -21,6 +21,7 @@
 #include <iostream>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace dsc_benchmark {
 namespace {
@@ -103,11 +104,12 @@ public:
 private:
   void rotate() {
     static constexpr int number_of_steps = 10;
-    auto surface = CGAL::IO::read_labelled_surface<Complex::Point_3>(m_path);
+    Surface surface = read_input(m_path, 0);
     m_triangles = std::to_string(surface.triangles.size());
     const double start = processor_seconds();
     Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
-        {std::move(surface)}, CGAL::Tetgen_tetrahedralizer_3(), parameters::normalize(true));
+        std::vector<Surface>{std::move(surface)}, CGAL::Tetgen_tetrahedralizer_3(),
+        parameters::normalize(true));
     m_tetrahedra = std::to_string(complex.number_of_cells());
 
     // The box is centred at the origin.

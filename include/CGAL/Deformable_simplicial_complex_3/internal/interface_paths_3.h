@@ -10,11 +10,11 @@
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
 
-#include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -51,7 +51,8 @@ velocities_at(const Interface_snapshot_3<Complex>& interface_,
   return result;
 }
 
-// Paths by the rule of Dormand and Prince, in as many steps as it takes to stay below a tolerance.
+// Paths by the rule of Dormand and Prince, in as many steps as it takes to stay below a tolerance,
+// but no more than a million, or a field without a limit of its derivatives would never end.
 template <class Complex, class Velocity>
 std::vector<typename Complex::Approximate_point_3>
 integrate_adaptively(const Interface_snapshot_3<Complex>& interface_,
@@ -75,13 +76,18 @@ integrate_adaptively(const Interface_snapshot_3<Complex>& interface_,
       for (int i = 0; i < 3; ++i)
         *out++ = v[i];
   };
-  try {
-    odeint::integrate_adaptive(
-        odeint::make_controlled(tolerance, 0., odeint::runge_kutta_dopri5<State>()), derivative,
-        state, t, t + dt, dt);
-  } catch (const odeint::odeint_error&) {
-    throw Error("the velocities change too fast to be integrated to the tolerance; use a larger "
-                "one, or shorter steps");
+  auto stepper = odeint::make_controlled(tolerance, 0., odeint::runge_kutta_dopri5<State>());
+  const double end = t + dt;
+  const double smallest_step = 1e-6 * std::abs(dt);
+  for (double step = dt;;) {
+    const bool is_last = std::abs(step) >= std::abs(end - t);
+    if (is_last)
+      step = end - t;
+    else if (!(std::abs(step) >= smallest_step))
+      throw Error("the velocities change too fast to be integrated to the tolerance; use a larger "
+                  "one, or shorter steps");
+    if (stepper.try_step(derivative, state, t, step) == odeint::success && is_last)
+      break;
   }
   return points(state);
 }
