@@ -11,14 +11,7 @@
 namespace dsc {
 
 /// The subcommand and its own options.
-inline Json motion_json(const Motion& motion) {
-  if (const Rotation* rotation = std::get_if<Rotation>(&motion))
-    return {{"command", "rotate"}, {"axis", rotation->axis}, {"angle", rotation->degrees}};
-  const Offset& offset = std::get<Offset>(motion);
-  return {{"command", "offset"},
-          {"distance", offset.distance},
-          {"unit", offset.in_mean_edges ? "mean interface edge" : "input"}};
-}
+Json motion_json(const Motion& motion);
 
 } // namespace dsc
 

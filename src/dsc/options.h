@@ -5,6 +5,8 @@
 #ifndef DSC_OPTIONS_H
 #define DSC_OPTIONS_H
 
+#include <CGAL/Deformable_simplicial_complex_3/Integration_scheme.h>
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -29,16 +31,54 @@ struct Offset
                       ///< coordinates
 };
 
-using Motion = std::variant<Rotation, Offset>;
+/// Move with a field of velocities, given in the coordinates of the input.
+struct Advection
+{
+  enum class Field { enright, vortex, expressions };
 
-/// What `dsc rotate` and `dsc offset` are asked to do.
+  Field field;
+  std::string expressions; ///< of the three coordinates, in x, y, z and t, if the field is these
+  double period;           ///< T of the factor cos(pi t / T); 0 for no such factor
+  double dt;               ///< per step
+  CGAL::Deformable_simplicial_complexes::Integration_scheme scheme;
+};
+
+/// Move by the mean curvature.
+struct Curvature_flow
+{
+  double dt; ///< per step, in squares of the input's unit of length; 0 for the square of the mean
+             ///< interface edge of the input
+  bool keeps_volumes;
+};
+
+using Motion = std::variant<Rotation, Offset, Advection, Curvature_flow>;
+
+/// A ball in the coordinates of the input.
+struct Ball
+{
+  std::array<double, 3> center;
+  double radius;
+};
+
+/// The surfaces that a run starts from.
+struct Run_start
+{
+  std::vector<std::string> inputs; ///< files
+  std::size_t triangles = 0;       ///< of all surfaces together; 0 keeps them as they are
+  std::optional<Ball> ball;        ///< that the inputs are fitted into or, without any, that is the
+                                   ///< surface
+};
+
+/// What the commands that move an interface are asked to do.
 struct Run_options
 {
   Motion motion;
-  std::vector<std::string> inputs; ///< surfaces; empty exactly if `resume` is set
-  std::string resume;              ///< a checkpoint
-  unsigned steps = 10;             ///< to do in this run
-  std::size_t triangles = 0;       ///< of all surfaces together; 0 keeps them as they are
+  Run_start start;                             ///< empty if `resume` is set
+  std::string resume;                          ///< a checkpoint
+  std::optional<std::array<double, 6>> domain; ///< of the input's coordinates: least, largest ones
+  unsigned steps = 10;                         ///< to do in this run
+  bool improves_interface = false;             ///< before each step
+  std::optional<double> aggressiveness;        ///< of that; the library's if not set
   unsigned threads = 1;
   std::string output; ///< folder; empty for no files
   unsigned every = 1;

@@ -9,10 +9,14 @@
 namespace dsc {
 namespace {
 
-Json parameters_json(const Run_options& options, const Run_position& start) {
+Json parameters_json(const Run_options& options, const Run_start& start) {
   Json json = motion_json(options.motion);
   json["steps"] = options.steps;
   json["triangles"] = value_or_null(start.triangles);
+  json["fit"] = start.ball && !start.inputs.empty();
+  json["domain"] = options.domain ? Json(*options.domain) : Json();
+  json["improve_interface"] = options.improves_interface;
+  json["aggressiveness"] = options.aggressiveness ? Json(*options.aggressiveness) : Json();
   json["threads"] = options.threads;
   json["output"] = value_or_null(options.output);
   json["every"] = options.every;
@@ -22,7 +26,7 @@ Json parameters_json(const Run_options& options, const Run_position& start) {
 
 } // namespace
 
-Report::Report(const Run_options& options, const Run_position& start, double sweep_seconds)
+Report::Report(const Run_options& options, const Run_start& start, double sweep_seconds)
     : m_path(options.report), m_sweep_seconds(sweep_seconds),
       m_json({{"input", start.inputs},
               {"parameters", parameters_json(options, start)},
@@ -40,6 +44,9 @@ void Report::add(const Run_position& position, const Step_outcome& outcome,
                {"collapsed", outcome.collapsed},
                {"flipped", outcome.flipped},
                {"relabeled", outcome.relabeled}});
+  if (outcome.distance_to_start)
+    step["distance_to_start"] = {{"mean", outcome.distance_to_start->mean},
+                                 {"maximum", outcome.distance_to_start->maximum}};
   m_json["steps"].push_back(std::move(step));
   if (std::chrono::steady_clock::now() >= m_next_write)
     write();

@@ -21,7 +21,7 @@ namespace dsc {
 class Report
 {
 public:
-  Report(const Run_options& options, const Run_position& start, double sweep_seconds);
+  Report(const Run_options& options, const Run_start& start, double sweep_seconds);
 
   /// Adds the state after a step, and writes the file unless that was done a moment ago.
   /// \throws std::runtime_error if that fails

@@ -9,11 +9,17 @@
 #include "progress_line.h"
 #include "report.h"
 #include "run_position.h"
+#include "start_distance.h"
+#include "surface.h"
 #include "tracked_complex.h"
 
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <optional>
+#include <stdexcept>
+#include <utility>
+#include <variant>
 
 namespace dsc {
 namespace {
@@ -22,14 +28,40 @@ constexpr int exit_code_of_interrupt = 130; // what shells use for SIGINT
 
 Tracked_complex start(const Run_options& options, Run_position& position) {
   if (options.resume.empty()) {
-    position.inputs = options.inputs;
-    position.triangles = options.triangles;
-    return Tracked_complex::from_surfaces(options.inputs, options.triangles);
+    position.start = options.start;
+    std::vector<std::string> names = options.start.inputs;
+    if (names.empty())
+      names = {"the ball"};
+    return Tracked_complex::from_surfaces(start_surfaces(options.start), names, options.domain);
   }
   std::string metadata;
   Tracked_complex complex = Tracked_complex::from_checkpoint(options.resume, metadata);
   position = from_metadata(metadata);
   return complex;
+}
+
+/// The time after which everything is back; 0 if there is none.
+double period(const Motion& motion) {
+  const Advection* advection = std::get_if<Advection>(&motion);
+  return advection ? advection->period : 0;
+}
+
+/// Measures from the surfaces that a run started from, if its motion brings them back and they are
+/// still there.
+std::optional<Start_distance> start_distance(const Run_options& options,
+                                             const Run_position& position) {
+  const Run_start& start = position.start;
+  if (period(options.motion) == 0 || (start.inputs.empty() && !start.ball))
+    return std::nullopt;
+  try {
+    return std::optional<Start_distance>(std::in_place, start_surfaces(start));
+  } catch (const std::runtime_error&) { // a run can be resumed without its inputs
+    return std::nullopt;
+  }
+}
+
+bool is_whole_period(double time, double time_step, double period) {
+  return std::abs(time - std::round(time / period) * period) < 1e-6 * time_step;
 }
 
 void print_summary(const Run_position& position, const Statistics& statistics,
@@ -67,7 +99,9 @@ int execute(const Run_options& options) {
   if (folder && !options.resume.empty())
     folder->keep_until(position.time);
 
-  Report report(options, position, complex.sweep_seconds());
+  const double time_step = complex.time_step(options.motion);
+  const std::optional<Start_distance> from_start = start_distance(options, position);
+  Report report(options, position.start, complex.sweep_seconds());
   Statistics statistics = complex.statistics();
   report.add(position, Step_outcome(), statistics);
   const auto write_files = [&] {
@@ -82,10 +116,12 @@ int execute(const Run_options& options) {
   Progress_line progress(options.steps, options.quiet);
   progress.show(done);
   while (done < options.steps && !interrupted()) {
-    const Step_outcome outcome = complex.advance(options.motion, position.time, options.threads);
+    Step_outcome outcome = complex.advance(options, position.time);
     ++done;
     ++position.step;
-    position.time += 1;
+    position.time += time_step;
+    if (from_start && is_whole_period(position.time, time_step, period(options.motion)))
+      outcome.distance_to_start = from_start->of(complex.interface_points(), complex.mean_edge());
     unfinished += outcome.unfinished_vertices;
     seconds += outcome.seconds;
     statistics = complex.statistics();

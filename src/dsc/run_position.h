@@ -7,9 +7,7 @@
 
 #include "options.h"
 
-#include <cstddef>
 #include <string>
-#include <vector>
 
 namespace dsc {
 
@@ -18,8 +16,7 @@ struct Run_position
 {
   unsigned step = 0;
   double time = 0;
-  std::vector<std::string> inputs; ///< the surfaces it started from
-  std::size_t triangles = 0;       ///< to which they were resampled; 0 for not at all
+  Run_start start;
 };
 
 /// The text that goes into a checkpoint: JSON with the position and the motion.

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,10 +40,17 @@ struct Statistics
   double min_quality;
 };
 
+/// Distances in mean interface edges of the input.
+struct Distance_statistics
+{
+  double mean;
+  double maximum;
+};
+
 /// What one step did; the state before the first step has all zeros.
 struct Step_outcome
 {
-  double seconds = 0; ///< of the deformation alone
+  double seconds = 0; ///< of the deformation, and of preparing the mesh and the interface for it
   bool complete = true;
   std::size_t unfinished_vertices = 0;
   unsigned passes = 0;
@@ -50,6 +58,7 @@ struct Step_outcome
   std::size_t collapsed = 0;
   std::size_t flipped = 0;
   std::size_t relabeled = 0;
+  std::optional<Distance_statistics> distance_to_start; ///< of the interface, at whole periods
 };
 
 /// What improving the tetrahedra did; the state before has all zeros.

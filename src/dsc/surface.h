@@ -5,6 +5,8 @@
 #ifndef DSC_SURFACE_H
 #define DSC_SURFACE_H
 
+#include "options.h"
+
 #include <CGAL/Deformable_simplicial_complex_3/Labelled_surface_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -21,6 +23,10 @@ using Surface = CGAL::Labelled_surface_3<Surface_point>;
 /// Reads surfaces, which get the labels 1, 2 and so on.
 /// \throws std::runtime_error if one cannot be read
 std::vector<Surface> read_surfaces(const std::vector<std::string>& paths);
+
+/// The surfaces that a run starts from: those of its files or, without any, its ball.
+/// \throws std::runtime_error if one cannot be read or resampled
+std::vector<Surface> start_surfaces(const Run_start& start);
 
 /// Decimates or refines surfaces to about `triangles` triangles in total, all by the same factor.
 /// Refining keeps the shape; decimating collapses the edges that matter least.

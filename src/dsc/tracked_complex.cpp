@@ -2,11 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "tracked_complex.h"
-
 #include "errors.h"
 #include "labelled_tetrahedra.h"
-#include "surface.h"
+#include "tracked_complex_implementation.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
@@ -15,9 +13,7 @@
 #include <CGAL/IO/checkpoint_3.h>
 #include <CGAL/IO/labelled_surface_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
 #include <CGAL/improve_mesh_3.h>
-#include <CGAL/interface_flows_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
 
 #include <CGAL/Bbox_3.h>
@@ -25,7 +21,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -39,28 +34,15 @@ using Complex_at_rest =
                                           CGAL::Default, CGAL::Biased_minimum_sine_3>;
 using Point = Complex::Approximate_point_3;
 using Vector = Complex::Approximate_vector_3;
-using Clock = std::chrono::steady_clock;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 constexpr double degree = CGAL_PI / 180;
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 std::array<Point, 4> corners(const Complex& complex, Complex::Cell_handle c) {
   return {complex.position(c->vertex(0)), complex.position(c->vertex(1)),
           complex.position(c->vertex(2)), complex.position(c->vertex(3))};
-}
-
-Point centre_of_domain(const Complex& complex) {
-  CGAL::Bbox_3 box;
-  for (const Complex::Vertex_handle v : complex.vertices())
-    box += complex.position(v).bbox();
-  return CGAL::midpoint(Point(box.xmin(), box.ymin(), box.zmin()),
-                        Point(box.xmax(), box.ymax(), box.zmax()));
 }
 
 /// The six dihedral angles in degrees, from the normals of the facets: finite for any corners.
@@ -98,11 +80,6 @@ void add_dihedral_angles(const Complex& complex, Statistics& statistics) {
 
 } // namespace
 
-struct Tracked_complex::Implementation
-{
-  Complex complex;
-};
-
 Tracked_complex::Tracked_complex(std::unique_ptr<Implementation> implementation)
     : m_implementation(std::move(implementation)) {}
 
@@ -110,20 +87,25 @@ Tracked_complex::Tracked_complex(Tracked_complex&&) = default;
 
 Tracked_complex::~Tracked_complex() = default;
 
-Tracked_complex Tracked_complex::from_surfaces(const std::vector<std::string>& paths,
-                                               std::size_t triangles) {
-  std::vector<Surface> surfaces = read_surfaces(paths);
-  if (triangles > 0)
-    resample(surfaces, paths, triangles);
-  try {
+Tracked_complex Tracked_complex::from_surfaces(const std::vector<Surface>& surfaces,
+                                               const std::vector<std::string>& names,
+                                               const std::optional<std::array<double, 6>>& domain) {
+  const auto build = [&](const auto& np) {
     return Tracked_complex(std::make_unique<Implementation>(
         Implementation{CGAL::make_deformable_simplicial_complex_3<Complex>(
-            surfaces, CGAL::Tetgen_tetrahedralizer_3(), parameters::normalize(true))}));
+            surfaces, CGAL::Tetgen_tetrahedralizer_3(), np)}));
+  };
+  try {
+    const auto normalized = parameters::normalize(true);
+    if (!domain)
+      return build(normalized);
+    const auto& [x0, y0, z0, x1, y1, z1] = *domain;
+    return build(normalized.enclosing_box(CGAL::Bbox_3(x0, y0, z0, x1, y1, z1)));
   } catch (const Invalid_surface_error& error) {
-    std::string names = paths[error.surface()];
+    std::string message = names[error.surface()];
     if (error.other_surface() != error.surface())
-      names += " and " + paths[error.other_surface()];
-    throw Input_error(names + ": " + error.what());
+      message += " and " + names[error.other_surface()];
+    throw Input_error(message + ": " + error.what());
   }
 }
 
@@ -148,29 +130,6 @@ Tracked_complex Tracked_complex::from_checkpoint(const std::string& path, std::s
   }
   metadata = std::move(checkpoint.metadata);
   return Tracked_complex(std::move(implementation));
-}
-
-Step_outcome Tracked_complex::advance(const Motion& motion, double time, unsigned threads) {
-  Complex& complex = m_implementation->complex;
-  Step_outcome outcome;
-  const auto follow = [&](const auto& flow) {
-    const auto start = Clock::now();
-    const auto report =
-        CGAL::advect_interface(complex, flow, time, 1., parameters::number_of_threads(threads));
-    outcome = {seconds_since(start), report.complete,  report.unfinished.size(), report.passes,
-               report.split,         report.collapsed, report.flipped,           report.relabeled};
-  };
-  if (const Rotation* rotation = std::get_if<Rotation>(&motion)) {
-    const auto [x, y, z] = rotation->axis;
-    follow(CGAL::Rigid_rotation_3(centre_of_domain(complex), Vector(x, y, z),
-                                  rotation->degrees * degree));
-  } else {
-    const Offset& offset = std::get<Offset>(motion);
-    const double unit =
-        offset.in_mean_edges ? complex.mean_interface_edge() : 1 / complex.normalization().scale;
-    follow(CGAL::Normal_offset_3{offset.distance * unit});
-  }
-  return outcome;
 }
 
 Improvement_outcome Tracked_complex::improve(const Improve_options& options) {
@@ -228,6 +187,16 @@ double Tracked_complex::sweep_seconds() const {
   std::nth_element(seconds.begin(), seconds.begin() + seconds.size() / 2, seconds.end());
   // A clock may be too coarse for a few tetrahedra, but nothing is ever divided by zero.
   return std::max(seconds[seconds.size() / 2], 1e-9);
+}
+
+std::vector<Surface_point> Tracked_complex::interface_points() const {
+  const Complex& complex = m_implementation->complex;
+  std::vector<Surface_point> points;
+  for (const Complex::Vertex_handle v : complex.interface_vertices()) {
+    const Point p = complex.user_position(v);
+    points.emplace_back(p.x(), p.y(), p.z());
+  }
+  return points;
 }
 
 void Tracked_complex::write_interface(const std::string& path) const {

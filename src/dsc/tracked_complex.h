@@ -7,9 +7,11 @@
 
 #include "options.h"
 #include "statistics.h"
+#include "surface.h"
 
-#include <cstddef>
+#include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,10 +22,12 @@ namespace dsc {
 class Tracked_complex
 {
 public:
-  /// Fills the space inside and around surfaces, whose solids get the labels 1, 2 and so on.
-  /// \param triangles to which the surfaces are resampled; 0 keeps them as they are
-  static Tracked_complex from_surfaces(const std::vector<std::string>& paths,
-                                       std::size_t triangles);
+  /// Fills the space inside and around surfaces.
+  /// \param names of the surfaces, for messages
+  /// \param domain least and largest coordinates of the box; that of the library if not set
+  static Tracked_complex from_surfaces(const std::vector<Surface>& surfaces,
+                                       const std::vector<std::string>& names,
+                                       const std::optional<std::array<double, 6>>& domain);
 
   /// The labelled tetrahedra of a MEDIT or VTU file; points that none of them uses are left out.
   static Tracked_complex from_mesh(const std::string& path);
@@ -34,13 +38,22 @@ public:
   Tracked_complex(Tracked_complex&&);
   ~Tracked_complex();
 
-  /// Deforms the interface by one step, from `time` to `time` + 1.
-  Step_outcome advance(const Motion& motion, double time, unsigned threads);
+  /// The length of a step in time.
+  double time_step(const Motion& motion) const;
+
+  /// Deforms the interface by one step that starts at `time`.
+  Step_outcome advance(const Run_options& options, double time);
 
   /// Improves the tetrahedra; neither the interface nor the boundary changes its shape.
   Improvement_outcome improve(const Improve_options& options);
 
   Statistics statistics() const;
+
+  /// The vertices of the interface, in the coordinates of the input.
+  std::vector<Surface_point> interface_points() const;
+
+  /// The mean length of an interface edge of the input.
+  double mean_edge() const;
 
   /// Seconds that one pass over all tetrahedra takes which only evaluates the exact orientation and
   /// the quality of their corners: the unit that steps are compared by.

@@ -34,6 +34,17 @@ inline std::string contents(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+// An axis-parallel box as an OFF file.
+inline std::string box(double x0, double y0, double z0, double x1, double y1, double z1) {
+  std::ostringstream off;
+  off << "OFF\n8 12 0\n";
+  for (int i = 0; i < 8; ++i)
+    off << (i & 1 ? x1 : x0) << ' ' << (i & 2 ? y1 : y0) << ' ' << (i & 4 ? z1 : z0) << '\n';
+  off << "3 0 2 3\n3 0 3 1\n3 4 5 7\n3 4 7 6\n3 0 1 5\n3 0 5 4\n"
+         "3 2 6 7\n3 2 7 3\n3 0 4 6\n3 0 6 2\n3 1 3 7\n3 1 7 5\n";
+  return off.str();
+}
+
 // The label's part of a state in a report.
 inline const Json& label_of(const Json& state, int label) {
   const Json& labels = state.at("labels");

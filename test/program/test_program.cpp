@@ -15,22 +15,12 @@
 
 namespace {
 
+using program::box;
 using program::contents;
 using program::Json;
 using program::label_of;
 using program::Outcome;
 namespace fs = std::filesystem;
-
-// An axis-parallel box as an OFF file.
-std::string box(double x0, double y0, double z0, double x1, double y1, double z1) {
-  std::ostringstream off;
-  off << "OFF\n8 12 0\n";
-  for (int i = 0; i < 8; ++i)
-    off << (i & 1 ? x1 : x0) << ' ' << (i & 2 ? y1 : y0) << ' ' << (i & 4 ? z1 : z0) << '\n';
-  off << "3 0 2 3\n3 0 3 1\n3 4 5 7\n3 4 7 6\n3 0 1 5\n3 0 5 4\n"
-         "3 2 6 7\n3 2 7 3\n3 0 4 6\n3 0 6 2\n3 1 3 7\n3 1 7 5\n";
-  return off.str();
-}
 
 const char* const octahedron = "OFF\n6 8 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n"
                                "3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n"
@@ -133,7 +123,8 @@ TEST_F(Program, finds_an_unwritable_folder_first) {
 
 TEST_F(Program, prints_help) {
   for (const std::string arguments : {"--help", "info --help", "rotate --help", "offset --help",
-                                      "convert --help", "improve --help"}) {
+                                      "convert --help", "improve --help", "enright --help",
+                                      "vortex --help", "advect --help", "mean-curvature --help"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_NE(outcome.out, "");

@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "motion_json.h"
+
+namespace dsc {
+namespace {
+
+Json json_of(const Rotation& rotation) {
+  return {{"command", "rotate"}, {"axis", rotation.axis}, {"angle", rotation.degrees}};
+}
+
+Json json_of(const Offset& offset) {
+  return {{"command", "offset"},
+          {"distance", offset.distance},
+          {"unit", offset.in_mean_edges ? "mean interface edge" : "input"}};
+}
+
+Json json_of(const Advection& advection) {
+  static const std::array<const char*, 3> commands = {"enright", "vortex", "advect"};
+  static const std::array<const char*, 4> schemes = {"euler", "rk2", "rk4", "adaptive"};
+  return {{"command", commands[static_cast<std::size_t>(advection.field)]},
+          {"velocity", value_or_null(advection.expressions)},
+          {"period", value_or_null(advection.period)},
+          {"dt", advection.dt},
+          {"scheme", schemes[static_cast<std::size_t>(advection.scheme)]}};
+}
+
+Json json_of(const Curvature_flow& flow) {
+  return {{"command", "mean-curvature"},
+          {"dt", value_or_null(flow.dt)},
+          {"keep_volumes", flow.keeps_volumes}};
+}
+
+} // namespace
+
+Json motion_json(const Motion& motion) {
+  return std::visit([](const auto& m) { return json_of(m); }, motion);
+}
+
+} // namespace dsc

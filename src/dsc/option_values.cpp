@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "option_values.h"
+
+#include "errors.h"
+#include "files.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+
+namespace dsc {
+namespace {
+
+/// The number that `text` starts with; moves `text` behind it.
+double take_number(std::string& text, const std::string& option) {
+  if (!text.empty() && text[0] == '+')
+    text.erase(0, 1);
+  double number = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || !std::isfinite(number))
+    throw Usage_error(option + " needs a finite number, not '" + text +
+                      "'; write it like 1, -0.5 or 2e-3");
+  text.erase(0, rest - text.data());
+  return number;
+}
+
+void require_end(const std::string& text, const std::string& option, const std::string& form) {
+  if (!text.empty())
+    throw Usage_error(option + " does not end before '" + text + "'; write it like " + form);
+}
+
+template <std::size_t n>
+std::array<double, n> parse_numbers(std::string text, const std::string& option,
+                                    const std::string& form) {
+  std::array<double, n> numbers;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (i > 0) {
+      if (text.empty() || text[0] != ',')
+        throw Usage_error(option + " needs " + std::to_string(n) + " numbers; write it like " +
+                          form);
+      text.erase(0, 1);
+    }
+    numbers[i] = take_number(text, option);
+  }
+  require_end(text, option, form);
+  return numbers;
+}
+
+double parse_number(const std::string& text, const std::string& option, const std::string& form) {
+  return parse_numbers<1>(text, option, form)[0];
+}
+
+} // namespace
+
+std::array<double, 3> parse_axis(const std::string& text) {
+  const std::string form = "0,0,1";
+  const std::array<double, 3> axis = parse_numbers<3>(text, "--axis", form);
+  const double length = std::hypot(axis[0], axis[1], axis[2]);
+  if (!(length > 0) || !std::isfinite(length))
+    throw Usage_error("--axis has no direction; write one of a finite length above zero like " +
+                      form);
+  return axis;
+}
+
+std::array<double, 6> parse_domain(const std::string& text) {
+  const std::string form = "-1,-1,-1,1,1,1";
+  const std::array<double, 6> box = parse_numbers<6>(text, "--domain", form);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!(box[i] < box[i + 3]))
+      throw Usage_error(
+          "--domain is empty; write its least and then its largest coordinates like " + form);
+  return box;
+}
+
+double parse_angle(const std::string& text) { return parse_number(text, "--angle", "7.2"); }
+
+double parse_threshold(const std::string& text) {
+  const double threshold = parse_number(text, "--threshold", "0.4");
+  if (!(0 < threshold && threshold <= 1))
+    throw Usage_error("--threshold is not a quality; choose one above 0 and up to 1");
+  return threshold;
+}
+
+Offset parse_distance(const std::string& text) {
+  const bool in_mean_edges = !text.empty() && text.back() == 'e';
+  const std::string number = in_mean_edges ? text.substr(0, text.size() - 1) : text;
+  return {parse_number(number, "--distance", "0.1 or 0.25e"), in_mean_edges};
+}
+
+double parse_positive(const std::string& text, const std::string& option) {
+  const double number = parse_number(text, option, "0.01");
+  if (!(number > 0))
+    throw Usage_error(option + " is not positive; choose a number above 0");
+  return number;
+}
+
+double parse_not_negative(const std::string& text, const std::string& option) {
+  const double number = parse_number(text, option, "0.025");
+  if (!(number >= 0))
+    throw Usage_error(option + " is negative; choose 0 or more");
+  return number;
+}
+
+void require_extension(const std::string& path, const std::initializer_list<const char*>& known) {
+  const std::string found = extension(path);
+  if (std::find(known.begin(), known.end(), found) != known.end())
+    return;
+  std::string list;
+  for (const char* name : known)
+    list += std::string(list.empty() ? "." : ", .") + name;
+  throw Usage_error("the extension of '" + path + "' is unknown; use one of " + list);
+}
+
+} // namespace dsc

@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_OPTION_VALUES_H
+#define DSC_OPTION_VALUES_H
+
+#include "options.h"
+
+#include <array>
+#include <initializer_list>
+#include <string>
+
+namespace dsc {
+
+/// The values of options, whose numbers are read in the same way in every locale. All functions
+/// throw Usage_error, with what they expect.
+
+std::array<double, 3> parse_axis(const std::string& text);
+
+/// \return the least x, y and z, then the largest
+std::array<double, 6> parse_domain(const std::string& text);
+
+double parse_angle(const std::string& text);
+
+/// A quality in (0, 1].
+double parse_threshold(const std::string& text);
+
+/// Both in the unit of the input and, with an e behind it, in mean edges.
+Offset parse_distance(const std::string& text);
+
+double parse_positive(const std::string& text, const std::string& option);
+
+double parse_not_negative(const std::string& text, const std::string& option);
+
+void require_extension(const std::string& path, const std::initializer_list<const char*>& known);
+
+} // namespace dsc
+
+#endif // DSC_OPTION_VALUES_H

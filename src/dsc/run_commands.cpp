@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "run_commands.h"
+
+#include "errors.h"
+#include "option_values.h"
+#include "velocity_expressions.h"
+
+#include <array>
+#include <climits>
+#include <map>
+#include <optional>
+
+namespace dsc {
+namespace {
+
+using CGAL::Deformable_simplicial_complexes::Integration_scheme;
+
+const std::map<std::string, Integration_scheme> schemes = {{"euler", Integration_scheme::euler},
+                                                           {"rk2", Integration_scheme::rk2},
+                                                           {"rk4", Integration_scheme::rk4}};
+
+// Where these flows are usually started.
+const Ball ball_of_enright = {{.35, .35, .35}, .15};
+const Ball ball_of_vortex = {{.5, .75, .5}, .15};
+constexpr std::array<double, 6> unit_cube = {0, 0, 0, 1, 1, 1};
+
+constexpr double default_dt = .01;
+
+} // namespace
+
+Run_commands::Run_commands(CLI::App& app) {
+  m_rotate = add_command(app, "rotate", "Turn the interface about the domain's centre");
+  m_rotate->add_option("--axis", m_axis, "Direction of the axis, like 0,0,1")->required();
+  m_rotate->add_option("--angle", m_angle, "Degrees per step")->required();
+
+  m_offset = add_command(app, "offset", "Move the interface along its normals");
+  m_offset
+      ->add_option("--distance", m_distance,
+                   "Distance per step, positive outwards; 0.25e is a quarter of the mean "
+                   "interface edge of the input")
+      ->required();
+
+  m_enright = add_command(app, "enright",
+                          "Deform surfaces in the unit cube, or a ball if there is no INPUT, with "
+                          "the flow of LeVeque and Enright");
+  m_vortex = add_command(app, "vortex",
+                         "Deform surfaces in the unit cube, or a ball if there is no INPUT, with a "
+                         "single vortex about the z direction");
+  for (CLI::App* command : {m_enright, m_vortex}) {
+    add_flow_options(*command);
+    command->add_flag("--fit", m_fits, "Scale and move the surfaces into that ball");
+  }
+
+  m_advect = add_command(app, "advect", "Move the interface with any velocities");
+  m_advect
+      ->add_option("--velocity", m_expressions,
+                   "Three expressions in x, y, z and t like '-y,x,sin(pi*t)', in the coordinates "
+                   "of the input")
+      ->required();
+  add_flow_options(*m_advect);
+
+  m_mean_curvature = add_command(app, "mean-curvature", "Move the interface by its mean curvature");
+  m_mean_curvature->add_option("--dt", m_dt,
+                               "Time per step, in squares of the input's unit of length; the "
+                               "square of its mean interface edge if not given");
+  m_mean_curvature->add_flag("--keep-volumes", m_keeps_volumes,
+                             "Keep the volume of each label but 0");
+}
+
+CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
+                                    const std::string& description) {
+  CLI::App* command = app.add_subcommand(name, description);
+  CLI::Option* inputs = command->add_option(
+      "INPUT", m_options.start.inputs,
+      "Closed surfaces (.off, .obj, .ply, .stl); they get the labels 1, 2 and so on");
+  CLI::Option* resume = command->add_option("--resume", m_options.resume,
+                                            "Continue from this checkpoint instead of an INPUT");
+  resume->excludes(inputs);
+  command->add_option("--steps", m_options.steps, "Number of steps to do in this run")
+      ->check(CLI::Range(1, INT_MAX))
+      ->capture_default_str();
+  command
+      ->add_option("--triangles", m_options.start.triangles,
+                   "Decimate or refine the surfaces to about so many triangles in total")
+      ->check(CLI::Range(4, INT_MAX))
+      ->excludes(resume);
+  command
+      ->add_option("--domain", m_domain,
+                   "Box around all, by its least and its largest coordinates like -1,-1,-1,1,1,1")
+      ->excludes(resume);
+  CLI::Option* improves =
+      command->add_flag("--improve-interface", m_options.improves_interface,
+                        "Improve the triangles of the interface before each step");
+  command
+      ->add_option("--aggressiveness", m_aggressiveness,
+                   "How much that may smooth the interface, 0 for not at all; 0.025 if not given")
+      ->needs(improves);
+  command->add_option("--threads", m_options.threads, "Number of threads; the result is the same")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  CLI::Option* output =
+      command->add_option("--output", m_options.output,
+                          "Folder for ParaView files and a checkpoint, created if need be");
+  command
+      ->add_option("--every", m_options.every,
+                   "Write every so many steps; the last is always written")
+      ->check(CLI::Range(1, INT_MAX))
+      ->needs(output)
+      ->capture_default_str();
+  command->add_option("--report", m_options.report, "JSON file with what happened in each step");
+  command->add_flag("--quiet", m_options.quiet, "Print nothing but errors");
+  return command;
+}
+
+void Run_commands::add_flow_options(CLI::App& command) {
+  command.add_option("--period", m_period,
+                     "Multiply velocities by cos(pi t / PERIOD), so that all is back after it");
+  command.add_option("--dt", m_dt, "Time per step; 0.01 if not given");
+  command.add_option("--scheme", m_scheme, "How velocities are integrated")
+      ->check(CLI::IsMember(&schemes))
+      ->capture_default_str();
+}
+
+Advection Run_commands::advection(Advection::Field field, double default_period) const {
+  return {field, m_expressions,
+          m_period.empty() ? default_period : parse_positive(m_period, "--period"),
+          m_dt.empty() ? default_dt : parse_positive(m_dt, "--dt"), schemes.at(m_scheme)};
+}
+
+Motion Run_commands::motion() const {
+  if (*m_rotate)
+    return Rotation{parse_axis(m_axis), parse_angle(m_angle)};
+  if (*m_offset)
+    return parse_distance(m_distance);
+  if (*m_enright)
+    return advection(Advection::Field::enright, 1);
+  if (*m_vortex)
+    return advection(Advection::Field::vortex, 8);
+  if (*m_advect) {
+    const Velocity_expressions check(m_expressions);
+    return advection(Advection::Field::expressions, 0);
+  }
+  return Curvature_flow{m_dt.empty() ? 0 : parse_positive(m_dt, "--dt"), m_keeps_volumes};
+}
+
+Run_options Run_commands::options() const {
+  Run_options options = m_options;
+  options.motion = motion();
+  if (!m_domain.empty())
+    options.domain = parse_domain(m_domain);
+  if (!m_aggressiveness.empty())
+    options.aggressiveness = parse_not_negative(m_aggressiveness, "--aggressiveness");
+
+  const bool has_ball = *m_enright || *m_vortex;
+  if (options.resume.empty() && options.start.inputs.empty() && !has_ball)
+    throw Usage_error("there is no INPUT; name at least one surface, or a checkpoint by --resume");
+  if (options.start.inputs.empty() && m_fits)
+    throw Usage_error("--fit has nothing to fit; name at least one INPUT");
+  for (const std::string& input : options.start.inputs)
+    require_extension(input, {"off", "obj", "ply", "stl"});
+  if (options.resume.empty() && has_ball) {
+    if (m_fits || options.start.inputs.empty())
+      options.start.ball = *m_enright ? ball_of_enright : ball_of_vortex;
+    if (!options.domain)
+      options.domain = unit_cube;
+  }
+  return options;
+}
+
+} // namespace dsc

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_RUN_COMMANDS_H
+#define DSC_RUN_COMMANDS_H
+
+#include "options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace dsc {
+
+/// The subcommands that move an interface.
+class Run_commands
+{
+public:
+  explicit Run_commands(CLI::App& app);
+  Run_commands(const Run_commands&) = delete; // the command line writes into it
+
+  /// What was asked for, once the command line was parsed and if it has one of these commands.
+  /// \throws Usage_error
+  Run_options options() const;
+
+private:
+  CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description);
+  void add_flow_options(CLI::App& command);
+  Motion motion() const;
+  Advection advection(Advection::Field field, double default_period) const;
+
+  CLI::App *m_rotate, *m_offset, *m_enright, *m_vortex, *m_advect, *m_mean_curvature;
+  Run_options m_options;
+  // As they were written.
+  std::string m_axis, m_angle, m_distance, m_expressions, m_period, m_dt, m_domain,
+      m_aggressiveness;
+  std::string m_scheme = "rk4";
+  bool m_fits = false, m_keeps_volumes = false;
+};
+
+} // namespace dsc
+
+#endif // DSC_RUN_COMMANDS_H

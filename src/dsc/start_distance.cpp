@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "start_distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsc {
+
+Start_distance::Start_distance(const std::vector<Surface>& surfaces) {
+  for (const Surface& surface : surfaces)
+    for (const auto& [a, b, c] : surface.triangles)
+      m_triangles.emplace_back(surface.points[a], surface.points[b], surface.points[c]);
+  m_tree.rebuild(m_triangles.cbegin(), m_triangles.cend());
+}
+
+Distance_statistics Start_distance::of(const std::vector<Surface_point>& points,
+                                       double edge) const {
+  Distance_statistics result = {};
+  for (const Surface_point& p : points) {
+    const double distance = std::sqrt(m_tree.squared_distance(p)) / edge;
+    result.mean += distance / static_cast<double>(points.size());
+    result.maximum = std::max(result.maximum, distance);
+  }
+  return result;
+}
+
+} // namespace dsc

@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tracked_complex_implementation.h"
+#include "velocity_expressions.h"
+
+#include <CGAL/advect_interface_3.h>
+#include <CGAL/control_detail_3.h>
+#include <CGAL/improve_interface_3.h>
+#include <CGAL/interface_flows_3.h>
+#include <CGAL/mean_curvature_flow_3.h>
+#include <CGAL/velocity_fields_3.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <optional>
+#include <variant>
+
+namespace dsc {
+namespace {
+
+using Complex = CGAL::Deformable_simplicial_complex_3<>;
+using Point = Complex::Approximate_point_3;
+using Vector = Complex::Approximate_vector_3;
+using CGAL::Deformable_simplicial_complexes::Integration_scheme;
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
+Point centre_of_domain(const Complex& complex) {
+  CGAL::Bbox_3 box;
+  for (const Complex::Vertex_handle v : complex.vertices())
+    box += complex.position(v).bbox();
+  return CGAL::midpoint(Point(box.xmin(), box.ymin(), box.zmin()),
+                        Point(box.xmax(), box.ymax(), box.zmax()));
+}
+
+double mean_edge(const Complex& complex) {
+  return complex.mean_interface_edge() * complex.normalization().scale;
+}
+
+/// The length of a step of each motion, in the time of the input.
+struct Time_step
+{
+  const Complex& complex;
+
+  double operator()(const Rotation&) const { return 1; }
+  double operator()(const Offset&) const { return 1; }
+  double operator()(const Advection& advection) const { return advection.dt; }
+  double operator()(const Curvature_flow& flow) const {
+    return flow.dt > 0 ? flow.dt : mean_edge(complex) * mean_edge(complex);
+  }
+};
+
+/// Does a step of each motion.
+struct Step
+{
+  Complex& complex;
+  double time;
+  unsigned threads;
+
+  using Report = CGAL::Deformation_report<Complex>;
+
+  Report operator()(const Rotation& rotation) const {
+    const auto [x, y, z] = rotation.axis;
+    return advect(CGAL::Rigid_rotation_3(centre_of_domain(complex), Vector(x, y, z),
+                                         rotation.degrees * (CGAL_PI / 180)),
+                  time, 1);
+  }
+
+  Report operator()(const Offset& offset) const {
+    const double unit =
+        offset.in_mean_edges ? complex.mean_interface_edge() : 1 / complex.normalization().scale;
+    return advect(CGAL::Normal_offset_3{offset.distance * unit}, time, 1);
+  }
+
+  Report operator()(const Advection& advection) const {
+    switch (advection.field) {
+    case Advection::Field::enright:
+      return follow(CGAL::Enright_velocity_3(advection.period), advection);
+    case Advection::Field::vortex:
+      return follow(CGAL::Single_vortex_velocity_3(advection.period), advection);
+    default: {
+      const Velocity_expressions velocity(advection.expressions);
+      return follow(
+          [&](const Point& p, double t) {
+            const auto [x, y, z] = velocity.at(p.x(), p.y(), p.z(), t);
+            const double factor =
+                advection.period > 0 ? std::cos(CGAL_PI * t / advection.period) : 1;
+            return factor * Vector(x, y, z);
+          },
+          advection);
+    }
+    }
+  }
+
+  Report operator()(const Curvature_flow& flow) const {
+    make_room();
+    const double scale = complex.normalization().scale;
+    return advect(CGAL::Mean_curvature_flow_3(flow.keeps_volumes), time / (scale * scale),
+                  Time_step{complex}(flow) / (scale * scale));
+  }
+
+private:
+  template <class Field> Report follow(const Field& field, const Advection& advection) const {
+    make_room();
+    return advect(CGAL::Velocity_in_user_coordinates_3<Complex, Field>(complex, field), time,
+                  advection.dt, advection.scheme);
+  }
+
+  // These motions stretch the interface, and the mesh around it has to follow.
+  void make_room() const { CGAL::control_detail(complex, parameters::collapse_length(2.)); }
+
+  template <class Flow>
+  Report advect(const Flow& flow, double t, double dt,
+                Integration_scheme scheme = Integration_scheme::rk2) const {
+    return CGAL::advect_interface(complex, flow, t, dt,
+                                  parameters::number_of_threads(threads).scheme(scheme));
+  }
+};
+
+void improve_interface(Complex& complex, const std::optional<double>& aggressiveness) {
+  if (aggressiveness)
+    CGAL::improve_interface(complex, parameters::aggressiveness(*aggressiveness));
+  else
+    CGAL::improve_interface(complex);
+}
+
+} // namespace
+
+double Tracked_complex::mean_edge() const { return dsc::mean_edge(m_implementation->complex); }
+
+double Tracked_complex::time_step(const Motion& motion) const {
+  return std::visit(Time_step{m_implementation->complex}, motion);
+}
+
+Step_outcome Tracked_complex::advance(const Run_options& options, double time) {
+  Complex& complex = m_implementation->complex;
+  const auto start = Clock::now();
+  if (options.improves_interface)
+    improve_interface(complex, options.aggressiveness);
+  const auto report = std::visit(Step{complex, time, options.threads}, options.motion);
+  return {seconds_since(start), report.complete,  report.unfinished.size(),
+          report.passes,        report.split,     report.collapsed,
+          report.flipped,       report.relabeled, std::nullopt};
+}
+
+} // namespace dsc

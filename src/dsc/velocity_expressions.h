@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_VELOCITY_EXPRESSIONS_H
+#define DSC_VELOCITY_EXPRESSIONS_H
+
+#include <array>
+#include <memory>
+#include <string>
+
+namespace dsc {
+
+/// A velocity field written down: three expressions in x, y, z and t, with commas between them.
+class Velocity_expressions
+{
+public:
+  /// \throws Usage_error if these are not three expressions, with what is wrong and where
+  explicit Velocity_expressions(const std::string& expressions);
+  ~Velocity_expressions();
+
+  std::array<double, 3> at(double x, double y, double z, double t) const;
+
+private:
+  struct Parser;
+  std::unique_ptr<Parser> m_parser;
+};
+
+} // namespace dsc
+
+#endif // DSC_VELOCITY_EXPRESSIONS_H

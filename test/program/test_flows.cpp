@@ -1,0 +1,188 @@
+// The commands that move surfaces by flows, against what is known of these.
+#include "program.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace {
+
+using program::box;
+using program::Json;
+using program::label_of;
+namespace fs = std::filesystem;
+
+double volume(const Json& step, int label = 1) { return label_of(step, label).at("volume"); }
+
+// The volume of the sphere that most of these flows start from.
+const double volume_of_ball = 4 * std::acos(-1) / 3 * std::pow(.15, 3);
+
+class Flows : public program::Program_test
+{
+protected:
+  void SetUp() override {
+    Program_test::SetUp();
+    if (!IsSkipped() && !HasFatalFailure())
+      write("box.off", box(100, 100, 100, 110, 110, 110));
+  }
+
+  Json steps(const std::string& arguments) const {
+    expect_success(arguments + " --report report.json");
+    return report("report.json").at("steps");
+  }
+};
+
+// Away from the centre of the box: lengths grow by exp(t).
+const std::string expand = "advect box.off --velocity 'x-105,y-105,z-105' ";
+
+TEST_F(Flows, refuse_wrong_usage) {
+  for (const std::string& arguments : std::vector<std::string>{
+           "advect box.off", "advect --velocity 1,0,0", "advect box.off --velocity 1,0",
+           "advect box.off --velocity 1,0,0,0", "advect box.off --velocity '1,0,'",
+           "advect box.off --velocity 'x,y,q'", "advect box.off --velocity 'x,y,sin('",
+           "advect box.off --velocity ''", "advect box.off --velocity 1,0,0 --keep-volumes",
+           "mean-curvature", "mean-curvature box.off --period 1", "enright --fit",
+           "enright --resume a.dsc --fit", "enright --domain 0,0,0,1,1",
+           "enright --domain 0,0,0,1,1,0", "enright --resume a.dsc --domain 0,0,0,1,1,1",
+           "enright box.xyz"})
+    expect_error(arguments, 2);
+  for (const std::string& option : std::vector<std::string>{
+           "--dt 0", "--dt -1", "--dt nan", "--dt 1s", "--period 0", "--period -1", "--period inf",
+           "--scheme rk3", "--aggressiveness 0.1", "--improve-interface --aggressiveness -1",
+           "--improve-interface --aggressiveness x"})
+    expect_error("enright " + option, 2);
+}
+
+TEST_F(Flows, refuse_bad_input) {
+  for (const std::string& arguments : std::vector<std::string>{
+           "enright box.off", // not in the unit cube
+           "vortex missing.off", "advect box.off --velocity '1/(x-x),0,0'",
+           "advect box.off --velocity 'ln(-1),0,0'", "mean-curvature box.off --domain 0,0,0,1,1,1"})
+    expect_error(arguments, 1);
+}
+
+TEST_F(Flows, advect_with_velocities_of_the_user) {
+  const Json exact = steps(expand + "--dt 0.05 --steps 2");
+  ASSERT_EQ(exact.size(), 3u);
+  EXPECT_DOUBLE_EQ(exact[2].at("time").get<double>(), .1);
+  EXPECT_NEAR(volume(exact[0]), 1000, 1e-8);
+  EXPECT_NEAR(volume(exact[2]), 1000 * std::exp(.3), 1e-3);
+  EXPECT_FALSE(exact[2].contains("distance_to_start"));
+
+  const Json euler = steps(expand + "--dt 0.05 --steps 2 --scheme euler");
+  EXPECT_NEAR(volume(euler[2]), 1000 * std::pow(1.05, 6), 1e-6);
+
+  const Json faster = steps("advect box.off --velocity 't*(x-105),0,0' --dt 0.1 --steps 2");
+  EXPECT_NEAR(volume(faster[2]), 1000 * std::exp(.02), 1e-3);
+}
+
+TEST_F(Flows, are_back_after_a_period) {
+  const Json there_and_back = steps(expand + "--period 0.2 --dt 0.05 --steps 8");
+  EXPECT_NEAR(volume(there_and_back[2]), 1000 * std::exp(.6 / std::acos(-1)), .01);
+  for (std::size_t i = 0; i < there_and_back.size(); ++i)
+    EXPECT_EQ(there_and_back[i].contains("distance_to_start"), i == 4 || i == 8) << i;
+  for (const int i : {4, 8}) {
+    EXPECT_NEAR(volume(there_and_back[i]), 1000, 1e-3);
+    const Json& distance = there_and_back[i].at("distance_to_start");
+    EXPECT_LT(distance.at("mean").get<double>(), 1e-6);
+    EXPECT_GE(distance.at("maximum").get<double>(), distance.at("mean").get<double>());
+  }
+  const Json half = steps(expand + "--period 0.4 --dt 0.4 --steps 1 --scheme euler");
+  // Farther by 0.4 of the distance from the centre, on an edge of the box at least 5, against edges
+  // of 10 and diagonals.
+  const double mean_edge = 10 * (2 + std::sqrt(2.)) / 3;
+  const double at_corners = .4 * 5 * std::sqrt(3.);
+  EXPECT_NEAR(half[1].at("distance_to_start").at("maximum").get<double>(), at_corners / mean_edge,
+              1e-9);
+}
+
+TEST_F(Flows, of_enright_deforms_the_ball_and_brings_it_back) {
+  const Json ball = steps("enright --triangles 320 --period 0.08 --dt 0.02 --steps 4");
+  EXPECT_EQ(ball[0].at("interface_triangles"), 320);
+  EXPECT_NEAR(volume(ball[0]), volume_of_ball, .05 * volume_of_ball);
+  EXPECT_NEAR(volume(ball[4]), volume(ball[0]), 1e-4 * volume(ball[0]));
+  EXPECT_GT(label_of(ball[2], 1).at("area").get<double>(),
+            1.0001 * label_of(ball[0], 1).at("area").get<double>());
+  EXPECT_LT(ball[4].at("distance_to_start").at("maximum").get<double>(), 1e-3);
+}
+
+TEST_F(Flows, fit_surfaces_into_the_ball) {
+  const Json step = steps("vortex box.off --fit --steps 1 --dt 0.001")[0];
+  EXPECT_NEAR(volume(step), std::pow(.3 / std::sqrt(3.), 3), 1e-12);
+}
+
+TEST_F(Flows, of_the_vortex_stay_in_their_planes) {
+  const Json vortex = steps("vortex --triangles 320 --dt 0.02 --steps 3 --improve-interface "
+                            "--aggressiveness 0");
+  EXPECT_NEAR(volume(vortex[3]), volume(vortex[0]), .002 * volume(vortex[0]));
+  EXPECT_EQ(vortex[3].at("complete"), true);
+}
+
+// The step is that of the input, whatever the box around it.
+TEST_F(Flows, of_mean_curvature_shrink_a_ball) {
+  const double radius = 10;
+  expect_success("enright --triangles 1280 --dt 1e-9 --steps 1 --output ball");
+  expect_success("convert ball/checkpoint.dsc ball.off");
+  const double scale = radius / .15;
+  std::istringstream in(program::contents(path("ball.off")));
+  std::ostringstream out;
+  std::string head;
+  std::size_t points, triangles, edges;
+  in >> head >> points >> triangles >> edges;
+  out << head << '\n' << points << ' ' << triangles << ' ' << edges << '\n';
+  for (std::size_t i = 0; i < 3 * points; ++i) {
+    double x;
+    in >> x;
+    out << scale * (x - .35) << (i % 3 == 2 ? '\n' : ' ');
+  }
+  out << in.rdbuf();
+  write("large_ball.off", out.str());
+
+  const Json shrinks = steps("mean-curvature large_ball.off --dt 1 --steps 10");
+  EXPECT_NEAR(std::cbrt(volume(shrinks[10]) / volume(shrinks[0])),
+              std::sqrt(radius * radius - 4 * 10) / radius, .005);
+  const Json stays = steps("mean-curvature large_ball.off --dt 1 --steps 3 --keep-volumes");
+  EXPECT_NEAR(volume(stays[3]), volume(stays[0]), 1e-9 * volume(stays[0]));
+  const double edge = stays[1].at("time").get<double>();
+  EXPECT_EQ(edge, 1);
+}
+
+TEST_F(Flows, of_mean_curvature_end_with_nothing) {
+  const Json steps_ = steps("mean-curvature box.off --triangles 300 --steps 40");
+  const Json& last = steps_.back();
+  EXPECT_EQ(last.at("interface_triangles"), 0);
+  EXPECT_EQ(last.at("labels").size(), 1u);
+  // By default a step has the time of the square of an edge.
+  const double time = steps_[1].at("time");
+  EXPECT_GT(time, 2);
+  EXPECT_LT(time, 9);
+}
+
+TEST_F(Flows, are_resumed) {
+  const std::string flow = "enright --period 0.08 --dt 0.02 ";
+  const auto distance_after_resuming = [&](const std::string& inputs) {
+    expect_success(flow + inputs + " --triangles 100 --steps 2 --output out");
+    const Json last = steps(flow + "--resume out/checkpoint.dsc --steps 2").back();
+    fs::remove_all(path("out"));
+    return last.contains("distance_to_start")
+               ? last.at("distance_to_start").at("mean").get<double>()
+               : -1;
+  };
+  const double of_ball = distance_after_resuming("");
+  EXPECT_GE(of_ball, 0);
+  EXPECT_LT(of_ball, 1e-3);
+  const double of_box = distance_after_resuming("box.off --fit");
+  EXPECT_GE(of_box, 0);
+  EXPECT_LT(of_box, 1e-2);
+
+  // Without its input, a run goes on, but does not know how far it went.
+  expect_success(flow + "box.off --fit --steps 2 --output out");
+  fs::remove(path("box.off"));
+  const Json last = steps(flow + "--resume out/checkpoint.dsc --steps 2").back();
+  EXPECT_FALSE(last.contains("distance_to_start"));
+}
+
+} // namespace
