@@ -13,8 +13,9 @@ Json json_of(const Rotation& rotation) {
 
 Json json_of(const Offset& offset) {
   return {{"command", "offset"},
-          {"distance", offset.distance},
-          {"unit", offset.in_mean_edges ? "mean interface edge" : "input"}};
+          {"distance", offset.distance.value},
+          {"unit", offset.distance.in_mean_edges ? "mean interface edge" : "input"},
+          {"move_faces", offset.moves_faces}};
 }
 
 Json json_of(const Advection& advection) {

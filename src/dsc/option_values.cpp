@@ -86,7 +86,7 @@ double parse_threshold(const std::string& text) {
   return threshold;
 }
 
-Offset parse_distance(const std::string& text) {
+Distance parse_distance(const std::string& text) {
   const bool in_mean_edges = !text.empty() && text.back() == 'e';
   const std::string number = in_mean_edges ? text.substr(0, text.size() - 1) : text;
   return {parse_number(number, "--distance", "0.1 or 0.25e"), in_mean_edges};

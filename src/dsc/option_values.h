@@ -26,8 +26,8 @@ double parse_angle(const std::string& text);
 /// A quality in (0, 1].
 double parse_threshold(const std::string& text);
 
-/// Both in the unit of the input and, with an e behind it, in mean edges.
-Offset parse_distance(const std::string& text);
+/// In the unit of the input or, with an e behind it, in mean edges.
+Distance parse_distance(const std::string& text);
 
 double parse_positive(const std::string& text, const std::string& option);
 

@@ -23,12 +23,18 @@ struct Rotation
   double degrees;             ///< per step
 };
 
+struct Distance
+{
+  double value;
+  bool in_mean_edges; ///< the unit: mean interface edges of the input, or that of the input's
+                      ///< coordinates
+};
+
 /// Move along the outward normals.
 struct Offset
 {
-  double distance;    ///< per step, positive outwards
-  bool in_mean_edges; ///< the unit: mean interface edges of the input, or that of the input's
-                      ///< coordinates
+  Distance distance; ///< per step, positive outwards
+  bool moves_faces;  ///< as a whole, and not each vertex along its own normal
 };
 
 /// Move with a field of velocities, given in the coordinates of the input.

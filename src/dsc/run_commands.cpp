@@ -42,6 +42,8 @@ Run_commands::Run_commands(CLI::App& app) {
                    "Distance per step, positive outwards; 0.25e is a quarter of the mean "
                    "interface edge of the input")
       ->required();
+  m_offset->add_flag("--move-faces", m_moves_faces,
+                     "Move flat faces as a whole, so that edges become round or stay sharp");
 
   m_enright = add_command(app, "enright",
                           "Deform surfaces in the unit cube, or a ball if there is no INPUT, with "
@@ -134,7 +136,7 @@ Motion Run_commands::motion() const {
   if (*m_rotate)
     return Rotation{parse_axis(m_axis), parse_angle(m_angle)};
   if (*m_offset)
-    return parse_distance(m_distance);
+    return Offset{parse_distance(m_distance), m_moves_faces};
   if (*m_enright)
     return advection(Advection::Field::enright, 1);
   if (*m_vortex)

@@ -36,7 +36,7 @@ private:
   std::string m_axis, m_angle, m_distance, m_expressions, m_period, m_dt, m_domain,
       m_aggressiveness;
   std::string m_scheme = "rk4";
-  bool m_fits = false, m_keeps_volumes = false;
+  bool m_moves_faces = false, m_fits = false, m_keeps_volumes = false;
 };
 
 } // namespace dsc

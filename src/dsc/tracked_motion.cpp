@@ -7,6 +7,7 @@
 
 #include <CGAL/advect_interface_3.h>
 #include <CGAL/control_detail_3.h>
+#include <CGAL/face_offsetting_3.h>
 #include <CGAL/improve_interface_3.h>
 #include <CGAL/interface_flows_3.h>
 #include <CGAL/mean_curvature_flow_3.h>
@@ -70,9 +71,13 @@ struct Step
   }
 
   Report operator()(const Offset& offset) const {
-    const double unit =
-        offset.in_mean_edges ? complex.mean_interface_edge() : 1 / complex.normalization().scale;
-    return advect(CGAL::Normal_offset_3{offset.distance * unit}, time, 1);
+    const double unit = offset.distance.in_mean_edges ? complex.mean_interface_edge()
+                                                      : 1 / complex.normalization().scale;
+    const double speed = offset.distance.value * unit;
+    if (!offset.moves_faces)
+      return advect(CGAL::Normal_offset_3{speed}, time, 1);
+    make_room();
+    return advect(CGAL::Face_offset_3(speed), time, 1);
   }
 
   Report operator()(const Advection& advection) const {
