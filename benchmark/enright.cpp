@@ -16,6 +16,7 @@
 #include <CGAL/control_detail_3.h>
 #include <CGAL/improve_interface_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
+#include <CGAL/restore_volumes_3.h>
 #include <CGAL/velocity_fields_3.h>
 
 #include <CGAL/Bbox_3.h>
@@ -30,6 +31,7 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,9 @@ namespace {
 
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 using CGAL::Deformable_simplicial_complexes::Integration_scheme;
+
+// Thin sheets of the flow dictate the quality of the tetrahedra inside of them.
+constexpr double quality_threshold = .1;
 
 constexpr double radius = .15;
 const Point center(.35, .35, .35);
@@ -51,6 +56,8 @@ struct Run
   double dt = .01;
   double tolerance =
       0; // of the interface from the smooth surface, in mean edges; 0: stays as it is
+  std::size_t interval = 4; // steps between improvements of interface and mesh
+  bool restores_volume = false;
 };
 
 // The ball of `radius` about `center` that encloses any other input.
@@ -93,6 +100,14 @@ double volume_between_interface_and_sphere(const Complex& complex) {
   return sum;
 }
 
+double mean_distance_to_sphere(const Complex& complex) {
+  const auto vertices = complex.interface_vertices();
+  double sum = 0;
+  for (const auto v : vertices)
+    sum += std::abs(std::sqrt((complex.position(v) - center).squared_length()) - radius);
+  return sum / double(vertices.size());
+}
+
 int flow(const Run& run) {
   Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
       std::vector<Surface>{read_surface(run)}, CGAL::Tetgen_tetrahedralizer_3(),
@@ -113,7 +128,7 @@ int flow(const Run& run) {
   bool is_valid = true;
   for (std::size_t i = 0; i < steps; ++i) {
     const double begin = processor_seconds();
-    if (run.tolerance > 0) {
+    if (run.tolerance > 0 && i % run.interval == 0) {
       const CGAL::Curvature_size_field_3 size(complex, run.tolerance * edge, .2 * edge, edge);
       CGAL::improve_interface(complex, parameters::size_field(std::cref(size))
                                            .aggressiveness(0.)
@@ -123,9 +138,14 @@ int flow(const Run& run) {
                                            .feature_angle(180.)
                                            .quality_threshold(0.));
     }
-    CGAL::control_detail(complex, parameters::collapse_length(2.));
-    const auto report = CGAL::advect_interface(complex, velocity, double(i) * run.dt, run.dt,
-                                               parameters::scheme(Integration_scheme::rk4));
+    if (run.tolerance == 0 || i % run.interval == 0)
+      CGAL::control_detail(complex, parameters::collapse_length(2.));
+    const auto report = CGAL::advect_interface(
+        complex, velocity, double(i) * run.dt, run.dt,
+        parameters::scheme(Integration_scheme::rk4).quality_threshold(quality_threshold));
+    if (run.restores_volume && i % run.interval == 0)
+      CGAL::restore_volumes(complex, std::map<int, double>{{1, volume}},
+                            parameters::quality_threshold(quality_threshold));
     seconds += processor_seconds() - begin;
     incomplete += !report.complete;
     most_triangles = (std::max)(most_triangles, complex.interface_facets().size());
@@ -150,7 +170,10 @@ int flow(const Run& run) {
             << incomplete << " | " << 100 * at_periods << " | " << 100 * between << " | "
             << mean_distance / edge << " | " << largest_distance / edge << " | ";
   if (run.input == "sphere")
-    std::cout << volume_between_interface_and_sphere(complex);
+    std::cout << volume_between_interface_and_sphere(complex) << " | "
+              << mean_distance_to_sphere(complex);
+  else
+    std::cout << "– | –";
   std::cout.precision(7);
   std::cout << " | " << area_in_the_middle;
   std::cout.precision(4);
@@ -175,6 +198,9 @@ int main(int argc, char** argv) {
   app.add_option("--tolerance", run.tolerance,
                  "improve the interface to stay so near to a smooth surface, in mean edges")
       ->check(CLI::PositiveNumber);
+  app.add_option("--interval", run.interval, "improve interface and mesh every so many steps")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--restore-volume", run.restores_volume, "as often as that");
   CLI11_PARSE(app, argc, argv);
   try {
     return dsc_benchmark::flow(run);

@@ -109,13 +109,17 @@ measure_flows() {
   begin_table "$table" input period tolerance "triangles at the start" "at most" "in the end" valid \
     "incomplete steps" "change of volume at whole periods (%)" "in between (%)" \
     "mean distance to the start / edge" maximum "volume between interface and sphere" \
+    "mean distance to the sphere" \
     "area in the middle / at the start" seconds "sweeps per step"
   for n in 16 32; do
     add_row "$table" "$enright" sphere -n "$n"
   done
   add_row "$table" "$enright" "$meshes/armadillo.off"
   for n in 8 16 32; do
-    add_row "$table" "$enright" sphere -n "$n" --period 3 --end 3 --tolerance .05
+    add_row "$table" "$enright" sphere -n "$n" --period 3 --end 3 --tolerance .035
+  done
+  for n in 8 16 32; do
+    add_row "$table" "$enright" sphere -n "$n" --period 3 --end 3 --tolerance .1 --restore-volume
   done
 
   table=$results/mean_curvature.md

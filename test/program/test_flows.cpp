@@ -80,11 +80,11 @@ TEST_F(Flows, advect_with_velocities_of_the_user) {
 }
 
 TEST_F(Flows, are_back_after_a_period) {
-  const Json there_and_back = steps(expand + "--period 0.2 --dt 0.05 --steps 8");
-  EXPECT_NEAR(volume(there_and_back[2]), 1000 * std::exp(.6 / std::acos(-1)), .01);
+  const Json there_and_back = steps(expand + "--period 0.2 --dt 0.01 --steps 40");
+  EXPECT_NEAR(volume(there_and_back[10]), 1000 * std::exp(.6 / std::acos(-1)), 1e-3);
   for (std::size_t i = 0; i < there_and_back.size(); ++i)
-    EXPECT_EQ(there_and_back[i].contains("distance_to_start"), i == 4 || i == 8) << i;
-  for (const int i : {4, 8}) {
+    EXPECT_EQ(there_and_back[i].contains("distance_to_start"), i == 20 || i == 40) << i;
+  for (const int i : {20, 40}) {
     EXPECT_NEAR(volume(there_and_back[i]), 1000, 1e-3);
     const Json& distance = there_and_back[i].at("distance_to_start");
     EXPECT_LT(distance.at("mean").get<double>(), 1e-6);
