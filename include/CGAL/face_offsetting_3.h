@@ -24,7 +24,8 @@ namespace CGAL {
 
 Wavefrontal motion by face offsetting (X. Jiao, *Face offsetting: A unified approach for explicit
 moving interfaces*, Journal of Computational Physics 220, 2007): the planes of the facets move along
-their normals, and vertices go where their planes meet. Labelled phases grow into the outside, label
+their normals, and vertices go where their planes meet, each facet weighted by its angle at the
+vertex. Labelled phases grow into the outside, label
 0, or shrink if the speed is negative; facets between other labels, and the sides of the domain,
 hold their vertices in their planes.
 
@@ -62,12 +63,13 @@ public:
       double weight = 0, weighted_length = 0;
     };
     std::vector<Vertex> vertices(positions.size());
-    const auto triangles = internal::area_triangles(interface_, positions);
+    const auto triangles = internal::weighted_triangles(interface_, positions);
     for (const auto& triangle : triangles) {
       const double sign = internal::sign_of_growth(interface_.triangles[triangle.index]);
-      for (std::size_t v : interface_.triangles[triangle.index].vertices) {
-        vertices[v].quadric.add(triangle.unit_normal, triangle.area, sign * offset);
-        vertices[v].is_held = vertices[v].is_held || sign == 0;
+      for (int i = 0; i < 3; ++i) {
+        Vertex& v = vertices[interface_.triangles[triangle.index].vertices[i]];
+        v.quadric.add(triangle.unit_normal, triangle.angles[i], sign * offset);
+        v.is_held = v.is_held || sign == 0;
       }
     }
     static constexpr double short_part = .1; // of the offset, where its facets cancel each other
@@ -90,9 +92,9 @@ public:
                                   (positions[corner[(i + 2) % 3]] - positions[corner[i]]);
         const double cosine = std::abs(triangle.unit_normal * v.direction);
         const bool is_rounded = v.quadric.rank() < 2 || into_facet * v.direction < 0;
-        const double weight = triangle.area * (is_rounded ? 1 : cosine * cosine);
-        v.weight += weight;
-        v.weighted_length += triangle.area * (is_rounded ? 1 : cosine) * std::abs(offset);
+        const double angle = triangle.angles[i];
+        v.weight += angle * (is_rounded ? 1 : cosine * cosine);
+        v.weighted_length += angle * (is_rounded ? 1 : cosine) * std::abs(offset);
       }
     }
     for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -151,10 +153,12 @@ public:
     const auto advected = internal::integrate_with_fixed_steps(interface_, positions, m_field, t,
                                                                dt, Integration_scheme::rk4);
     std::vector<internal::Vertex_quadric_3<Vector>> quadrics(positions.size());
-    for (const auto& triangle : internal::area_triangles(interface_, advected))
-      for (std::size_t v : interface_.triangles[triangle.index].vertices)
-        quadrics[v].add(triangle.unit_normal, triangle.area,
+    for (const auto& triangle : internal::weighted_triangles(interface_, advected))
+      for (int i = 0; i < 3; ++i) {
+        const std::size_t v = interface_.triangles[triangle.index].vertices[i];
+        quadrics[v].add(triangle.unit_normal, triangle.angles[i],
                         (advected[v] - positions[v]) * triangle.unit_normal);
+      }
     for (std::size_t v = 0; v < positions.size(); ++v) {
       quadrics[v].analyse(m_threshold);
       destinations.push_back(positions[v] + quadrics[v].displacement());

@@ -200,8 +200,8 @@ private:
     return true;
   }
 
-  // Nothing where the interface is not a single smooth sheet, or touches the boundary of the
-  // domain.
+  // Nothing where the interface is not a single smooth sheet, has a feature, or touches the
+  // boundary of the domain.
   std::optional<typename Complex::Approximate_point_3> curved_middle(Cell_handle c, int i, int j) {
     if (m_complex.is_boundary(c->vertex(i)) && m_complex.is_boundary(c->vertex(j)))
       return std::nullopt;
@@ -209,7 +209,9 @@ private:
     const Interface_fan_3<Complex> a(m_complex, c->vertex(i), m_star);
     m_complex.star(c->vertex(j), m_star);
     const Interface_fan_3<Complex> b(m_complex, c->vertex(j), m_star);
-    if (!a.is_disk() || !b.is_disk())
+    if (!a.is_disk() || !b.is_disk() ||
+        !a.neighbors_along_features(m_thresholds.feature_angle).empty() ||
+        !b.neighbors_along_features(m_thresholds.feature_angle).empty())
       return std::nullopt;
     return curved_midpoint(m_complex, a, b);
   }

@@ -20,17 +20,47 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// The normal of the center of a fan, of length 1; 0 if the facets cancel each other.
+template <class Complex>
+typename Complex::Approximate_vector_3 normal_of(const Interface_fan_3<Complex>& fan,
+                                                 const Complex& complex) {
+  using Vector = typename Complex::Approximate_vector_3;
+  const auto p = complex.position(fan.center());
+  Vector sum(0, 0, 0);
+  for (std::size_t i = 0; i < fan.size(); ++i) {
+    const auto f = fan.facet(i, p);
+    const Vector area = area_vector(f);
+    const double length = std::sqrt(area.squared_length());
+    if (length > 0)
+      sum = sum + angle_between(f[1] - p, f[2] - p) / length * area;
+  }
+  const double length = std::sqrt(sum.squared_length());
+  return length > 0 ? sum / length : sum;
+}
+
+// The middle of a cubic curve between the centers of two fans that is perpendicular to their
+// normals there (A. Vlachos and others, Curved PN triangles, I3D 2001): for surfaces that bend too
+// much to be a height over a plane.
+template <class Complex>
+typename Complex::Approximate_point_3 midpoint_by_normals(const Complex& complex,
+                                                          const Interface_fan_3<Complex>& a,
+                                                          const Interface_fan_3<Complex>& b) {
+  const auto p = complex.position(a.center()), q = complex.position(b.center());
+  const auto n = normal_of(a, complex), m = normal_of(b, complex);
+  return midpoint(p, q) - (((q - p) * n) * n + ((p - q) * m) * m) / 8;
+}
+
 // Where the middle of an edge would be on the smooth surface that the interface is an image of: on
 // the quadric, as a height over the mean tangent plane of the two fans, that fits their vertices
-// best. Nothing if there are too few of them, or if a facet is inclined to that plane by more than
-// 45 degrees: the surface has a feature there, or bends so much that there is no telling.
+// best. Nothing if there are too few of them. Where a facet is inclined to that plane by more than
+// 45 degrees, normals tell more than heights.
 template <class Complex>
 std::optional<typename Complex::Approximate_point_3>
 curved_midpoint(const Complex& complex, const Interface_fan_3<Complex>& a,
                 const Interface_fan_3<Complex>& b) {
   using Vector = typename Complex::Approximate_vector_3;
   static constexpr Eigen::Index coefficients = 6;
-  static constexpr double feature_cosine = .7071;
+  static constexpr double steep_cosine = .7071;
   const auto p = complex.position(a.center()), q = complex.position(b.center());
   const auto middle = midpoint(p, q);
   Vector normal(0, 0, 0);
@@ -50,8 +80,8 @@ curved_midpoint(const Complex& complex, const Interface_fan_3<Complex>& a,
   for (const Interface_fan_3<Complex>* fan : {&a, &b})
     for (std::size_t i = 0; i < fan->size(); ++i) {
       const Vector n_i = area_vector(fan->facet(i, complex.position(fan->center())));
-      if (!(n_i * normal > feature_cosine * std::sqrt(n_i.squared_length())))
-        return std::nullopt;
+      if (!(n_i * normal > steep_cosine * std::sqrt(n_i.squared_length())))
+        return midpoint_by_normals(complex, a, b);
     }
   Vector along = (q - p) - ((q - p) * normal) * normal;
   const double length = std::sqrt(along.squared_length());

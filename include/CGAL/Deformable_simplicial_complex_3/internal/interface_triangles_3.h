@@ -39,24 +39,28 @@ template <class Triangle> double sign_of_growth(const Triangle& triangle) {
   return triangle.in_front == 0 ? 1 : triangle.behind == 0 ? -1 : 0;
 }
 
-template <class Vector> struct Area_triangle
+template <class Vector> struct Weighted_triangle
 {
   std::size_t index; // in the snapshot
   Vector unit_normal;
-  double area;
+  std::array<double, 3> angles; // at the corners: weights that do not depend on how a face is cut
 };
 
 // The triangles of a snapshot that have an area.
 template <class Complex>
-std::vector<Area_triangle<typename Complex::Approximate_vector_3>>
-area_triangles(const Interface_snapshot_3<Complex>& interface_,
-               const std::vector<typename Complex::Approximate_point_3>& positions) {
-  std::vector<Area_triangle<typename Complex::Approximate_vector_3>> result;
+std::vector<Weighted_triangle<typename Complex::Approximate_vector_3>>
+weighted_triangles(const Interface_snapshot_3<Complex>& interface_,
+                   const std::vector<typename Complex::Approximate_point_3>& positions) {
+  std::vector<Weighted_triangle<typename Complex::Approximate_vector_3>> result;
   for (std::size_t i = 0; i < interface_.triangles.size(); ++i) {
-    const auto normal = area_vector(corners(interface_.triangles[i], positions));
+    const auto p = corners(interface_.triangles[i], positions);
+    const auto normal = area_vector(p);
     const double area = std::sqrt(normal.squared_length());
+    const auto angle = [&](int j) {
+      return std::atan2(2 * area, (p[(j + 1) % 3] - p[j]) * (p[(j + 2) % 3] - p[j]));
+    };
     if (area > 0)
-      result.push_back({i, normal / area, area});
+      result.push_back({i, normal / area, {angle(0), angle(1), angle(2)}});
   }
   return result;
 }
@@ -69,14 +73,11 @@ vertex_normals(const Interface_snapshot_3<Complex>& interface_,
                const std::vector<typename Complex::Approximate_point_3>& positions) {
   using Vector = typename Complex::Approximate_vector_3;
   std::vector<Vector> result(positions.size(), Vector(0, 0, 0));
-  for (const auto& triangle : area_triangles(interface_, positions)) {
-    const auto& v = interface_.triangles[triangle.index].vertices;
+  for (const auto& triangle : weighted_triangles(interface_, positions))
     for (int i = 0; i < 3; ++i) {
-      const Vector a = positions[v[(i + 1) % 3]] - positions[v[i]];
-      const Vector b = positions[v[(i + 2) % 3]] - positions[v[i]];
-      result[v[i]] = result[v[i]] + std::atan2(2 * triangle.area, a * b) * triangle.unit_normal;
+      Vector& normal = result[interface_.triangles[triangle.index].vertices[i]];
+      normal = normal + triangle.angles[i] * triangle.unit_normal;
     }
-  }
   static constexpr double rounding = 1e-9; // of sums of angles
   for (Vector& normal : result) {
     const double length = std::sqrt(normal.squared_length());
