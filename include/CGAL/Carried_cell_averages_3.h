@@ -11,6 +11,7 @@
 
 #include <CGAL/property_map.h>
 
+#include <array>
 #include <vector>
 
 namespace CGAL {
@@ -113,7 +114,8 @@ public:
 private:
   using Tetrahedron = Deformable_simplicial_complexes::internal::Filled_tetrahedron_3<
       typename Complex::Approximate_point_3, Value>;
-  using Corners = decltype(Tetrahedron::corners);
+  using Clipping = decltype(Tetrahedron::tetrahedron);
+  using Corners = std::array<typename Complex::Approximate_point_3, 4>;
 
   Corners corners(Cell_handle c) const {
     return Deformable_simplicial_complexes::internal::cell_corners(m_complex, c);
@@ -134,12 +136,12 @@ private:
     m_to.clear();
     for (Cell_handle c : cells)
       if (!m_complex.is_infinite(c))
-        m_from.push_back({corners(c), c->label(), get(m_values, c)});
+        m_from.push_back({Clipping(corners(c)), c->label(), get(m_values, c)});
   }
 
   void add_target(const Corners& corners, int label) {
     const Value nothing = 0. * m_from.front().content;
-    m_to.push_back({corners, label, nothing});
+    m_to.push_back({Clipping(corners), label, nothing});
   }
 
   void redistribute() {

@@ -25,11 +25,11 @@ template <class Point> double positive_volume(const std::array<Point, 4>& t) {
 // A positive tetrahedron, and how much of something is in it.
 template <class Point, class Value> struct Filled_tetrahedron_3
 {
-  std::array<Point, 4> corners;
+  Clipping_tetrahedron_3<Point> tetrahedron;
   int label;
   Value content;
 
-  double volume() const { return positive_volume(corners); }
+  double volume() const { return positive_volume(tetrahedron.corners()); }
 };
 
 // Adds all that is in `sources` to `targets`. Where they overlap, a source fills a target to its
@@ -50,7 +50,7 @@ void pour(const std::vector<const Filled_tetrahedron_3<Point, Value>*>& sources,
     overlaps.clear();
     double sum = 0;
     for (const auto* t : targets) {
-      overlaps.push_back(overlap_volume(s->corners, t->corners));
+      overlaps.push_back(overlap_volume(s->tetrahedron, t->tetrahedron));
       sum += overlaps.back();
     }
     const double whole = (std::max)(sum, s->volume()); // less by rounding only
