@@ -6,7 +6,6 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_pair_3.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/control_detail_3.h>
 #include <CGAL/deform_interface_3.h>
 #include <CGAL/improve_interface_3.h>
@@ -21,7 +20,6 @@
 #include <cstddef>
 #include <functional>
 #include <map>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
