@@ -123,9 +123,7 @@ Improvement_report remove_degeneracies(Complex& dsc,
                              if (!propose(c))
                                return;
                              internal::commit_proposal(dsc, cavity, visitor, report);
-                             for (Cell_handle d : cavity.created())
-                               if (!dsc.is_infinite(d))
-                                 touched.push(d);
+                             internal::push_finite(dsc, cavity.created(), touched);
                            });
   return report;
 }

@@ -204,6 +204,11 @@ public:
   Visitor(const Visitor&) = delete;
   Visitor& operator=(const Visitor&) = delete;
 
+  void before_replacement(const typename Complex::Cavity&) {}
+  void after_replacement(const typename Complex::Cavity&) {}
+  void before_smoothing(Vertex_handle, const std::vector<Cell_handle>&,
+                        const typename Complex::Point_3&) {}
+  void after_smoothing(Vertex_handle, const std::vector<Cell_handle>&) {}
   void after_split(Vertex_handle, Vertex_handle, Vertex_handle) {}
   void before_collapse(Vertex_handle, Vertex_handle) {}
   void after_flip(const std::vector<Cell_handle>&) {}

@@ -1,8 +1,12 @@
 #include "archetypes.h"
 #include "mesh_helpers.h"
+#include "stamped_values.h"
 
+#include <CGAL/Carried_cell_averages_3.h>
+#include <CGAL/Carried_vertex_values_3.h>
 #include <CGAL/Curvature_size_field_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_pair_3.h>
 #include <CGAL/Triangulation_data_structure_3.h>
 #include <CGAL/advect_interface_3.h>
 #include <CGAL/control_detail_3.h>
@@ -17,6 +21,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -143,9 +148,34 @@ TEST(Archetypes, flows) {
   });
 }
 
+TEST(Archetypes, carried_values) {
+  expect_same([](auto& dsc) {
+    using Complex = std::decay_t<decltype(dsc)>;
+    stamped_values::Values<typename Complex::Vertex_handle> values;
+    stamped_values::Values<typename Complex::Cell_handle> averages;
+    for (const auto v : dsc.vertices())
+      values.set(v, 1);
+    for (const auto c : dsc.cells())
+      averages.set(c, 1);
+    {
+      CGAL::Carried_vertex_values_3 vertices(dsc, values.map());
+      CGAL::Carried_cell_averages_3 cells(dsc, averages.map());
+      CGAL::Deformation_visitor_pair_3 both(vertices, cells);
+      CGAL::improve_mesh(dsc, parameters::quality_threshold(.6).visitor(std::ref(both)));
+    }
+    for (const auto v : dsc.vertices())
+      EXPECT_NEAR(values[v], 1, 1e-12);
+    for (const auto c : dsc.cells())
+      EXPECT_NEAR(averages[c], 1, 1e-12);
+  });
+}
+
 TEST(Archetypes, improve_interface) {
   expect_same([](auto& dsc) {
-    CGAL::improve_interface(dsc, parameters::curved_splits(true).interface_split_length(1.2));
+    archetypes::Visitor<std::decay_t<decltype(dsc)>> visitor;
+    CGAL::improve_interface(
+        dsc,
+        parameters::curved_splits(true).interface_split_length(1.2).visitor(std::ref(visitor)));
     const CGAL::Curvature_size_field_3 size(dsc, .1, .2, 1.);
     CGAL::improve_interface(dsc, parameters::size_field(size));
   });

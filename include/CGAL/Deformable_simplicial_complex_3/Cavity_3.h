@@ -119,9 +119,15 @@ public:
     return quality;
   }
 
+  /// Whether the infinite vertex is among cavity vertices.
+  bool is_infinite(const std::array<Index, 4>& t) const {
+    return std::any_of(t.begin(), t.end(),
+                       [&](Index i) { return m_complex->is_infinite(m_vertices[i].handle); });
+  }
+
   /// Quality of a tetrahedron of cavity vertices by the measure of the complex.
   double quality(const std::array<Index, 4>& t) const {
-    if (has_infinite_vertex(t))
+    if (is_infinite(t))
       return std::numeric_limits<double>::infinity();
     return m_complex->quality_measure()(m_vertices[t[0]].position, m_vertices[t[1]].position,
                                         m_vertices[t[2]].position, m_vertices[t[3]].position);
@@ -132,7 +138,7 @@ public:
     const auto orientation = m_complex->geom_traits().orientation_3_object();
     return std::all_of(m_tetrahedra.begin(), m_tetrahedra.end(), [&](const Tetrahedron& t) {
       const auto& v = t.vertices;
-      return has_infinite_vertex(v) ||
+      return is_infinite(v) ||
              orientation(m_vertices[v[0]].point, m_vertices[v[1]].point, m_vertices[v[2]].point,
                          m_vertices[v[3]].point) == POSITIVE;
     });
@@ -159,11 +165,6 @@ public:
 
 private:
   friend Complex;
-
-  bool has_infinite_vertex(const std::array<Index, 4>& t) const {
-    return std::any_of(t.begin(), t.end(),
-                       [&](Index i) { return m_complex->is_infinite(m_vertices[i].handle); });
-  }
 
   const Complex* m_complex;
   std::vector<Vertex> m_vertices;

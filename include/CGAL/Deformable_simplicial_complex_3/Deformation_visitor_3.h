@@ -18,6 +18,20 @@ function may change the complex.
 */
 struct Deformation_visitor_3
 {
+  /// The planned tetrahedra of `cavity` are about to replace its cells, which are still there.
+  template <class Cavity> void before_replacement(const Cavity& /*cavity*/) {}
+
+  /// They have replaced them, and are `cavity.created()`.
+  template <class Cavity> void after_replacement(const Cavity& /*cavity*/) {}
+
+  /// `v`, the center of `star`, is about to move to `target` for the sake of the mesh.
+  template <class Vertex_handle, class Star, class Point_3>
+  void before_smoothing(Vertex_handle /*v*/, const Star& /*star*/, const Point_3& /*target*/) {}
+
+  /// `v` has moved there.
+  template <class Vertex_handle, class Star>
+  void after_smoothing(Vertex_handle /*v*/, const Star& /*star*/) {}
+
   /// `v` was created on the edge between `a` and `b`.
   template <class Vertex_handle>
   void after_split(Vertex_handle /*v*/, Vertex_handle /*a*/, Vertex_handle /*b*/) {}

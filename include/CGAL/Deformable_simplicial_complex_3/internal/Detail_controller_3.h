@@ -12,9 +12,9 @@
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/edge_unit.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace CGAL {
@@ -60,9 +60,7 @@ public:
     work_in_rounds(m_complex, std::move(cells), rounds,
                    [&](Cell_handle c, Work_list<Cell_handle>& touched) {
                      if (split(c) || collapse(c))
-                       for (Cell_handle d : m_cavity.created())
-                         if (!m_complex.is_infinite(d))
-                           touched.push(d);
+                       push_finite(m_complex, m_cavity.created(), touched);
                    });
   }
 
@@ -82,10 +80,7 @@ private:
       }
     if (a == b || !propose_edge_split(m_complex, c, a, b, .5, m_cavity))
       return false;
-    const Vertex_handle v = c->vertex(a), w = c->vertex(b);
-    m_complex.replace(m_cavity);
-    ++m_report.split;
-    m_visitor.after_split(m_cavity.vertices().back().handle, v, w);
+    commit_split(m_complex, m_cavity, c->vertex(a), c->vertex(b), m_visitor, m_report);
     return true;
   }
 
@@ -149,9 +144,7 @@ private:
   bool is_tied(Vertex_handle v) const { return v->is_interface() || m_complex.is_boundary(v); }
 
   double length(Vertex_handle v, Vertex_handle w, const Unit& unit) const {
-    const auto p = m_complex.position(v);
-    const auto edge = m_complex.position(w) - p;
-    return std::sqrt(edge.squared_length()) / unit(p + .5 * edge);
+    return length_in_units(m_complex, v, w, unit);
   }
 
   Complex& m_complex;

@@ -18,13 +18,13 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/changed_facets_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/curved_midpoint_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/edge_unit.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/triangle_quality.h>
 #include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complex_3/null_space_smoothing_3.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -80,13 +80,13 @@ public:
                    [&](Cell_handle c, Work_list<Cell_handle>& touched) {
                      const auto [i, j] = longest_edge(c);
                      if (i != j && split(c, i, j))
-                       push_created(touched);
+                       push_finite(m_complex, m_cavity.created(), touched);
                    });
   }
 
   void collapse_short_edges() {
     for_each_interface_edge([&](Cell_handle c, int i, int j) {
-      if (!(length_in_units(c->vertex(i), c->vertex(j)) < m_thresholds.collapse))
+      if (!(length(c->vertex(i), c->vertex(j)) < m_thresholds.collapse))
         return false;
       for (const auto& [vanishing, kept] : {std::make_pair(i, j), std::make_pair(j, i)})
         if (propose_collapse(c, vanishing, kept) && !makes_long_edge())
@@ -124,7 +124,7 @@ public:
       if (!propose_null_space_position(m_complex, v, m_star, m_thresholds.aggressiveness,
                                        m_thresholds.quality_threshold, target))
         continue;
-      m_complex.set_point(v, m_star, target);
+      smooth_vertex(m_complex, v, m_star, target, m_visitor);
       ++m_report.smoothed;
       for (Cell_handle c : m_star)
         touch(c);
@@ -164,10 +164,8 @@ private:
     return false;
   }
 
-  double length_in_units(Vertex_handle v, Vertex_handle w) const {
-    const auto p = m_complex.position(v);
-    const auto edge = m_complex.position(w) - p;
-    return std::sqrt(edge.squared_length()) / m_unit(p + .5 * edge);
+  double length(Vertex_handle v, Vertex_handle w) const {
+    return length_in_units(m_complex, v, w, m_unit);
   }
 
   // The edge of the interface that exceeds its threshold most; twice the same vertex if none does.
@@ -178,9 +176,9 @@ private:
       for (int j = i + 1; j < 4; ++j) {
         if (!is_interface_edge(c, i, j))
           continue;
-        const double length = length_in_units(c->vertex(i), c->vertex(j));
-        if (length > longest) {
-          longest = length;
+        const double edge = length(c->vertex(i), c->vertex(j));
+        if (edge > longest) {
+          longest = edge;
           result = {i, j};
         }
       }
@@ -188,14 +186,11 @@ private:
   }
 
   bool split(Cell_handle c, int i, int j) {
-    const Vertex_handle v = c->vertex(i), w = c->vertex(j);
     const auto curved = m_thresholds.splits_curved ? curved_middle(c, i, j) : std::nullopt;
     if (!(curved && propose_edge_split(m_complex, c, i, j, *curved, m_cavity)) &&
         !propose_edge_split(m_complex, c, i, j, .5, m_cavity))
       return false;
-    m_complex.replace(m_cavity);
-    ++m_report.split;
-    m_visitor.after_split(m_cavity.vertices().back().handle, v, w);
+    commit_split(m_complex, m_cavity, c->vertex(i), c->vertex(j), m_visitor, m_report);
     touch_created();
     return true;
   }
@@ -292,7 +287,7 @@ private:
     const Vertex_handle kept = m_cavity.kept_vertex();
     return std::any_of(m_cavity.vertices().begin(), m_cavity.vertices().end(), [&](const auto& v) {
       return v.handle != kept && v.handle != m_cavity.vanishing_vertex() &&
-             v.handle->is_interface() && length_in_units(v.handle, kept) > m_thresholds.split;
+             v.handle->is_interface() && length(v.handle, kept) > m_thresholds.split;
     });
   }
 
@@ -310,12 +305,6 @@ private:
   void touch(Cell_handle c) {
     if (!m_complex.is_infinite(c) && m_improver.is_bad(c))
       m_touched.push(c);
-  }
-
-  void push_created(Work_list<Cell_handle>& cells) const {
-    for (Cell_handle c : m_cavity.created())
-      if (!m_complex.is_infinite(c))
-        cells.push(c);
   }
 
   Complex& m_complex;

@@ -118,7 +118,7 @@ public:
       if (!propose_smart_laplacian(m_complex, v, m_star, target) &&
           !propose_optimal_position(m_complex, v, m_star, target))
         continue;
-      m_complex.set_point(v, m_star, target);
+      smooth_vertex(m_complex, v, m_star, target, m_visitor);
       ++m_report.smoothed;
       for (Cell_handle d : m_star)
         touch(d, touched);
@@ -158,9 +158,7 @@ public:
         !propose_edge_split(m_complex, c, a, b, .5, m_cavity) ||
         (m_cavity.vertices().back().boundary_class & Boundary_class::fixed) != 0)
       return false;
-    m_complex.replace(m_cavity);
-    ++m_report.split;
-    m_visitor.after_split(m_cavity.vertices().back().handle, v, w);
+    commit_split(m_complex, m_cavity, v, w, m_visitor, m_report);
     touch_created(touched);
     return true;
   }

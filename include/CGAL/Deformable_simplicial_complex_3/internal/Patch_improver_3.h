@@ -13,6 +13,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Patch_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
 #include <CGAL/Random.h>
 
@@ -227,7 +228,7 @@ private:
         ++m_report.smoothed;
       }
     }
-    m_complex.replace(m_cavity);
+    replace_cavity(m_complex, m_cavity, m_visitor);
     for (std::size_t i = 0; i < is_new.size(); ++i)
       if (is_new[i])
         m_visitor.after_insertion(m_cavity.vertices()[i].handle);

@@ -340,7 +340,7 @@ private:
     else
       ++m_report.smoothed;
     m_complex.star(moving, m_star);
-    m_complex.set_point(moving, m_star, exact(target));
+    smooth_vertex(m_complex, moving, m_star, exact(target), m_visitor);
     touch(m_star, touched);
     return true;
   }

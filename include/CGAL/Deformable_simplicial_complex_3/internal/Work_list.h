@@ -43,6 +43,14 @@ private:
   std::vector<Item> m_items;
 };
 
+template <class Complex>
+void push_finite(const Complex& complex, const std::vector<typename Complex::Cell_handle>& from,
+                 Work_list<typename Complex::Cell_handle>& cells) {
+  for (typename Complex::Cell_handle c : from)
+    if (!complex.is_infinite(c))
+      cells.push(c);
+}
+
 // Calls work(c, touched) for the cells c by creation, then for those that it put into `touched`,
 // and so on. Cells that are gone when it is their turn are left out.
 template <class Complex, class Work>

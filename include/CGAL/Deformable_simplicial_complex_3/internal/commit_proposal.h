@@ -8,25 +8,56 @@
 #include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
 
+#include <utility>
+#include <vector>
+
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Commits a collapse, an insertion or a flip, but no split, tells the visitor and counts.
+// What improves the mesh of the user changes it by these functions only. The visitor is told of
+// each change before, when nothing has changed yet if it throws, and after.
+
+template <class Complex, class Visitor>
+void replace_cavity(Complex& complex, Cavity_3<Complex>& cavity, Visitor& visitor) {
+  visitor.before_replacement(std::as_const(cavity));
+  complex.replace(cavity);
+  visitor.after_replacement(std::as_const(cavity));
+}
+
+template <class Complex, class Visitor>
+void smooth_vertex(Complex& complex, typename Complex::Vertex_handle v,
+                   const std::vector<typename Complex::Cell_handle>& star,
+                   const typename Complex::Point_3& target, Visitor& visitor) {
+  visitor.before_smoothing(v, star, target);
+  complex.set_point(v, star, target);
+  visitor.after_smoothing(v, star);
+}
+
+// Commits the split of the edge between v and w and counts it.
+template <class Complex, class Visitor>
+void commit_split(Complex& complex, Cavity_3<Complex>& cavity, typename Complex::Vertex_handle v,
+                  typename Complex::Vertex_handle w, Visitor& visitor, Improvement_report& report) {
+  replace_cavity(complex, cavity, visitor);
+  ++report.split;
+  visitor.after_split(cavity.vertices().back().handle, v, w);
+}
+
+// Commits a collapse, an insertion or a flip and counts it.
 template <class Complex, class Visitor>
 void commit_proposal(Complex& complex, Cavity_3<Complex>& cavity, Visitor& visitor,
                      Improvement_report& report) {
   using Vertex_handle = typename Complex::Vertex_handle;
   if (cavity.vanishing_vertex() != Vertex_handle()) {
     visitor.before_collapse(cavity.vanishing_vertex(), cavity.kept_vertex());
-    complex.replace(cavity);
+    replace_cavity(complex, cavity, visitor);
     ++report.collapsed;
   } else if (cavity.vertices().back().handle == Vertex_handle()) {
-    complex.replace(cavity);
+    replace_cavity(complex, cavity, visitor);
     ++report.inserted;
     visitor.after_insertion(cavity.vertices().back().handle);
   } else {
-    complex.replace(cavity);
+    replace_cavity(complex, cavity, visitor);
     ++report.flipped;
     visitor.after_flip(cavity.created());
   }

@@ -9,6 +9,8 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <cmath>
+
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
@@ -45,6 +47,14 @@ inline Constant_edge_unit edge_unit(const CGAL::internal_np::Param_not_found&, d
 template <class SizeField>
 Size_field_edge_unit<SizeField> edge_unit(const SizeField& field, double) {
   return {field};
+}
+
+template <class Complex, class Unit>
+double length_in_units(const Complex& complex, typename Complex::Vertex_handle v,
+                       typename Complex::Vertex_handle w, const Unit& unit) {
+  const auto p = complex.position(v);
+  const auto edge = complex.position(w) - p;
+  return std::sqrt(edge.squared_length()) / unit(p + .5 * edge);
 }
 
 } // namespace internal
