@@ -5,8 +5,9 @@
 """Renders the first, the middle and the last step that `dsc --output DIR` wrote.
 
 For each of them: interface_NNNNNN.png, the interface, and cut_NNNNNN.png, the tetrahedra behind a
-plane through the centre, coloured by label. strip.png shows all of them in two rows. Needs VTK 9
-for Python (Debian: python3-vtk9), and without a display xvfb-run before the command.
+plane through the centre, coloured by label. strip.png shows all of them in two rows. With --frames,
+it is a single row of small pictures of the interface, and there are no others. Needs VTK 9 for
+Python (Debian: python3-vtk9), and without a display xvfb-run before the command.
 """
 
 import argparse
@@ -18,19 +19,24 @@ import xml.etree.ElementTree as ElementTree
 import vtk
 
 SIZE = (1200, 900)
-TILE = (600, 450)
-# The y axis points up. Seen from the front (+z), a little from the right and above; the half in front
-# is cut away.
+# How many pixels of a picture, along either axis, make one in the strip of three steps.
+# A strip of N frames is about as wide as a single picture.
+SHRINKING = 2
+# The y axis points up. Seen from the front (+z), a little from the right and above; the half in
+# front is cut away.
 VIEW_DIRECTION = (-0.4, -0.3, -0.9)
 VIEW_UP = (0, 1, 0)
 # Half the height of a picture, in multiples of the interface's half diagonal.
 SHOWN_HEIGHT = 0.72
+# The same in a strip of frames, where the interfaces would just fit with 1.
+MARGIN = 1.1
 # How far around its centre tetrahedra are shown, in multiples of the interface's half diagonal.
 SHOWN_RADIUS = 0.8
 # The outside is pale; labels beyond the list start it again after the first colour.
 COLOURS = ((0.90, 0.90, 0.88), (0.30, 0.52, 0.74), (0.89, 0.55, 0.24), (0.42, 0.65, 0.38),
            (0.72, 0.36, 0.42), (0.55, 0.45, 0.68), (0.80, 0.70, 0.30))
 EDGE_COLOUR = (0.15, 0.15, 0.18)
+BORDER_GREY = 200  # of 255
 
 
 class Failure(Exception):
@@ -62,8 +68,9 @@ def read_grid(path):
     return reader.GetOutput()
 
 
-def first_middle_last(series):
-    return [series[i] for i in sorted({0, (len(series) - 1) // 2, len(series) - 1})]
+def evenly_spread(series, count):
+    last = len(series) - 1
+    return [series[i] for i in sorted({k * last // (count - 1) for k in range(count)})]
 
 
 def colour_index(label):
@@ -135,28 +142,58 @@ def cut_actor(path, centre, radius):
     return surface_actor(extract.GetOutput(), "label")
 
 
-def view_of(paths):
-    """The centre and the half diagonal of all these interfaces together."""
+def bounds_of(grids):
+    """The bounds of all of them together, and their centre."""
     bounds = vtk.vtkBoundingBox()
-    for path in paths:
-        bounds.AddBounds(read_grid(path).GetBounds())
+    for grid in grids:
+        bounds.AddBounds(grid.GetBounds())
     if not bounds.IsValid():
         raise Failure("there is no interface in any of the steps; nothing can be shown")
     centre = [0.0, 0.0, 0.0]
     bounds.GetCenter(centre)
+    return bounds, centre
+
+
+def view_of(paths):
+    """The centre and the half diagonal of all these interfaces together."""
+    bounds, centre = bounds_of(read_grid(path) for path in paths)
     return centre, bounds.GetDiagonalLength() / 2
 
 
-def render(actor, centre, radius):
+def camera_at(centre, height):
+    """Looks at the centre; shows twice the height."""
+    camera = vtk.vtkCamera()
+    camera.SetFocalPoint(*centre)
+    camera.SetPosition(*(c - 10 * height * d for c, d in zip(centre, VIEW_DIRECTION)))
+    camera.SetViewUp(*VIEW_UP)
+    camera.ParallelProjectionOn()
+    camera.SetParallelScale(height)
+    return camera
+
+
+def transformed(grid, transform):
+    apply = vtk.vtkTransformFilter()
+    apply.SetInputData(grid)
+    apply.SetTransform(transform)
+    apply.Update()
+    return apply.GetOutput()
+
+
+def closest_camera(paths):
+    """Shows all of these interfaces, and as little else as it can."""
+    to_view = vtk.vtkTransform()
+    to_view.SetMatrix(camera_at((0, 0, 0), 1).GetViewTransformMatrix())
+    bounds, centre = bounds_of(transformed(read_grid(path), to_view) for path in paths)
+    width, height = bounds.GetLength(0), bounds.GetLength(1)
+    return camera_at(to_view.GetInverse().TransformPoint(centre),
+                     MARGIN * max(height, width * SIZE[1] / SIZE[0]) / 2)
+
+
+def render(actor, camera):
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     renderer.AddActor(actor)
-    camera = renderer.GetActiveCamera()
-    camera.SetFocalPoint(*centre)
-    camera.SetPosition(*(c - 10 * radius * d for c, d in zip(centre, VIEW_DIRECTION)))
-    camera.SetViewUp(*VIEW_UP)
-    camera.ParallelProjectionOn()
-    camera.SetParallelScale(SHOWN_HEIGHT * radius)
+    renderer.SetActiveCamera(camera)
     renderer.ResetCameraClippingRange()
     window = vtk.vtkRenderWindow()
     window.OffScreenRenderingOn()
@@ -189,40 +226,77 @@ def appended(images, axis):
     return append.GetOutput()
 
 
-def tile(image):
-    resize = vtk.vtkImageResize()
-    resize.SetInputData(image)
-    resize.SetOutputDimensions(*TILE, 1)
-    resize.Update()
-    return resize.GetOutput()
+def tile(image, shrinking):
+    shrink = vtk.vtkImageShrink3D()
+    shrink.SetInputData(image)
+    shrink.SetShrinkFactors(shrinking, shrinking, 1)
+    shrink.Update()
+    return shrink.GetOutput()
+
+
+def with_border(image):
+    """Adds a line on the right, to tell a frame from the next one."""
+    width, height, _ = image.GetDimensions()
+    pad = vtk.vtkImageConstantPad()
+    pad.SetInputData(image)
+    pad.SetOutputWholeExtent(0, width, 0, height - 1, 0, 0)
+    pad.SetConstant(BORDER_GREY)
+    pad.Update()
+    return pad.GetOutput()
+
+
+def render_frames(series, count, out):
+    interfaces = [path for _, path in evenly_spread(series, count)]
+    camera = closest_camera(interfaces)
+    row = [tile(render(interface_actor(path), camera), count) for path in interfaces]
+    row = [with_border(image) for image in row[:-1]] + row[-1:]
+    write(appended(row, axis=0), os.path.join(out, "strip.png"))
+
+
+def render_three_steps(series, volumes, out):
+    interfaces = evenly_spread(series, 3)
+    centre, radius = view_of([path for _, path in interfaces])
+    camera = camera_at(centre, SHOWN_HEIGHT * radius)
+    rows = ([], [])
+    for time, path in interfaces:
+        if time not in volumes:
+            raise Failure(f"volume.pvd lacks time {time:g} of interface.pvd; "
+                          "write the series again")
+        number = os.path.splitext(os.path.basename(path))[0].rpartition("_")[2]
+        actors = (interface_actor(path), cut_actor(volumes[time], centre, radius))
+        for row, name, actor in zip(rows, ("interface", "cut"), actors):
+            image = render(actor, camera)
+            write(image, os.path.join(out, f"{name}_{number}.png"))
+            row.append(tile(image, SHRINKING))
+    # Images grow upwards.
+    strip = appended([appended(row, axis=0) for row in reversed(rows)], axis=1)
+    write(strip, os.path.join(out, "strip.png"))
+
+
+def number_of_frames(text):
+    count = int(text)
+    if count < 2:
+        raise argparse.ArgumentTypeError("a strip needs two frames at least")
+    return count
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", metavar="DIR", help="what dsc --output wrote")
     parser.add_argument("--out", metavar="DIR", help="folder for the images; default: the same")
+    parser.add_argument("--frames", metavar="N", type=number_of_frames,
+                        help="only a strip of the interface in N steps, from the first to the last")
     arguments = parser.parse_args()
     out = arguments.out or arguments.folder
     vtk.vtkObject.GlobalWarningDisplayOff()  # failures are told in one line
 
-    interfaces = first_middle_last(read_collection(os.path.join(arguments.folder, "interface.pvd")))
-    volumes = dict(read_collection(os.path.join(arguments.folder, "volume.pvd")))
-    centre, radius = view_of([path for _, path in interfaces])
+    series = read_collection(os.path.join(arguments.folder, "interface.pvd"))
     os.makedirs(out, exist_ok=True)
-
-    rows = ([], [])
-    for time, path in interfaces:
-        if time not in volumes:
-            raise Failure(f"volume.pvd lacks time {time:g} of interface.pvd; write the series again")
-        number = os.path.splitext(os.path.basename(path))[0].rpartition("_")[2]
-        actors = (interface_actor(path), cut_actor(volumes[time], centre, radius))
-        for row, name, actor in zip(rows, ("interface", "cut"), actors):
-            image = render(actor, centre, radius)
-            write(image, os.path.join(out, f"{name}_{number}.png"))
-            row.append(tile(image))
-    # Images grow upwards.
-    strip = appended([appended(row, axis=0) for row in reversed(rows)], axis=1)
-    write(strip, os.path.join(out, "strip.png"))
+    if arguments.frames:
+        render_frames(series, arguments.frames, out)
+    else:
+        volumes = dict(read_collection(os.path.join(arguments.folder, "volume.pvd")))
+        render_three_steps(series, volumes, out)
 
 
 if __name__ == "__main__":

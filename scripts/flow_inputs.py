@@ -1,0 +1,128 @@
+#!/usr/bin/python3
+# Copyright (c) 2026 The deformable simplicial complex authors
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes the surfaces that scripts/render_flows.sh starts from, as OFF, into a folder."""
+
+import argparse
+import math
+import os
+
+
+class Surface:
+    """Triangles, counterclockwise seen from outside; equal points are one vertex."""
+
+    def __init__(self):
+        self.vertices = {}
+        self.triangles = []
+
+    def add(self, *points):
+        triangle = [self.vertices.setdefault(p, len(self.vertices)) for p in points]
+        if len(set(triangle)) == 3:  # a quadrangle at a pole is but one triangle
+            self.triangles.append(triangle)
+
+    def write(self, path):
+        with open(path, "w") as file:
+            print("OFF", len(self.vertices), len(self.triangles), 0, file=file)
+            for vertex in self.vertices:
+                print(*vertex, file=file)
+            for triangle in self.triangles:
+                print(3, *triangle, file=file)
+
+
+def add_box(surface, low, high, n=1, place=lambda *point: point):
+    """A box, each side of which is cut into n^2 rectangles; `place` tells where its points go."""
+    for axis in range(3):
+        for side in (0, n):
+
+            def point(i, j):
+                steps = {axis: side, (axis + 1) % 3: i, (axis + 2) % 3: j}
+                return place(*(low[k] + (high[k] - low[k]) * steps[k] / n for k in range(3)))
+
+            for i in range(n):
+                for j in range(n):
+                    a, b, c, d = point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)
+                    for p, q, r in ((a, b, c), (a, c, d)):
+                        surface.add(*((p, q, r) if side else (p, r, q)))
+
+
+def box(low, high):
+    surface = Surface()
+    add_box(surface, low, high)
+    return surface
+
+
+def two_spheres(distance, n):
+    """Unit spheres along the x axis: cubes that are blown up."""
+    surface = Surface()
+    for centre in (-distance / 2, distance / 2):
+
+        def blown_up(*point):
+            p = [math.tan(math.pi / 4 * x) for x in point]  # rectangles of about the same size
+            return tuple(c + x / math.hypot(*p) for c, x in zip((centre, 0, 0), p))
+
+        add_box(surface, (-1, -1, -1), (1, 1, 1), n, blown_up)
+    return surface
+
+
+def revolved(profile, n, axis):
+    """Turns points about an axis; they are given by their places along it and their distances from
+    it, with the inside on their right."""
+
+    def point(i, j):
+        along, r = profile[i]
+        angle = 2 * math.pi * (j % n) / n
+        p = (along, r * math.cos(angle), r * math.sin(angle)) if r > 0 else (along, 0.0, 0.0)
+        return p[3 - axis:] + p[:3 - axis]
+
+    surface = Surface()
+    for i in range(len(profile) - 1):
+        for j in range(n):
+            a, b, c, d = point(i, j), point(i, j + 1), point(i + 1, j + 1), point(i + 1, j)
+            surface.add(a, b, c)
+            surface.add(a, c, d)
+    return surface
+
+
+def torus(tube_radius, n):
+    """The middle of the tube is the unit circle about the z axis."""
+    circle = []
+    for i in range(3 * n):
+        angle = 2 * math.pi * i / (3 * n)
+        circle.append((tube_radius * math.sin(angle), 1 + tube_radius * math.cos(angle)))
+    return revolved(circle + circle[:1], 5 * n, axis=2)
+
+
+def dumbbell(ball_radius, bar_radius, n):
+    """Balls about x = -1 and x = 1, and a bar between them."""
+    bar_begin = math.asin(bar_radius / ball_radius)
+    half = []
+    for i in range(2 * n):
+        angle = (math.pi - bar_begin) * i / (2 * n)
+        half.append((-1 - ball_radius * math.cos(angle), ball_radius * math.sin(angle)))
+    bar_length = 1 - ball_radius * math.cos(bar_begin)
+    for i in range(n):
+        half.append((-bar_length * (n - i) / n, bar_radius))
+    other_half = [(-x, r) for x, r in reversed(half)]
+    return revolved(half + [(0, bar_radius)] + other_half, 2 * n, axis=0)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", metavar="DIR", help="created if need be")
+    folder = parser.parse_args().folder
+    os.makedirs(folder, exist_ok=True)
+    surfaces = {
+        "cube": box((0, 0, 0), (1, 1, 1)),
+        "left_cube": box((-1.02, 0, 0), (-0.02, 1, 1)),
+        "right_cube": box((0.02, 0, 0), (1.02, 1, 1)),
+        "two_spheres": two_spheres(2.4, 10),
+        "torus": torus(0.5, 8),
+        "dumbbell": dumbbell(0.5, 0.2, 10),
+    }
+    for name, surface in surfaces.items():
+        surface.write(os.path.join(folder, name + ".off"))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# Runs the flows that the manual shows, in BUILD_DIR/flows, and renders its strips of pictures anew:
+# doc/Deformable_simplicial_complex_3/fig/flow_NAME.png. Takes some minutes.
+# Usage: scripts/render_flows.sh [BUILD_DIR]
+set -euo pipefail
+source=$(realpath "$(dirname "$0")/..")
+build=$(realpath --canonicalize-missing "${1:-$source/build}")
+flows=$build/flows
+figures=$source/doc/Deformable_simplicial_complex_3/fig
+data=/usr/share/doc/libcgal-dev/data.tar.gz
+python=/usr/bin/python3
+display=()
+[ -n "${DISPLAY:-}" ] || display=(xvfb-run -a)
+
+fail() { # MESSAGE
+  echo "render_flows.sh: $1" >&2
+  exit 1
+}
+
+check_needs() {
+  [ -x "$build/dsc" ] || fail "$build/dsc is missing; build the target dsc, or name its folder"
+  [ -f "$data" ] || fail "$data is missing; run scripts/install_dependencies.sh"
+  "$python" -c 'import vtk' 2>/dev/null ||
+    fail "VTK for Python is missing; run scripts/install_dependencies.sh"
+  [ ${#display[@]} -eq 0 ] || command -v "${display[0]}" >/dev/null ||
+    fail "there is no display and no ${display[0]}; run scripts/install_dependencies.sh"
+}
+
+run() { # NAME COMMAND ARGUMENT...
+  echo "dsc ${*:2}"
+  "$build/dsc" "${@:2}" --quiet --output "$1"
+}
+
+render() { # NAME FRAMES
+  "${display[@]}" "$python" "$source/scripts/render.py" "$1" --frames "$2"
+  cp "$1/strip.png" "$figures/flow_$1.png"
+}
+
+flow() { # NAME FRAMES COMMAND ARGUMENT...
+  run "$1" "${@:3}"
+  render "$1" "$2"
+}
+
+check_needs
+rm -rf "$flows"
+mkdir -p "$flows"
+cd "$flows"
+"$python" "$source/scripts/flow_inputs.py" .
+tar --extract --gzip --file "$data" --strip-components=2 \
+  data/meshes/{armadillo,bunny00,refined_elephant}.off
+
+flow enright 5 enright --steps 100 --every 5
+flow enright_armadillo 3 enright armadillo.off --fit --triangles 6000 --steps 100 --every 5
+flow enright_period_3 5 enright --period 3 --steps 300 --improve-interface --every 15
+flow vortex 5 vortex --triangles 2880 --steps 800 --improve-interface --every 20
+
+flow offset_cube_outwards 4 offset cube.off --triangles 3000 --distance 0.025 --move-faces \
+  --steps 18 --improve-interface
+flow offset_cube_inwards 4 offset cube.off --triangles 800 --distance=-0.01 --move-faces \
+  --steps 30 --improve-interface
+flow offset_spheres 4 offset two_spheres.off --distance 0.05 --steps 9 --improve-interface
+
+flow mean_curvature_bunny 4 mean-curvature bunny00.off --triangles 6000 --dt 0.0001 --steps 30 \
+  --improve-interface
+flow mean_curvature_torus 4 mean-curvature torus.off --dt 0.0045 --steps 30 --improve-interface
+flow mean_curvature_dumbbell 4 mean-curvature dumbbell.off --dt 0.001 --steps 39 \
+  --improve-interface
+run double_bubble offset left_cube.off right_cube.off --triangles 1600 --distance 0.01 \
+  --move-faces --steps 3
+flow double_bubble 4 mean-curvature --resume double_bubble/checkpoint.dsc --keep-volumes \
+  --dt 0.01 --steps 18 --improve-interface
+
+flow improved_elephant 2 rotate refined_elephant.off --triangles 6000 --axis 0,0,1 --angle 0 \
+  --improve-interface
