@@ -54,13 +54,14 @@ measure_one_motion() { # NAME INPUT..., in the variable `mode`
 
 measure_topology() {
   local table=$results/two_spheres_union.md n
-  begin_table "$table" triangles "changes of topology" radius components \
+  begin_table "$table" triangles "what is offset" "changes of topology" radius components \
     "Euler characteristic" volume "exact volume" "error (%)" "error of the input (%)" \
     "unfinished vertices" merges seconds
   for n in 9 18 35; do
     add_row "$table" "$programs/two_spheres_union" -n "$n"
   done
   add_row "$table" "$programs/two_spheres_union" -n 9 --forbid
+  add_row "$table" "$programs/two_spheres_union" -n 35 --faces
 
   table=$results/topology_changes.md
   local scenario
@@ -79,6 +80,10 @@ measure_topology() {
   begin_table "$table" triangles tetrahedra "incomplete steps" "unfinished vertices" \
     "area of the wall" smallest "volume of a bubble" "components of 0, 1, 2" events right seconds
   add_row "$table" "$programs/phases" double_bubble
+  table=$results/relaxed_bubble.md
+  begin_table "$table" triangles "in the end" "incomplete steps" "area above the least (%)" \
+    "mean angles of 0, 1, 2" "farthest from 120°" "change of the volume (%)" right seconds
+  add_row "$table" "$programs/phases" relaxed_bubble -n 20
 }
 
 measure_improvement() {

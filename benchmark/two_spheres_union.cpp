@@ -7,6 +7,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/topology_control.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/advect_interface_3.h>
+#include <CGAL/face_offsetting_3.h>
 #include <CGAL/interface_flows_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/number_utils.h>
@@ -43,7 +44,7 @@ Surface spheres(std::size_t n) {
 }
 
 // In steps of a quarter of a mean edge, the last one before each radius shorter.
-int measure(std::size_t n, bool forbid) {
+int measure(std::size_t n, bool forbid, bool moves_faces) {
   Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
       std::vector<Surface>{spheres(n)}, CGAL::Tetgen_tetrahedralizer_3());
   const std::size_t triangles = complex.interface_facets().size();
@@ -56,9 +57,10 @@ int measure(std::size_t n, bool forbid) {
     while (r < target) {
       const double dt = (std::min)(step, target - r);
       const auto report =
-          forbid ? CGAL::advect_interface(complex, CGAL::Normal_offset_3{1}, r, dt,
-                                          parameters::topology_control(Forbid_topology_changes()))
-                 : CGAL::advect_interface(complex, CGAL::Normal_offset_3{1}, r, dt);
+          forbid        ? CGAL::advect_interface(complex, CGAL::Normal_offset_3{1}, r, dt,
+                                                 parameters::topology_control(Forbid_topology_changes()))
+          : moves_faces ? CGAL::advect_interface(complex, CGAL::Face_offset_3(1), r, dt)
+                        : CGAL::advect_interface(complex, CGAL::Normal_offset_3{1}, r, dt);
       r = r + dt < target ? r + dt : target;
       unfinished = report.unfinished.size();
       for (const auto& event : report.events) {
@@ -68,12 +70,13 @@ int measure(std::size_t n, bool forbid) {
       }
     }
     std::cout.precision(4);
-    std::cout << "| " << triangles << " | " << (forbid ? "forbidden" : "allowed") << " | " << r
-              << " | " << complex.number_of_components(1) << " | "
-              << complex.euler_characteristic(1) << " | " << complex.volume(1) << " | "
-              << exact_volume(r) << " | " << 100 * (complex.volume(1) / exact_volume(r) - 1)
-              << " | " << 100 * (volume_at_start - 1) << " | " << unfinished << " | " << merged
-              << " | " << processor_seconds() - begin << " |" << std::endl;
+    std::cout << "| " << triangles << " | " << (moves_faces ? "faces" : "vertices") << " | "
+              << (forbid ? "forbidden" : "allowed") << " | " << r << " | "
+              << complex.number_of_components(1) << " | " << complex.euler_characteristic(1)
+              << " | " << complex.volume(1) << " | " << exact_volume(r) << " | "
+              << 100 * (complex.volume(1) / exact_volume(r) - 1) << " | "
+              << 100 * (volume_at_start - 1) << " | " << unfinished << " | " << merged << " | "
+              << processor_seconds() - begin << " |" << std::endl;
   }
   return check(complex) ? 0 : 1;
 }
@@ -84,9 +87,10 @@ int measure(std::size_t n, bool forbid) {
 int main(int argc, char** argv) {
   CLI::App app("Offsets two spheres into each other.");
   std::size_t n = 9;
-  bool forbid = false;
+  bool forbid = false, moves_faces = false;
   app.add_option("-n", n, "20 n^2 triangles a sphere");
   app.add_flag("--forbid", forbid, "changes of topology");
+  app.add_flag("--faces", moves_faces, "offset faces, not vertices");
   CLI11_PARSE(app, argc, argv);
-  return dsc_benchmark::measure(n, forbid);
+  return dsc_benchmark::measure(n, forbid, moves_faces);
 }
