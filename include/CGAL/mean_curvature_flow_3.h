@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace CGAL {
@@ -77,9 +78,9 @@ the second order in it.
 class Mean_curvature_flow_3
 {
 public:
-  /// \param preserves_volumes whether every label keeps its volume: the interface is then moved
-  /// along its normals after each step, flat parts between two labels equally far. Up to rounding
-  /// for labels that do not reach the boundary of the domain.
+  /// \param preserves_volumes whether every label keeps its volume, up to rounding for labels that
+  /// do not reach the boundary of the domain. Each label then has the pressure that it takes, so
+  /// that what is in equilibrium, such as a cluster of soap bubbles, stays where it is.
   explicit Mean_curvature_flow_3(bool preserves_volumes = false)
       : m_preserves_volumes(preserves_volumes) {}
 
@@ -100,8 +101,11 @@ public:
     destinations = implicit_step(interface_, half, dt / 2);
     for (std::size_t i = 0; i < destinations.size(); ++i)
       destinations[i] = destinations[i] + (destinations[i] - whole[i]);
-    if (m_preserves_volumes)
-      keep_volumes(interface_, positions, destinations);
+    if (m_preserves_volumes) {
+      const Deformable_simplicial_complexes::internal::Volume_changer_3<Complex> changer(
+          interface_);
+      changer.change_by(changer.changes(destinations, positions), destinations);
+    }
   }
 
 private:
@@ -110,9 +114,10 @@ private:
   // One step of backward Euler with the weights of its beginning. Vertices on sides of the domain
   // stay on them.
   template <class Complex>
-  static std::vector<typename Complex::Approximate_point_3>
+  std::vector<typename Complex::Approximate_point_3>
   implicit_step(const Interface_snapshot_3<Complex>& interface_,
-                const std::vector<typename Complex::Approximate_point_3>& positions, double dt) {
+                const std::vector<typename Complex::Approximate_point_3>& positions,
+                double dt) const {
     namespace internal = Deformable_simplicial_complexes::internal;
     const Eigen::Index n = Eigen::Index(positions.size());
     Entries stiffness; // its lower triangle
@@ -129,6 +134,13 @@ private:
         areas(Eigen::Index(v[i])) += weights.mixed_areas[i];
       }
     }
+    // The forces of a pressure in each label, and where they take the vertices.
+    const internal::Volume_changer_3<Complex> changer(interface_);
+    const auto labels = m_preserves_volumes ? changer.changes(positions, positions)
+                                            : std::map<typename Complex::Label, double>();
+    const auto forces = changer.gradients(labels, positions);
+    std::vector<Eigen::Matrix<double, Eigen::Dynamic, 3>> responses(labels.size(), {n, 3});
+
     Eigen::Matrix<double, Eigen::Dynamic, 3> solution(n, 3);
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver;
     std::vector<char> is_fixed, was_fixed;
@@ -142,11 +154,26 @@ private:
       if (axis == 0 || is_fixed != was_fixed)
         factorize(stiffness, areas, is_fixed, solver);
       solution.col(axis) = solver.solve(right_side(stiffness, areas, is_fixed, start));
+      for (std::size_t label = 0; label < responses.size(); ++label) {
+        Eigen::VectorXd force = Eigen::VectorXd::Zero(n);
+        for (std::size_t i = 0; i < forces.size(); ++i)
+          if (const auto found = forces[i].find(Eigen::Index(label)); found != forces[i].end())
+            force(Eigen::Index(i)) = found->second[axis];
+        responses[label].col(axis) = solver.solve(force);
+      }
       was_fixed = is_fixed;
     }
     std::vector<typename Complex::Approximate_point_3> result;
     for (Eigen::Index i = 0; i < n; ++i)
       result.emplace_back(solution(i, 0), solution(i, 1), solution(i, 2));
+    if (m_preserves_volumes) {
+      typename internal::Volume_changer_3<Complex>::Directions directions(positions.size());
+      for (std::size_t label = 0; label < responses.size(); ++label)
+        for (Eigen::Index i = 0; i < n; ++i)
+          directions[std::size_t(i)].try_emplace(Eigen::Index(label), responses[label](i, 0),
+                                                 responses[label](i, 1), responses[label](i, 2));
+      changer.change_by(changer.changes(result, positions), directions, result);
+    }
     return result;
   }
 
@@ -184,16 +211,6 @@ private:
       if (is_fixed[std::size_t(i)])
         result(i) = start(i);
     return result;
-  }
-
-  template <class Complex, class Points>
-  static void keep_volumes(const Interface_snapshot_3<Complex>& interface_, const Points& before,
-                           Points& positions) {
-    const Deformable_simplicial_complexes::internal::Volume_changer_3<Complex> changer(interface_);
-    auto amounts = changer.changes(before, positions);
-    for (auto& [label, amount] : amounts)
-      amount = -amount;
-    changer.change_by(amounts, positions);
   }
 
   bool m_preserves_volumes;

@@ -23,10 +23,10 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Moves the vertices of an interface along its normals so that volumes of labels change by given
-// amounts, up to rounding; flat parts between two labels stay flat and go equally far. By Newton's
-// method with one unknown for each label. Volumes are those that the interface encloses: where it
-// ends on the boundary of the domain, the part between it and the boundary is not counted.
+// Moves the vertices of an interface so that volumes of labels change by given amounts, up to
+// rounding: by Newton's method with one unknown for each label, the length of the way in a
+// direction that goes with it. Volumes are those that the interface encloses: where it ends on the
+// boundary of the domain, the part between it and the boundary is not counted.
 template <class Complex> class Volume_changer_3
 {
 public:
@@ -50,8 +50,35 @@ public:
     return result;
   }
 
+  // Directions of the vertices for each of some labels, in their order; where one is zero, it may
+  // be left out.
+  using Directions = std::vector<std::map<Eigen::Index, Vector>>;
+
+  // Those in which the volumes of labels change fastest.
+  Directions gradients(const std::map<Label, double>& labels,
+                       const std::vector<Point>& positions) const {
+    std::map<Label, Eigen::Index> row;
+    for (const auto& [label, amount] : labels)
+      row.emplace(label, Eigen::Index(row.size()));
+    Directions result(positions.size());
+    for (const auto& triangle : m_interface.triangles) {
+      const Vector normal = area_vector(corners(triangle, positions)) / 3;
+      for (const auto& [label, sign] :
+           {std::make_pair(triangle.behind, 1.), std::make_pair(triangle.in_front, -1.)}) {
+        const auto found = row.find(label);
+        if (found != row.end())
+          for (std::size_t v : triangle.vertices) {
+            Vector& gradient = result[v].try_emplace(found->second, 0, 0, 0).first->second;
+            gradient = gradient + sign * within_sides(normal, m_interface.vertices[v]);
+          }
+      }
+    }
+    return result;
+  }
+
   // Labels that are not mentioned take what is left.
-  void change_by(const std::map<Label, double>& amounts, std::vector<Point>& positions) const {
+  void change_by(const std::map<Label, double>& amounts, const Directions& directions,
+                 std::vector<Point>& positions) const {
     static constexpr int iterations = 10; // Newton's method doubles the digits in each
     const std::vector<Point> start = positions;
     std::vector<Point> candidate = positions;
@@ -69,8 +96,23 @@ public:
         return;
       least_error = error;
       positions = candidate;
-      offset(amounts, missing, candidate);
+      advance(gradients(amounts, candidate), directions, missing, candidate);
     }
+  }
+
+  // Along the normals: flat parts between two labels stay flat and go equally far.
+  void change_by(const std::map<Label, double>& amounts, std::vector<Point>& positions) const {
+    Directions directions = gradients(amounts, positions);
+    std::vector<double> areas(positions.size(), 0); // a third of each facet around
+    for (const auto& triangle : m_interface.triangles) {
+      const Vector normal = area_vector(corners(triangle, positions)) / 3;
+      for (std::size_t v : triangle.vertices)
+        areas[v] += std::sqrt(normal.squared_length());
+    }
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      for (auto& [i, direction] : directions[v])
+        direction = areas[v] > 0 ? direction / areas[v] : Vector(0, 0, 0);
+    change_by(amounts, directions, positions);
   }
 
 private:
@@ -84,35 +126,14 @@ private:
     return way * (area_vector(a) + 4 * area_vector(m) + area_vector(b)) / 6;
   }
 
-  // One step of Newton's method: the displacement of a vertex is a combination of the gradients of
-  // the volumes there, divided by its area.
-  void offset(const std::map<Label, double>& labels, const Eigen::VectorXd& missing,
-              std::vector<Point>& positions) const {
-    std::map<Label, Eigen::Index> row;
-    for (const auto& [label, amount] : labels)
-      row.emplace(label, Eigen::Index(row.size()));
-    std::vector<std::map<Eigen::Index, Vector>> gradients(positions.size());
-    std::vector<double> areas(positions.size(), 0); // a third of each facet around
-    for (const auto& triangle : m_interface.triangles) {
-      const Vector normal = area_vector(corners(triangle, positions)) / 3;
-      for (const auto& [label, sign] :
-           {std::make_pair(triangle.behind, 1.), std::make_pair(triangle.in_front, -1.)}) {
-        const auto found = row.find(label);
-        if (found != row.end())
-          for (std::size_t v : triangle.vertices) {
-            Vector& gradient = gradients[v].try_emplace(found->second, 0, 0, 0).first->second;
-            gradient = gradient + sign * within_sides(normal, m_interface.vertices[v]);
-          }
-      }
-      for (std::size_t v : triangle.vertices)
-        areas[v] += std::sqrt(normal.squared_length());
-    }
+  // One step of Newton's method.
+  static void advance(const Directions& gradients, const Directions& directions,
+                      const Eigen::VectorXd& missing, std::vector<Point>& positions) {
     Eigen::MatrixXd products = Eigen::MatrixXd::Zero(missing.size(), missing.size());
     for (std::size_t v = 0; v < positions.size(); ++v)
       for (const auto& [i, a] : gradients[v])
-        for (const auto& [j, b] : gradients[v])
-          if (areas[v] > 0)
-            products(i, j) += a * b / areas[v];
+        for (const auto& [j, b] : directions[v])
+          products(i, j) += a * b;
     // Singular where all labels are given, as their sum is.
     static constexpr double rounding = 1e-10;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
@@ -120,9 +141,8 @@ private:
     decomposition.compute(products);
     const Eigen::VectorXd lengths = decomposition.solve(missing);
     for (std::size_t v = 0; v < positions.size(); ++v)
-      for (const auto& [i, gradient] : gradients[v])
-        if (areas[v] > 0)
-          positions[v] = positions[v] + lengths(i) / areas[v] * gradient;
+      for (const auto& [i, direction] : directions[v])
+        positions[v] = positions[v] + lengths(i) * direction;
   }
 
   // What is left of a vector where the vertex must stay on sides of the domain.
