@@ -83,7 +83,7 @@ measure_topology() {
   table=$results/relaxed_bubble.md
   begin_table "$table" triangles "in the end" "incomplete steps" "area above the least (%)" \
     "mean angles of 0, 1, 2" "farthest from 120°" "change of the volume (%)" right seconds
-  add_row "$table" "$programs/phases" relaxed_bubble -n 20
+  add_row "$table" "$programs/phases" relaxed_bubble -n 32
 }
 
 measure_improvement() {
@@ -121,11 +121,17 @@ measure_flows() {
   done
   add_row "$table" "$enright" "$meshes/armadillo.off"
   for n in 8 16 32; do
-    add_row "$table" "$enright" sphere -n "$n" --period 3 --end 3 --tolerance .035
+    add_row "$table" "$enright" sphere -n "$n" --period 3 --end 3 --tolerance .04
   done
   for n in 8 16 32; do
     add_row "$table" "$enright" sphere -n "$n" --period 3 --end 3 --tolerance .1 --restore-volume
   done
+
+  table=$results/cube_offset.md
+  begin_table "$table" direction triangles "in the end" steps "incomplete steps" valid volume \
+    "exact volume" "error (%)" "farthest vertex" seconds
+  add_row "$table" "$programs/cube_offset"
+  add_row "$table" "$programs/cube_offset" --inwards --distance .25
 
   table=$results/mean_curvature.md
   begin_table "$table" surface triangles what exact measured steps "incomplete steps" valid seconds \

@@ -25,13 +25,14 @@ namespace CGAL {
 Wavefrontal motion by face offsetting (X. Jiao, *Face offsetting: A unified approach for explicit
 moving interfaces*, Journal of Computational Physics 220, 2007): the planes of the facets move along
 their normals, and vertices go where their planes meet, each facet weighted by its angle at the
-vertex. Labelled phases grow into the outside, label
-0, or shrink if the speed is negative; facets between other labels, and the sides of the domain,
-hold their vertices in their planes.
+vertex. Labelled phases grow into the outside, label 0, or shrink if the speed is negative; facets
+between other labels, and the sides of the domain, hold their vertices in their planes.
 
 Edges and corners that the front runs away from become round, as in Huygens' principle: their
 vertices keep the distance of the offset. Those that it runs into stay sharp. `Normal_offset_3` is
-simpler, and smooths both.
+simpler, and smooths both. Call `improve_interface()` before each step: where a front grows round or
+shrinks, facets become too large or vanish, and steps of a quarter of an edge or less leave it the
+time to see to that before a deformation has to, which does not know about sharp edges.
 
 \cgalModels `InterfaceStep_3`
 */

@@ -5,6 +5,7 @@
 #include "tracked_complex_implementation.h"
 #include "velocity_expressions.h"
 
+#include <CGAL/Curvature_size_field_3.h>
 #include <CGAL/advect_interface_3.h>
 #include <CGAL/control_detail_3.h>
 #include <CGAL/face_offsetting_3.h>
@@ -17,6 +18,7 @@
 #include <CGAL/number_utils.h>
 
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <variant>
 
@@ -125,11 +127,19 @@ private:
   }
 };
 
+/// Triangles as fine as the curvature asks for, so that a smooth interface stays smooth when it is
+/// pressed together.
 void improve_interface(Complex& complex, const std::optional<double>& aggressiveness) {
+  const double edge = complex.mean_interface_edge();
+  const CGAL::Curvature_size_field_3 size(complex, .05 * edge, .2 * edge, edge);
+  const auto np = parameters::size_field(std::cref(size))
+                      .interface_split_length(1.5)
+                      .interface_collapse_length(.5)
+                      .curved_splits(true);
   if (aggressiveness)
-    CGAL::improve_interface(complex, parameters::aggressiveness(*aggressiveness));
+    CGAL::improve_interface(complex, np.aggressiveness(*aggressiveness));
   else
-    CGAL::improve_interface(complex);
+    CGAL::improve_interface(complex, np);
 }
 
 } // namespace
