@@ -50,6 +50,7 @@ const Point center(.35, .35, .35);
 struct Run
 {
   std::string input;
+  std::size_t triangles = 0;    // to which other inputs are decimated; 0: as they are
   std::size_t subdivision = 16; // of the sphere
   double period = 1;
   double end = 2;
@@ -62,8 +63,8 @@ struct Run
 
 // The ball of `radius` about `center` that encloses any other input.
 Surface read_surface(const Run& run) {
-  Surface surface =
-      run.input == "sphere" ? sphere(radius, run.subdivision) : read_input(run.input, 0);
+  Surface surface = run.input == "sphere" ? sphere(radius, run.subdivision)
+                                          : read_input(run.input, run.triangles);
   const CGAL::Bbox_3 box = CGAL::bounding_box(surface.points.begin(), surface.points.end()).bbox();
   const Kernel::Point_3 middle((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
                                (box.zmin() + box.zmax()) / 2);
@@ -190,6 +191,8 @@ int main(int argc, char** argv) {
   dsc_benchmark::Run run;
   app.add_option("input", run.input, "a closed surface, or `sphere`")->required();
   app.add_option("-n", run.subdivision, "of the sphere, which has 20 n^2 triangles")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--triangles", run.triangles, "to which any other surface is decimated")
       ->check(CLI::PositiveNumber);
   app.add_option("--period", run.period, "after which everything is back")
       ->check(CLI::PositiveNumber);

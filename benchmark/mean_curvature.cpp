@@ -42,20 +42,22 @@ struct Flow
 {
   double time = 0;
   std::size_t steps = 0, incomplete = 0;
-  double seconds = 0, most_sweeps = 0;
+  double seconds = 0, sum_of_sweeps = 0, most_sweeps = 0;
   bool is_valid = true;
 
-  // One step, with the detail controlled before; `improves` keeps the triangles of the interface as
-  // large and as good as they were.
+  // One step; `improves` keeps the triangles of the interface as large and as good as they were,
+  // and the tetrahedra around it as large as they are.
   void step(Complex& complex, double dt, bool improves) {
     const double sweep = sweep_seconds(complex, complex.cells());
     const double begin = processor_seconds();
-    if (improves)
+    if (improves) {
       CGAL::improve_interface(complex, parameters::interface_collapse_length(.5));
-    CGAL::control_detail(complex, parameters::collapse_length(2.));
+      CGAL::control_detail(complex, parameters::collapse_length(2.));
+    }
     const auto report = CGAL::advect_interface(complex, CGAL::Mean_curvature_flow_3(), time, dt);
     const double used = processor_seconds() - begin;
     seconds += used;
+    sum_of_sweeps += used / sweep;
     most_sweeps = (std::max)(most_sweeps, used / sweep);
     incomplete += !report.complete;
     is_valid = is_valid && check(complex);
@@ -65,7 +67,8 @@ struct Flow
 
   void print_end_of_row() const {
     std::cout << " | " << steps << " | " << incomplete << " | " << (is_valid ? "yes" : "**no**")
-              << " | " << seconds << " | " << most_sweeps << " |" << std::endl;
+              << " | " << seconds << " | " << sum_of_sweeps / double(steps) << " | " << most_sweeps
+              << " |" << std::endl;
   }
 };
 
@@ -92,17 +95,30 @@ Flow shrink_sphere(std::size_t n) {
   return flow;
 }
 
+// The radius of the hole of a torus about the x axis.
+double hole(const Complex& complex) {
+  double result = HUGE_VAL;
+  for (const auto v : complex.interface_vertices()) {
+    const Point p = complex.position(v);
+    result = (std::min)(result, std::hypot(p.y(), p.z()));
+  }
+  return result;
+}
+
 // Until the topology of label 1 is not what it was.
 Flow run_until_change(const std::string& name, const Surface& surface, const std::string& what,
-                      double exact) {
+                      double exact, bool closes_hole = false) {
   static constexpr double part = .02; // of the time that the thinnest part is left
+  static constexpr double smallest_hole = .03;
   Complex complex = make_complex(surface);
   const std::size_t triangles = complex.interface_facets().size();
   const int characteristic = complex.euler_characteristic(1);
   const double tube = 2 * complex.volume(1) / complex.area(1);
   Flow flow;
   while (complex.euler_characteristic(1) == characteristic && complex.number_of_cells(1) > 0) {
-    const double thickness = 2 * complex.volume(1) / complex.area(1); // the radius of a tube
+    double thickness = 2 * complex.volume(1) / complex.area(1); // the radius of a tube
+    if (closes_hole)
+      thickness = (std::max)(hole(complex), smallest_hole);
     flow.step(complex, part * (std::min)(thickness * thickness, tube * tube), true);
   }
   std::cout << "| " << name << " | " << triangles << " | " << what << " | " << exact << " | "
@@ -117,7 +133,7 @@ Flow smooth(const std::string& input) {
   const double volume = complex.volume(1), edge = complex.mean_interface_edge();
   Flow flow;
   for (int i = 0; i < 20; ++i)
-    flow.step(complex, .1 * edge * edge, true);
+    flow.step(complex, .1 * edge * edge, false);
   std::cout << "| " << input.substr(input.find_last_of('/') + 1) << " | " << triangles
             << " | volume left (%) | | " << 100 * complex.volume(1) / volume;
   return flow;
@@ -129,7 +145,8 @@ Flow run(const std::string& input, std::size_t n) {
   if (input == "torus")
     return run_until_change("torus, r = 0.5", torus(.5, n), "time of collapse", .1366);
   if (input == "thick_torus")
-    return run_until_change("torus, r = 0.7", torus(.7, n), "time when its hole closes", .082);
+    return run_until_change("torus, r = 0.7", torus(.7, n), "time when its hole closes", .082,
+                            true);
   if (input == "dumbbell")
     return run_until_change("dumbbell", dumbbell(n), "time when it falls apart", 0);
   return smooth(input);

@@ -119,7 +119,9 @@ measure_flows() {
   for n in 16 32; do
     add_row "$table" "$enright" sphere -n "$n"
   done
-  add_row "$table" "$enright" "$meshes/armadillo.off"
+  for n in 6000 20000; do
+    add_row "$table" "$enright" "$meshes/armadillo.off" --triangles "$n"
+  done
   for n in 8 16 32; do
     add_row "$table" "$enright" sphere -n "$n" --period 3 --end 3 --tolerance .04
   done
@@ -135,14 +137,14 @@ measure_flows() {
 
   table=$results/mean_curvature.md
   begin_table "$table" surface triangles what exact measured steps "incomplete steps" valid seconds \
-    "most sweeps for a step"
+    "sweeps per step, mean" maximum
   for n in 8 16 32; do
     add_row "$table" "$programs/mean_curvature" sphere -n "$n"
   done
-  local input
-  for input in torus thick_torus dumbbell "$meshes/bunny00.off"; do
-    add_row "$table" "$programs/mean_curvature" "$input"
-  done
+  add_row "$table" "$programs/mean_curvature" torus
+  add_row "$table" "$programs/mean_curvature" thick_torus -n 24
+  add_row "$table" "$programs/mean_curvature" dumbbell
+  add_row "$table" "$programs/mean_curvature" "$meshes/bunny00.off"
 }
 
 measure_surfaces() {
