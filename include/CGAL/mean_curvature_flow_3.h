@@ -80,7 +80,8 @@ class Mean_curvature_flow_3
 public:
   /// \param preserves_volumes whether every label keeps its volume, up to rounding for labels that
   /// do not reach the boundary of the domain. Each label then has the pressure that it takes, so
-  /// that what is in equilibrium, such as a cluster of soap bubbles, stays where it is.
+  /// that what is in equilibrium, such as a cluster of soap bubbles, stays where it is. Steps must
+  /// then be shorter than the time in which a label would vanish without it.
   explicit Mean_curvature_flow_3(bool preserves_volumes = false)
       : m_preserves_volumes(preserves_volumes) {}
 

@@ -5,6 +5,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/label_volumes_3.h>
 #include <CGAL/advect_interface_3.h>
 #include <CGAL/face_offsetting_3.h>
+#include <CGAL/improve_interface_3.h>
 #include <CGAL/mean_curvature_flow_3.h>
 
 #include <gtest/gtest.h>
@@ -162,6 +163,31 @@ TEST(Mean_curvature, keeps_the_volumes_of_all_labels) {
   }
 }
 
+// What is in equilibrium does not depend on the time step: long ones leave it where short ones took
+// it.
+TEST(Mean_curvature, bubbles_at_rest_stay) {
+  const auto bubbles = [](const small_meshes::Point& p) {
+    return small_meshes::ball(p) == 0 ? 0 : p.x() < 0 ? 1 : 2;
+  };
+  const Complex dsc = make_complex(grid(6, bubbles));
+  const Snapshot snapshot(dsc);
+  const CGAL::Mean_curvature_flow_3 flow(true);
+  std::vector<Position> positions = snapshot.positions(dsc), next;
+  const auto step = [&](double dt) {
+    next.clear();
+    flow(snapshot, positions, 0, dt, next);
+    const double distance = largest_distance(positions, next);
+    positions = next;
+    return distance;
+  };
+  const double first = step(.01);
+  double last = first;
+  for (int i = 0; i < 200; ++i)
+    last = step(.01);
+  EXPECT_LT(last, .01 * first); // vertices slide, still
+  EXPECT_LT(step(.05), .05 * first);
+}
+
 TEST(Mean_curvature, refuses_to_go_back_in_time) {
   Complex dsc = mesh_helpers::sphere(4, .6);
   const auto before = dsc.state();
@@ -216,6 +242,29 @@ TEST(Face_offset, rounds_what_is_convex) {
         expected = expected + Vector(k == 0, k == 1, k == 2) * (before[i][k] > 0 ? 1 : -1);
     EXPECT_GT(expected * (after[i] - before[i]), length(expected) * d * (1 - 1e-12));
   }
+}
+
+// However its sides are cut into triangles: the split edges leave an edge of the cube on one side
+// only.
+TEST(Face_offset, does_not_depend_on_the_triangles_of_a_side) {
+  static constexpr double d = .01;
+  Complex dsc = make_complex(grid(4, small_meshes::cube));
+  const auto fine_on_one_side = [](const Position& p) { return p.z() > .49 ? .05 : 1.; };
+  CGAL::improve_interface(dsc, parameters::size_field(fine_on_one_side)
+                                   .aggressiveness(0.)
+                                   .interface_split_length(1.)
+                                   .interface_collapse_length(0.)
+                                   .minimum_facet_angle(0.)
+                                   .flip_angle(0.));
+  const std::vector<Position> before = Snapshot(dsc).positions(dsc);
+  const std::vector<Position> after = destinations(dsc, CGAL::Face_offset_3(1), d);
+  EXPECT_GT(before.size(), 500u);
+  for (std::size_t i = 0; i < before.size(); ++i)
+    if (before[i].z() == .5) {
+      EXPECT_NEAR(length(after[i] - before[i]), d, 1e-12);
+      const int sides = 1 + (std::abs(before[i].x()) == .5) + (std::abs(before[i].y()) == .5);
+      EXPECT_NEAR(after[i].z() - .5, d / std::sqrt(double(sides)), 1e-12);
+    }
 }
 
 TEST(Face_offset, keeps_what_is_concave_sharp) {
