@@ -7,11 +7,18 @@ jobs=$(nproc)
 scripts/install_dependencies.sh
 
 # Optimized but a little, to save a third of the time for compilation.
-echo "== Release: the program, the installed package, examples and benchmarks"
+echo "== Release: the program, the installed package and examples"
 cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
-  -DDSC_BUILD_UNIT_TESTS=OFF
+  -DDSC_BUILD_UNIT_TESTS=OFF -DDSC_BUILD_BENCHMARKS=OFF
 cmake --build build --parallel "$jobs"
 ctest --test-dir build --output-on-failure --no-tests=error --parallel "$jobs"
+
+# Compiled only: nobody runs them here.
+echo "== Benchmarks"
+cmake -S . -B build-benchmarks -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  -DCMAKE_CXX_FLAGS_RELEASE="-O0 -DNDEBUG" \
+  -DDSC_BUILD_PROGRAM=OFF -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_TESTS=OFF
+cmake --build build-benchmarks --parallel "$jobs"
 
 # The headers, with CGAL's own checks; optimized a little, as unoptimized CGAL is too slow to run.
 echo "== Debug with the address and undefined behaviour sanitizers: everything else"

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -91,7 +92,8 @@ private:
   using Position = typename Complex::Approximate_point_3;
   using Coordinates = std::array<double, 4>;
 
-  // The value at p of the function that is linear in each cell.
+  // The value at p of the function that is linear in each cell; that of the nearest vertex if
+  // rounding leaves no cell a volume.
   Value interpolate(const std::vector<Cell_handle>& cells, const Position& p) const {
     Cell_handle nearest;
     Coordinates best{};
@@ -99,7 +101,9 @@ private:
     for (Cell_handle c : cells) {
       if (m_complex.is_infinite(c))
         continue;
-      const Coordinates b = barycentric_coordinates(c, p);
+      Coordinates b;
+      if (!find_barycentric_coordinates(c, p, b))
+        continue;
       const double depth = *std::min_element(b.begin(), b.end());
       if (nearest == Cell_handle() || depth > deepest) {
         deepest = depth;
@@ -107,17 +111,18 @@ private:
         best = b;
       }
     }
+    if (nearest == Cell_handle())
+      return get(m_values, nearest_vertex(cells, p));
     Value result = best[0] * get(m_values, nearest->vertex(0));
     for (int i = 1; i < 4; ++i)
       result = result + best[i] * get(m_values, nearest->vertex(i));
     return result;
   }
 
-  // Their sum is 1.
-  Coordinates barycentric_coordinates(Cell_handle c, const Position& p) const {
+  // Their sum is 1; false if the cell has no volume but for rounding.
+  bool find_barycentric_coordinates(Cell_handle c, const Position& p, Coordinates& result) const {
     namespace internal = Deformable_simplicial_complexes::internal;
     const auto corners = internal::cell_corners(m_complex, c);
-    Coordinates result;
     double sum = 0;
     for (int i = 0; i < 4; ++i) {
       auto moved = corners;
@@ -126,6 +131,23 @@ private:
     }
     for (double& b : result)
       b /= sum;
+    return sum > 0 && std::isfinite(result[0] + result[1] + result[2] + result[3]);
+  }
+
+  Vertex_handle nearest_vertex(const std::vector<Cell_handle>& cells, const Position& p) const {
+    Vertex_handle result;
+    double least = 0;
+    for (Cell_handle c : cells)
+      for (int i = 0; i < 4; ++i) {
+        const Vertex_handle v = c->vertex(i);
+        if (m_complex.is_infinite(v))
+          continue;
+        const double distance = (m_complex.position(v) - p).squared_length();
+        if (result == Vertex_handle() || distance < least) {
+          least = distance;
+          result = v;
+        }
+      }
     return result;
   }
 

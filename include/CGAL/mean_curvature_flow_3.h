@@ -87,8 +87,9 @@ public:
 
   /// computes where vertices go, as `InterfaceStep_3` says. Three sparse Cholesky factorizations,
   /// more where the interface ends on sides of the domain: about n log n in the size of the
-  /// interface. \throws Deformable_simplicial_complexes::Error if dt is negative, or all facets of
-  /// a vertex are without area.
+  /// interface. Volumes take time and memory in proportion to its size times the number of labels.
+  /// \throws Deformable_simplicial_complexes::Error if dt is negative, or all facets of a vertex
+  /// are without area.
   template <class Complex>
   void operator()(const Interface_snapshot_3<Complex>& interface_,
                   const std::vector<typename Complex::Approximate_point_3>& positions, double /*t*/,

@@ -99,10 +99,11 @@ double parse_positive(const std::string& text, const std::string& option) {
   return number;
 }
 
-double parse_not_negative(const std::string& text, const std::string& option) {
+double parse_aggressiveness(const std::string& text) {
+  const std::string option = "--aggressiveness";
   const double number = parse_number(text, option, "0.025");
-  if (!(number >= 0))
-    throw Usage_error(option + " is negative; choose 0 or more");
+  if (!(0 <= number && number < 1))
+    throw Usage_error(option + " is out of range; choose 0 to less than 1");
   return number;
 }
 

@@ -31,7 +31,8 @@ Distance parse_distance(const std::string& text);
 
 double parse_positive(const std::string& text, const std::string& option);
 
-double parse_not_negative(const std::string& text, const std::string& option);
+/// In [0, 1).
+double parse_aggressiveness(const std::string& text);
 
 void require_extension(const std::string& path, const std::initializer_list<const char*>& known);
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "commands.h"
+#include "errors.h"
 #include "files.h"
 #include "interrupt.h"
 #include "output_folder.h"
@@ -18,8 +19,10 @@
 #include <iostream>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace dsc {
 namespace {
@@ -75,8 +78,8 @@ void print_summary(const Run_position& position, const Statistics& statistics,
 
 void print_interruption(const Run_position& position, const std::string& checkpoint,
                         unsigned steps_left) {
-  std::cerr << "dsc: interrupted after step " << position.step << "; continue with --resume "
-            << checkpoint;
+  std::cerr << "dsc: interrupted after step " << position.step
+            << "; continue with the same options and --resume " << checkpoint;
   if (steps_left > 0)
     std::cerr << " --steps " << steps_left;
   std::cerr << '\n';
@@ -88,11 +91,20 @@ int execute(const Run_options& options) {
   catch_interrupts();
 
   // What cannot work is refused before anything is computed.
-  if (!options.report.empty())
-    require_writable(options.report);
   std::optional<Output_folder> folder;
   if (!options.output.empty())
     folder.emplace(options.output, options.resume);
+  if (!options.report.empty()) {
+    std::vector<std::string> precious = options.start.inputs;
+    precious.push_back(options.resume);
+    if (folder)
+      precious.push_back(folder->checkpoint());
+    for (const std::string& file : precious)
+      if (!file.empty() && same_file(options.report, file))
+        throw Usage_error("--report would replace '" + options.report +
+                          "'; choose another name for the report");
+    require_writable(options.report);
+  }
 
   Run_position position;
   Tracked_complex complex = start(options, position);
@@ -100,6 +112,9 @@ int execute(const Run_options& options) {
     folder->keep_until(position.time);
 
   const double time_step = complex.time_step(options.motion);
+  if (!(position.time + time_step > position.time))
+    throw Input_error("a step is too short for the time " + std::to_string(position.time) +
+                      " of the run; choose a longer --dt");
   const std::optional<Start_distance> from_start = start_distance(options, position);
   Report report(options, position.start, complex.sweep_seconds());
   Statistics statistics = complex.statistics();

@@ -98,7 +98,8 @@ CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
                         "Improve the triangles of the interface before each step");
   command
       ->add_option("--aggressiveness", m_aggressiveness,
-                   "How much that may smooth the interface, 0 for not at all; 0.025 if not given")
+                   "How much that may smooth the interface, from 0 for not at all to less than 1; "
+                   "0.025 if not given")
       ->needs(improves);
   command->add_option("--threads", m_options.threads, "Number of threads; the result is the same")
       ->check(CLI::Range(1, 1024))
@@ -127,9 +128,13 @@ void Run_commands::add_flow_options(CLI::App& command) {
 }
 
 Advection Run_commands::advection(Advection::Field field, double default_period) const {
-  return {field, m_expressions,
-          m_period.empty() ? default_period : parse_positive(m_period, "--period"),
-          m_dt.empty() ? default_dt : parse_positive(m_dt, "--dt"), schemes.at(m_scheme)};
+  const Advection advection = {
+      field, m_expressions,
+      m_period.empty() ? default_period : parse_positive(m_period, "--period"),
+      m_dt.empty() ? default_dt : parse_positive(m_dt, "--dt"), schemes.at(m_scheme)};
+  if (advection.period > 0 && advection.dt > advection.period)
+    throw Usage_error("--dt is longer than the period; choose a shorter time per step");
+  return advection;
 }
 
 Motion Run_commands::motion() const {
@@ -154,7 +159,7 @@ Run_options Run_commands::options() const {
   if (!m_domain.empty())
     options.domain = parse_domain(m_domain);
   if (!m_aggressiveness.empty())
-    options.aggressiveness = parse_not_negative(m_aggressiveness, "--aggressiveness");
+    options.aggressiveness = parse_aggressiveness(m_aggressiveness);
 
   const bool has_ball = *m_enright || *m_vortex;
   if (options.resume.empty() && options.start.inputs.empty() && !has_ball)

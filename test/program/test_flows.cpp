@@ -45,14 +45,15 @@ TEST_F(Flows, refuse_wrong_usage) {
            "advect box.off --velocity 'x,y,q'", "advect box.off --velocity 'x,y,sin('",
            "advect box.off --velocity ''", "advect box.off --velocity 1,0,0 --keep-volumes",
            "mean-curvature", "mean-curvature box.off --period 1", "enright --fit",
-           "enright --resume a.dsc --fit", "enright --domain 0,0,0,1,1",
-           "enright --domain 0,0,0,1,1,0", "enright --resume a.dsc --domain 0,0,0,1,1,1",
-           "enright box.xyz"})
+           "enright --resume a.dsc --fit", "advect box.off --velocity 1,0,0 --report box.off",
+           "enright --domain 0,0,0,1,1", "enright --domain 0,0,0,1,1,0",
+           "enright --resume a.dsc --domain 0,0,0,1,1,1", "enright box.xyz"})
     expect_error(arguments, 2);
   for (const std::string& option : std::vector<std::string>{
            "--dt 0", "--dt -1", "--dt nan", "--dt 1s", "--period 0", "--period -1", "--period inf",
            "--scheme rk3", "--aggressiveness 0.1", "--improve-interface --aggressiveness -1",
-           "--improve-interface --aggressiveness x"})
+           "--improve-interface --aggressiveness x", "--improve-interface --aggressiveness 1",
+           "--period 0.005"})
     expect_error("enright " + option, 2);
 }
 

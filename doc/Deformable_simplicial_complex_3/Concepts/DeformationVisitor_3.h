@@ -33,7 +33,8 @@ class DeformationVisitor_3
 public:
   /// The tetrahedra planned in `cavity` are about to replace its cells. `cavity.removed()` are still
   /// there, and new vertices have null handles. Called for splits, collapses, insertions and flips
-  /// alike, after `before_collapse()`.
+  /// alike, after `before_collapse()`. If another visitor refuses by an exception, nothing is replaced,
+  /// and `after_replacement()` is not called.
   void before_replacement(const Complex::Cavity& cavity);
 
   /// The replacement has happened, and `cavity.created()` are there, as are the handles of new vertices.
