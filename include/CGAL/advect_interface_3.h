@@ -8,8 +8,8 @@
 #include <CGAL/Deformable_simplicial_complex_3/Integration_scheme.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/deform_to.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface_paths_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
 #include <CGAL/deform_interface_3.h>
 
 namespace CGAL {
@@ -85,13 +85,7 @@ Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& veloc
   const auto destinations =
       internal::find_destinations(interface_, interface_.positions(dsc), velocity, t, dt, scheme,
                                   tolerance * dsc.mean_interface_edge());
-  internal::number_vertices(interface_.vertices);
-  return deform_interface(
-      dsc,
-      [&](typename Complex::Vertex_handle v) {
-        return dsc.geom_traits().construct_exact_point_3_object()(destinations[v->scratch_index()]);
-      },
-      np);
+  return internal::deform_to(dsc, interface_, destinations, np);
 }
 
 } // namespace CGAL

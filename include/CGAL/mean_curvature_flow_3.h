@@ -140,7 +140,9 @@ private:
     const internal::Volume_changer_3<Complex> changer(interface_);
     const auto labels = m_preserves_volumes ? changer.changes(positions, positions)
                                             : std::map<typename Complex::Label, double>();
-    const auto forces = changer.gradients(labels, positions);
+    typename internal::Volume_changer_3<Complex>::Directions forces;
+    if (m_preserves_volumes)
+      forces = changer.gradients(labels, positions);
     std::vector<Eigen::Matrix<double, Eigen::Dynamic, 3>> responses(labels.size(), {n, 3});
 
     Eigen::Matrix<double, Eigen::Dynamic, 3> solution(n, 3);

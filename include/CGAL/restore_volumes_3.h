@@ -7,8 +7,8 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/deform_to.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/label_volumes_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
 #include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
 #include <CGAL/deform_interface_3.h>
 
@@ -93,13 +93,7 @@ bool restore_volumes(Complex& dsc, const std::map<typename Complex::Label, doubl
     const Interface_snapshot_3<Complex> interface_(dsc);
     auto positions = interface_.positions(dsc);
     internal::Volume_changer_3<Complex>(interface_).change_by(missing, positions);
-    internal::number_vertices(interface_.vertices);
-    const auto report = deform_interface(
-        dsc,
-        [&](typename Complex::Vertex_handle v) {
-          return dsc.geom_traits().construct_exact_point_3_object()(positions[v->scratch_index()]);
-        },
-        np);
+    const auto report = internal::deform_to(dsc, interface_, positions, np);
     if (report.passes == 0) // a visitor has ended it, or nothing is left to move
       return false;
   }
