@@ -6,6 +6,8 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_pair_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/cell_corners.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/overlap_volume_3.h>
 #include <CGAL/control_detail_3.h>
 #include <CGAL/deform_interface_3.h>
 #include <CGAL/improve_interface_3.h>
@@ -15,7 +17,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -39,10 +40,6 @@ using Position = Complex::Approximate_point_3;
 using Vector = Complex::Approximate_vector_3;
 using Vertex_handle = Complex::Vertex_handle;
 using Cell_handle = Complex::Cell_handle;
-using Corners = std::array<Position, 4>;
-using Tetrahedron =
-    CGAL::Deformable_simplicial_complexes::internal::Clipping_tetrahedron_3<Position>;
-using CGAL::Deformable_simplicial_complexes::internal::signed_volume;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 constexpr double tolerance = 1e-12;
@@ -50,16 +47,11 @@ constexpr double tolerance = 1e-12;
 using stamped_values::Values;
 using Vertex_values = Values<Vertex_handle>;
 using Cell_values = Values<Cell_handle>;
-Corners corners(const Complex& dsc, Cell_handle c) {
-  return CGAL::Deformable_simplicial_complexes::internal::cell_corners(dsc, c);
-}
 
-double overlap_volume(const Corners& s, const Corners& t) {
-  return CGAL::Deformable_simplicial_complexes::internal::overlap_volume(Tetrahedron(s),
-                                                                         Tetrahedron(t));
+double volume(const Complex& dsc, Cell_handle c) {
+  namespace internal = CGAL::Deformable_simplicial_complexes::internal;
+  return internal::signed_volume(internal::cell_corners(dsc, c));
 }
-
-double volume(const Complex& dsc, Cell_handle c) { return signed_volume(corners(dsc, c)); }
 
 Cell_values random_averages(const Complex& dsc, unsigned seed, double minimum, double maximum) {
   Random random(seed);
@@ -174,125 +166,6 @@ std::size_t improve(const std::string& name, Complex& dsc, Vertex_values& values
 }
 
 } // namespace
-
-// The overlap of tetrahedra
-
-TEST(Overlap_volume, of_simple_tetrahedra) {
-  const Corners unit = {Position(0, 0, 0), Position(1, 0, 0), Position(0, 1, 0), Position(0, 0, 1)};
-  const auto placed = [&](double scale, double shift) {
-    Corners result = unit;
-    for (Position& p : result)
-      p = Position(scale * p.x() + shift, scale * p.y() + shift, scale * p.z() + shift);
-    return result;
-  };
-  const auto expect = [](const Corners& s, const Corners& t, double volume) {
-    EXPECT_NEAR(overlap_volume(s, t), volume, 1e-15);
-    EXPECT_NEAR(overlap_volume(t, s), volume, 1e-15);
-  };
-  expect(unit, unit, 1. / 6);
-  expect(unit, placed(1, 2), 0);
-  expect(unit, placed(1, .5), 0); // boxes overlap
-  expect(unit, placed(1, .25), 1. / 384);
-  expect(unit, placed(.5, 0), 1. / 48);
-  expect(unit, placed(.25, .05), 1. / 384); // inside
-  expect(unit, placed(3, -.5), 1. / 6);     // outside
-  // a common facet, and a common vertex
-  expect(unit, {Position(0, 0, 0), Position(0, 1, 0), Position(1, 0, 0), Position(0, 0, -1)}, 0);
-  expect(unit, placed(-1, 0), 0);
-  // one half and a half of that
-  expect(unit, {Position(0, 0, 0), Position(.5, .5, 0), Position(0, 1, 0), Position(0, 0, 1)},
-         1. / 12);
-  // both tetrahedra of every other corner of a cube: an octahedron
-  expect({Position(0, 0, 0), Position(1, 1, 0), Position(0, 1, 1), Position(1, 0, 1)},
-         {Position(1, 0, 0), Position(0, 1, 0), Position(0, 0, 1), Position(1, 1, 1)}, 1. / 6);
-}
-
-// The tetrahedra of a turned grid cover whatever is inside.
-TEST(Overlap_volume, sums_to_the_volume) {
-  const Complex dsc = jittered_grid(3, small_meshes::uniform, .3, 1);
-  const auto turned = [](const Position& p) {
-    return Position(.6 * p.x() - .8 * p.y(), .8 * p.x() + .6 * p.y(), p.z());
-  };
-  Random random(2);
-  for (int i = 0; i < 50; ++i) {
-    Corners t;
-    for (Position& p : t)
-      p = CGAL::ORIGIN + random.vector<Complex>(.55);
-    if (signed_volume(t) < 0)
-      std::swap(t[0], t[1]);
-    double sum = 0;
-    for (Cell_handle c : dsc.cells()) {
-      Corners s = corners(dsc, c);
-      for (Position& p : s)
-        p = turned(p);
-      sum += overlap_volume(s, t);
-    }
-    EXPECT_NEAR(sum, signed_volume(t), 1e-15);
-  }
-}
-
-// Contents of tetrahedra
-
-namespace {
-
-using Filled =
-    CGAL::Deformable_simplicial_complexes::internal::Filled_tetrahedron_3<Position, double>;
-
-// A tetrahedron between a segment of the x-axis and an edge: the volume is a sixth of the length.
-Filled between(double from, double to, int label, double content) {
-  return {
-      Tetrahedron({Position(from, 0, 0), Position(to, 0, 0), Position(0, 1, 0), Position(0, 0, 1)}),
-      label, content};
-}
-
-std::vector<double> redistributed(const std::vector<Filled>& from, std::vector<Filled> to) {
-  CGAL::Deformable_simplicial_complexes::internal::redistribute_contents(from, to);
-  std::vector<double> contents;
-  for (const Filled& t : to)
-    contents.push_back(t.content);
-  return contents;
-}
-
-void expect_near(const std::vector<double>& a, const std::vector<double>& b) {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i)
-    EXPECT_NEAR(a[i], b[i], 1e-14);
-}
-
-} // namespace
-
-TEST(Redistribute_contents, by_overlap) {
-  expect_near(redistributed({between(0, 1, 0, 10), between(1, 2, 0, 20)},
-                            {between(0, .5, 0, 0), between(.5, 1.5, 0, 0), between(1.5, 2, 0, 0)}),
-              {5, 15, 10});
-}
-
-TEST(Redistribute_contents, within_labels_as_far_as_there_are_any) {
-  // label 1 gets room: what it had spreads into the gap, and no farther
-  expect_near(redistributed({between(0, 1, 1, 6), between(1, 2, 1, 6), between(2, 4, 2, 1)},
-                            {between(0, 1, 1, 0), between(1, 3, 1, 0), between(3, 4, 2, 0)}),
-              {6, 6, 1});
-  // label 1 loses room at one end and gains as much at the other: its density stays
-  expect_near(redistributed({between(0, 1, 0, 0), between(1, 3, 1, 8), between(3, 4, 0, 0)},
-                            {between(0, 2, 0, 0), between(2, 4, 1, 0)}),
-              {0, 8});
-  // label 1 loses room: all cells take what has none
-  expect_near(redistributed({between(0, 3, 1, 9), between(3, 4, 0, 1)},
-                            {between(0, 1, 1, 0), between(1, 2, 1, 0), between(2, 4, 0, 0)}),
-              {4.5, 4.5, 1});
-  // label 1 vanishes
-  expect_near(redistributed({between(0, 1, 1, 9), between(1, 2, 0, 2)},
-                            {between(0, .5, 0, 0), between(.5, 2, 0, 0)}),
-              {4.5, 6.5});
-}
-
-TEST(Redistribute_contents, of_flat_tetrahedra) {
-  const auto contents =
-      redistributed({between(1, 1, 0, 3), between(1, 2, 0, 2)},
-                    {between(1, 1, 0, 0), between(1, 1.5, 0, 0), between(1.5, 2, 0, 0)});
-  EXPECT_NEAR(contents[0] + contents[1] + contents[2], 5, 1e-14);
-  expect_near(redistributed({between(1, 1, 0, 3)}, {between(1, 1, 0, 0)}), {3});
-}
 
 // Changes of the mesh at rest
 
