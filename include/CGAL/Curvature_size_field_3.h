@@ -13,6 +13,7 @@
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
 #include <algorithm>
@@ -38,30 +39,35 @@ public:
   using Point_3 = Simple_cartesian<double>::Point_3; ///< in the coordinates of the complex
 
   /*!
-  Estimates the curvatures from the normals of the vertices, but for those on lines where more than
-  two labels meet, which have none.
+  Estimates the curvatures from the normals of the vertices, but for those on sharp edges and on
+  lines where more than two labels meet, which have none.
 
   \param dsc the complex.
   \param tolerance distance between edges and surface, positive.
   \param shortest, longest bounds on the lengths, positive. Far from the interface, too.
   \param gradation by how much lengths may differ from vertex to vertex along an edge of the
          interface, by the length of that edge, positive.
-  \throws Deformable_simplicial_complexes::Error if a parameter is not positive, or `shortest` is
-          more than `longest`.
+  \param feature_angle edges are sharp where the normals of their facets differ by more, in degrees,
+         in [0, 180]; with 180, none is.
+  \throws Deformable_simplicial_complexes::Error if a parameter is out of its range, or `shortest`
+          is more than `longest`.
 
   n log n in the size of the interface, as lengths are asked for.
   */
   template <class Complex>
   Curvature_size_field_3(const Complex& dsc, double tolerance, double shortest, double longest,
-                         double gradation = .5) {
+                         double gradation = .5, double feature_angle = 180) {
     if (!(tolerance > 0 && shortest > 0 && shortest <= longest && gradation > 0))
       throw Deformable_simplicial_complexes::Error(
           "a size field by curvature needs a tolerance, a gradation and lengths that are positive, "
           "the shortest one up to the longest one");
+    if (!(feature_angle >= 0 && feature_angle <= 180))
+      throw Deformable_simplicial_complexes::Error(
+          "the angle of features is out of range: use 0 to 180 degrees");
     const Interface_snapshot_3<Complex> interface_(dsc);
     const auto positions = interface_.positions(dsc);
     std::vector<double> lengths =
-        lengths_by_curvature(interface_, positions, tolerance, shortest, longest);
+        lengths_by_curvature(interface_, positions, tolerance, shortest, longest, feature_angle);
     grade(interface_, positions, gradation, lengths);
     std::vector<Sized_point> points;
     for (std::size_t i = 0; i < positions.size(); ++i)
@@ -96,15 +102,18 @@ private:
   using Tree = Search::Tree;
 
   template <class Interface, class Points>
-  static std::vector<double> lengths_by_curvature(const Interface& interface_,
-                                                  const Points& positions, double tolerance,
-                                                  double shortest, double longest) {
+  static std::vector<double>
+  lengths_by_curvature(const Interface& interface_, const Points& positions, double tolerance,
+                       double shortest, double longest, double feature_angle) {
     namespace internal = Deformable_simplicial_complexes::internal;
     const auto normals = internal::vertex_normals(interface_, positions);
     const std::vector<char> is_on_line = internal::vertices_on_lines(interface_);
+    const std::vector<char> is_on_feature =
+        internal::vertices_on_features(interface_, positions, feature_angle * (CGAL_PI / 180));
+    const auto has_normal = [&](std::size_t v) { return !is_on_line[v] && !is_on_feature[v]; };
     std::vector<double> lengths(positions.size(), longest);
     for_each_edge(interface_, [&](std::size_t a, std::size_t b) {
-      if (is_on_line[a] || is_on_line[b]) // there is no normal
+      if (!has_normal(a) || !has_normal(b))
         return;
       const auto edge = positions[b] - positions[a];
       const double bend = std::abs((normals[b] - normals[a]) * edge); // curvature * squared length

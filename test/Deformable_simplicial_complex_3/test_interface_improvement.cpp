@@ -380,6 +380,20 @@ TEST(Curvature_size_field, is_graded) {
   EXPECT_EQ(CGAL::Curvature_size_field_3(nothing, 1e-6, .01, 1.)({0, 0, 0}), 1);
 }
 
+// The edges of a cube are sharp by intent, those of a sphere are not.
+TEST(Curvature_size_field, leaves_out_sharp_edges) {
+  const Complex cube = make_complex(grid(16, small_meshes::cube));
+  const CGAL::Curvature_size_field_3 of_cube(cube, 1e-6, .01, 1., .5, 60.);
+  for (Vertex_handle v : cube.interface_vertices())
+    EXPECT_EQ(of_cube(cube.position(v)), 1);
+  EXPECT_EQ(CGAL::Curvature_size_field_3(cube, 1e-6, .01, 1., .5, 91.)({.5, .5, 0}), .01);
+  const Complex sphere = mesh_helpers::sphere(8, .6);
+  const CGAL::Curvature_size_field_3 smooth(sphere, .002, .01, 1.),
+      also_smooth(sphere, .002, .01, 1., .5, 60.);
+  for (Vertex_handle v : sphere.interface_vertices())
+    EXPECT_EQ(smooth(sphere.position(v)), also_smooth(sphere.position(v)));
+}
+
 TEST(Curvature_size_field, refuses_what_makes_no_sense) {
   const Complex dsc = make_complex(grid(4, small_meshes::cube));
   using CGAL::Deformable_simplicial_complexes::Error;
@@ -388,4 +402,6 @@ TEST(Curvature_size_field, refuses_what_makes_no_sense) {
   EXPECT_THROW(CGAL::Curvature_size_field_3(dsc, .1, 2., 1.), Error);
   EXPECT_THROW(CGAL::Curvature_size_field_3(dsc, .1, .1, 1., 0.), Error);
   EXPECT_THROW(CGAL::Curvature_size_field_3(dsc, std::nan(""), .1, 1.), Error);
+  for (double bad : {-1., 181., std::nan("")})
+    EXPECT_THROW(CGAL::Curvature_size_field_3(dsc, .1, .1, 1., .5, bad), Error);
 }

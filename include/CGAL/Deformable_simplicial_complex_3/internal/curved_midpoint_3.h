@@ -99,8 +99,10 @@ curved_midpoint(const Complex& complex, const Interface_fan_3<Complex>& a,
     rows.row(i) << weight, weight * x, weight * y, weight * x * x, weight * x * y, weight * y * y;
     heights(i) = weight * (d * normal);
   }
+  // A surface no steeper than that is hardly farther from the edge than a quarter of its length.
+  static constexpr double highest = .25;
   const double height = rows.colPivHouseholderQr().solve(heights)(0);
-  return middle + length * height * normal;
+  return middle + length * std::clamp(height, -highest, highest) * normal;
 }
 
 } // namespace internal

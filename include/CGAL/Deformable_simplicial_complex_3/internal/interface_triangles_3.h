@@ -7,9 +7,11 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -99,6 +101,40 @@ std::vector<char> vertices_on_lines(const Interface_snapshot_3<Complex>& interfa
       result[v] = result[v] || triangle.behind != first[v]->behind ||
                   triangle.in_front != first[v]->in_front;
     }
+  return result;
+}
+
+// Whether each vertex of a snapshot is on an edge where the normals of two facets differ by more
+// than an angle, in radians.
+template <class Complex>
+std::vector<char>
+vertices_on_features(const Interface_snapshot_3<Complex>& interface_,
+                     const std::vector<typename Complex::Approximate_point_3>& positions,
+                     double angle) {
+  struct Side
+  {
+    std::array<std::size_t, 2> edge;
+    std::size_t triangle;
+  };
+  std::vector<Side> sides;
+  for (std::size_t t = 0; t < interface_.triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const auto& v = interface_.triangles[t].vertices;
+      const auto [a, b] = std::minmax(v[i], v[(i + 1) % 3]);
+      sides.push_back({{a, b}, t});
+    }
+  std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
+    return std::tie(s.edge, s.triangle) < std::tie(t.edge, t.triangle);
+  });
+  const auto normal = [&](const Side& side) {
+    return area_vector(corners(interface_.triangles[side.triangle], positions));
+  };
+  std::vector<char> result(positions.size(), false);
+  for (std::size_t i = 1; i < sides.size(); ++i)
+    if (sides[i - 1].edge == sides[i].edge &&
+        angle_between(normal(sides[i - 1]), normal(sides[i])) > angle)
+      for (std::size_t v : sides[i].edge)
+        result[v] = true;
   return result;
 }
 
