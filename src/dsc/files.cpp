@@ -12,6 +12,16 @@
 
 namespace dsc {
 namespace fs = std::filesystem;
+namespace {
+
+/// One name for a file, which need not exist, whatever it is called.
+fs::path canonical(const std::string& path) {
+  std::error_code error;
+  const fs::path result = fs::weakly_canonical(fs::absolute(path, error), error);
+  return error ? fs::path(path) : result;
+}
+
+} // namespace
 
 std::string extension(const std::string& path) {
   std::string result = fs::path(path).extension().string();
@@ -38,20 +48,19 @@ void require_writable(const std::string& path) {
   fs::remove(probe, error);
 }
 
+void require_place_of_report(const std::string& path, const std::vector<std::string>& files) {
+  for (const std::string& file : files)
+    if (!file.empty() && canonical(path) == canonical(file))
+      throw Usage_error("--report would replace '" + path +
+                        "'; choose another name for the report");
+  require_writable(path);
+}
+
 std::string unused_name(const std::string& stem, const std::string& extension) {
   std::string name = stem + extension;
   for (int number = 2; fs::exists(name); ++number)
     name = stem + '_' + std::to_string(number) + extension;
   return name;
-}
-
-bool same_file(const std::string& a, const std::string& b) {
-  const auto canonical = [](const std::string& path) {
-    std::error_code error;
-    const fs::path result = fs::weakly_canonical(fs::absolute(path, error), error);
-    return error ? fs::path(path) : result;
-  };
-  return canonical(a) == canonical(b);
 }
 
 } // namespace dsc

@@ -6,6 +6,7 @@
 #define DSC_FILES_H
 
 #include <string>
+#include <vector>
 
 namespace dsc {
 
@@ -16,11 +17,13 @@ std::string extension(const std::string& path);
 /// alone. \throws Input_error if a regular file cannot be created at `path`.
 void require_writable(const std::string& path);
 
+/// Finds out before a long computation whether its report can be written. \throws Usage_error if it
+/// would replace one of the files of that computation; empty names stand for none. \throws
+/// Input_error as require_writable() does
+void require_place_of_report(const std::string& path, const std::vector<std::string>& files);
+
 /// `stem` + `extension`, with a number between if there is a file of that name.
 std::string unused_name(const std::string& stem, const std::string& extension);
-
-/// Whether two names stand for one file, which need not exist.
-bool same_file(const std::string& a, const std::string& b);
 
 } // namespace dsc
 

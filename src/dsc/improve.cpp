@@ -41,12 +41,8 @@ void print_summary(const Statistics& before, const Statistics& after, double sec
 
 int execute(const Improve_options& options) {
   // What cannot work is refused before anything is computed.
-  if (!options.report.empty()) {
-    if (same_file(options.report, options.input) || same_file(options.report, options.output))
-      throw Usage_error("--report would replace '" + options.report +
-                        "', which is a mesh; choose another name for the report");
-    require_writable(options.report);
-  }
+  if (!options.report.empty())
+    require_place_of_report(options.report, {options.input, options.output});
   require_writable(options.output);
 
   Tracked_complex complex = Tracked_complex::from_mesh(options.input);

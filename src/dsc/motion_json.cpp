@@ -4,6 +4,11 @@
 
 #include "motion_json.h"
 
+#include "option_values.h"
+
+#include <algorithm>
+#include <array>
+
 namespace dsc {
 namespace {
 
@@ -20,12 +25,15 @@ Json json_of(const Offset& offset) {
 
 Json json_of(const Advection& advection) {
   static const std::array<const char*, 3> commands = {"enright", "vortex", "advect"};
-  static const std::array<const char*, 4> schemes = {"euler", "rk2", "rk4", "adaptive"};
+  const auto& schemes = integration_schemes();
+  const auto scheme = std::find_if(schemes.begin(), schemes.end(), [&](const auto& named) {
+    return named.second == advection.scheme;
+  });
   return {{"command", commands[static_cast<std::size_t>(advection.field)]},
           {"velocity", value_or_null(advection.expressions)},
           {"period", value_or_null(advection.period)},
           {"dt", advection.dt},
-          {"scheme", schemes[static_cast<std::size_t>(advection.scheme)]}};
+          {"scheme", scheme->first}};
 }
 
 Json json_of(const Curvature_flow& flow) {

@@ -107,6 +107,16 @@ double parse_aggressiveness(const std::string& text) {
   return number;
 }
 
+const std::map<std::string, CGAL::Deformable_simplicial_complexes::Integration_scheme>&
+integration_schemes() {
+  using CGAL::Deformable_simplicial_complexes::Integration_scheme;
+  static const std::map<std::string, Integration_scheme> schemes = {
+      {"euler", Integration_scheme::euler},
+      {"rk2", Integration_scheme::rk2},
+      {"rk4", Integration_scheme::rk4}};
+  return schemes;
+}
+
 void require_extension(const std::string& path, const std::initializer_list<const char*>& known) {
   const std::string found = extension(path);
   if (std::find(known.begin(), known.end(), found) != known.end())

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <initializer_list>
+#include <map>
 #include <string>
 
 namespace dsc {
@@ -33,6 +34,10 @@ double parse_positive(const std::string& text, const std::string& option);
 
 /// In [0, 1).
 double parse_aggressiveness(const std::string& text);
+
+/// The schemes by their names.
+const std::map<std::string, CGAL::Deformable_simplicial_complexes::Integration_scheme>&
+integration_schemes();
 
 void require_extension(const std::string& path, const std::initializer_list<const char*>& known);
 

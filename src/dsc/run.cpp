@@ -14,6 +14,8 @@
 #include "surface.h"
 #include "tracked_complex.h"
 
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -99,11 +101,7 @@ int execute(const Run_options& options) {
     precious.push_back(options.resume);
     if (folder)
       precious.push_back(folder->checkpoint());
-    for (const std::string& file : precious)
-      if (!file.empty() && same_file(options.report, file))
-        throw Usage_error("--report would replace '" + options.report +
-                          "'; choose another name for the report");
-    require_writable(options.report);
+    require_place_of_report(options.report, precious);
   }
 
   Run_position position;
@@ -130,7 +128,7 @@ int execute(const Run_options& options) {
   double seconds = 0;
   Progress_line progress(options.steps, options.quiet);
   progress.show(done);
-  while (done < options.steps && !interrupted()) {
+  const auto advance = [&] {
     Step_outcome outcome = complex.advance(options, position.time);
     ++done;
     ++position.step;
@@ -140,14 +138,25 @@ int execute(const Run_options& options) {
     unfinished += outcome.unfinished_vertices;
     seconds += outcome.seconds;
     statistics = complex.statistics();
+    report.add(position, outcome, statistics);
     if (position.step % options.every == 0)
       write_files();
-    report.add(position, outcome, statistics);
-    progress.show(done);
+  };
+  try {
+    while (done < options.steps && !interrupted()) {
+      advance();
+      progress.show(done);
+    }
+  } catch (const CGAL::Deformable_simplicial_complexes::Error&) {
+    // A step that cannot be done. Those before it are worth keeping, with what has been done to the
+    // mesh to make it ready.
+    progress.clear();
+    report.write();
+    write_files();
+    throw;
   }
   progress.clear();
   write_files();
-  report.write();
 
   const bool stopped = interrupted();
   if (stopped) {
@@ -156,9 +165,9 @@ int execute(const Run_options& options) {
       checkpoint = folder->checkpoint();
     else
       complex.write_checkpoint(checkpoint, to_metadata(position, options.motion));
-    if (!options.quiet)
-      print_interruption(position, checkpoint, options.steps - done);
+    print_interruption(position, checkpoint, options.steps - done);
   }
+  report.write();
   if (!options.quiet)
     print_summary(position, statistics, unfinished, seconds);
   return stopped ? exit_code_of_interrupt : 0;

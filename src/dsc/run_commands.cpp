@@ -10,17 +10,10 @@
 
 #include <array>
 #include <climits>
-#include <map>
 #include <optional>
 
 namespace dsc {
 namespace {
-
-using CGAL::Deformable_simplicial_complexes::Integration_scheme;
-
-const std::map<std::string, Integration_scheme> schemes = {{"euler", Integration_scheme::euler},
-                                                           {"rk2", Integration_scheme::rk2},
-                                                           {"rk4", Integration_scheme::rk4}};
 
 // Where these flows are usually started.
 const Ball ball_of_enright = {{.35, .35, .35}, .15};
@@ -114,7 +107,8 @@ CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
       ->needs(output)
       ->capture_default_str();
   command->add_option("--report", m_options.report, "JSON file with what happened in each step");
-  command->add_flag("--quiet", m_options.quiet, "Print nothing but errors");
+  command->add_flag("--quiet", m_options.quiet,
+                    "Print nothing but errors and where an interrupted run continues");
   return command;
 }
 
@@ -123,7 +117,7 @@ void Run_commands::add_flow_options(CLI::App& command) {
                      "Multiply velocities by cos(pi t / PERIOD), so that all is back after it");
   command.add_option("--dt", m_dt, "Time per step; 0.01 if not given");
   command.add_option("--scheme", m_scheme, "How velocities are integrated")
-      ->check(CLI::IsMember(&schemes))
+      ->check(CLI::IsMember(&integration_schemes()))
       ->capture_default_str();
 }
 
@@ -131,7 +125,7 @@ Advection Run_commands::advection(Advection::Field field, double default_period)
   const Advection advection = {
       field, m_expressions,
       m_period.empty() ? default_period : parse_positive(m_period, "--period"),
-      m_dt.empty() ? default_dt : parse_positive(m_dt, "--dt"), schemes.at(m_scheme)};
+      m_dt.empty() ? default_dt : parse_positive(m_dt, "--dt"), integration_schemes().at(m_scheme)};
   if (advection.period > 0 && advection.dt > advection.period)
     throw Usage_error("--dt is longer than the period; choose a shorter time per step");
   return advection;

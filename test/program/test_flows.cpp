@@ -122,6 +122,15 @@ TEST_F(Flows, of_the_vortex_stay_in_their_planes) {
   EXPECT_EQ(vortex[3].at("complete"), true);
 }
 
+TEST_F(Flows, keep_the_steps_before_one_that_is_refused) {
+  expect_error(
+      "advect box.off --velocity 'sqrt(0.18-t),0,0' --dt 0.1 --scheme euler --steps 5 --every 5 "
+      "--output out --report report.json",
+      1); // by velocities that are no numbers in the third step
+  EXPECT_EQ(info("out/checkpoint.dsc", "step"), 2);
+  EXPECT_EQ(report("report.json").at("steps").size(), 3u);
+}
+
 // The step is that of the input, whatever the box around it.
 TEST_F(Flows, of_mean_curvature_shrink_a_ball) {
   const double radius = 10;
