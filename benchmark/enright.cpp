@@ -41,8 +41,9 @@ namespace {
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 using CGAL::Deformable_simplicial_complexes::Integration_scheme;
 
-// Thin sheets of the flow dictate the quality of the tetrahedra inside of them.
-constexpr double quality_threshold = .1;
+// The flow stretches triangles and presses tetrahedra flat, and brings them back: the interface is
+// to change only where it must, so that angles may be almost any.
+constexpr double quality_threshold = .1, minimum_angle = .1, minimum_facet_angle = 0;
 
 constexpr double radius = .15;
 const Point center(.35, .35, .35);
@@ -141,9 +142,11 @@ int flow(const Run& run) {
     }
     if (run.tolerance == 0 || i % run.interval == 0)
       CGAL::control_detail(complex, parameters::collapse_length(2.));
-    const auto report = CGAL::advect_interface(
-        complex, velocity, double(i) * run.dt, run.dt,
-        parameters::scheme(Integration_scheme::rk4).quality_threshold(quality_threshold));
+    const auto report = CGAL::advect_interface(complex, velocity, double(i) * run.dt, run.dt,
+                                               parameters::scheme(Integration_scheme::rk4)
+                                                   .quality_threshold(quality_threshold)
+                                                   .minimum_angle(minimum_angle)
+                                                   .minimum_facet_angle(minimum_facet_angle));
     if (run.restores_volume && i % run.interval == 0)
       CGAL::restore_volumes(complex, std::map<int, double>{{1, volume}},
                             parameters::quality_threshold(quality_threshold));

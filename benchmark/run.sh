@@ -119,7 +119,7 @@ measure_flows() {
   for n in 16 32; do
     add_row "$table" "$enright" sphere -n "$n"
   done
-  for n in 6000 20000; do
+  for n in 6000 20480; do
     add_row "$table" "$enright" "$meshes/armadillo.off" --triangles "$n"
   done
   for n in 8 16 32; do

@@ -8,6 +8,12 @@ function(dsc_link_package target)
   endif()
 endfunction()
 
+# Lets `target` use what is compiled once for many. \pre instantiations/ has been added
+function(dsc_share_compilation target)
+  target_precompile_headers(${target} REUSE_FROM dsc_common_headers)
+  target_link_libraries(${target} PRIVATE dsc_instantiations)
+endfunction()
+
 # Sets `result` to the .cpp files of the current folder and the folders below it, except
 # `installed_package`; without the TetGen adapter, less those that name it.
 function(dsc_glob_sources result)
@@ -30,5 +36,8 @@ function(dsc_add_single_source_program result prefix file)
   add_executable(${prefix}_${name} "${file}")
   set_target_properties(${prefix}_${name} PROPERTIES OUTPUT_NAME "${name}")
   dsc_link_package(${prefix}_${name})
+  if(DSC_SHARE_COMPILATION)
+    dsc_share_compilation(${prefix}_${name})
+  endif()
   set(${result} ${prefix}_${name} PARENT_SCOPE)
 endfunction()

@@ -6,21 +6,14 @@ jobs=$(nproc)
 
 scripts/install_dependencies.sh
 
-# Optimized but a little, to save a third of the time for compilation.
-echo "== Release: the program, the installed package and examples"
+# Optimized but a little, to save a third of the time for compilation. Nobody runs the benchmarks here.
+echo "== Release: the program, the installed package, examples and benchmarks"
 cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
-  -DDSC_BUILD_UNIT_TESTS=OFF -DDSC_BUILD_BENCHMARKS=OFF
+  -DDSC_BUILD_UNIT_TESTS=OFF -DDSC_SHARE_COMPILATION=ON
 cmake --build build --parallel "$jobs"
 ctest --test-dir build --output-on-failure --no-tests=error --parallel "$jobs"
 
-# Compiled only: nobody runs them here.
-echo "== Benchmarks"
-cmake -S . -B build-benchmarks -G Ninja -DCMAKE_BUILD_TYPE=Release \
-  -DCMAKE_CXX_FLAGS_RELEASE="-O0 -DNDEBUG" \
-  -DDSC_BUILD_PROGRAM=OFF -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_TESTS=OFF
-cmake --build build-benchmarks --parallel "$jobs"
-
-# The headers, with CGAL's own checks; optimized a little, as unoptimized CGAL is too slow to run.
+# The headers, with the checks of CGAL itself; optimized a little, or it would be too slow to run.
 echo "== Debug with the address and undefined behaviour sanitizers: everything else"
 cmake -S . -B build-checked -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" \
   -DDSC_SANITIZE=ON -DDSC_BUILD_PROGRAM=OFF -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_BENCHMARKS=OFF

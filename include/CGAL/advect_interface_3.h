@@ -18,7 +18,9 @@ namespace CGAL {
 \ingroup PkgDeformableSimplicialComplex3Ref
 
 Moves the interface with a velocity for one step of time: integrates the path of each vertex, then
-calls `deform_interface()`. The path within the step is not followed, only its end.
+calls `deform_interface()`. The path within the step is not followed, only its end. Where the
+velocity is known in all of space, as a field or a flow map, free vertices around the interface go
+with it, too, unless the parameter `flow` is given.
 
 \param dsc the complex
 \param velocity one of
@@ -85,7 +87,18 @@ Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& veloc
   const auto destinations =
       internal::find_destinations(interface_, interface_.positions(dsc), velocity, t, dt, scheme,
                                   tolerance * dsc.mean_interface_edge());
-  return internal::deform_to(dsc, interface_, destinations, np);
+  constexpr bool has_flow = !parameters::is_default_parameter<NamedParameters, tags::flow_t>::value;
+  if constexpr (internal::is_flow_of_space<Complex, Velocity> && !has_flow) {
+    auto flow = [&](const typename Complex::Approximate_point_3& p) {
+      return internal::follow_flow<Complex>(p, velocity, t, dt);
+    };
+    const Deformable_simplicial_complexes::Named_parameters<decltype(flow), tags::flow_t,
+                                                            NamedParameters>
+        with_flow(flow, np);
+    return internal::deform_to(dsc, interface_, destinations, with_flow);
+  } else {
+    return internal::deform_to(dsc, interface_, destinations, np);
+  }
 }
 
 } // namespace CGAL

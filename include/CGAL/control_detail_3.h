@@ -115,15 +115,14 @@ Improvement_report control_detail(Complex& dsc, const NamedParameters& np = Name
   internal::check_detail_thresholds(thresholds);
   const unsigned rounds =
       choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 10u);
-  const auto unit =
-      internal::edge_unit(get_parameter(np, tags::size_field), dsc.mean_interface_edge());
-  const auto short_unit =
-      internal::edge_unit(get_parameter(np, tags::size_field), dsc.minimum_interface_edge());
+  const internal::Edge_unit<Complex> unit(get_parameter(np, tags::size_field),
+                                          dsc.mean_interface_edge());
+  const internal::Edge_unit<Complex> short_unit(get_parameter(np, tags::size_field),
+                                                dsc.minimum_interface_edge());
 
-  using Visitor = std::remove_reference_t<decltype(visitor)>;
-  using Unit = std::remove_const_t<decltype(unit)>;
-  internal::Detail_controller_3<Complex, Visitor, Unit> controller(dsc, visitor, thresholds, unit,
-                                                                   short_unit);
+  internal::Visitor_adaptor_3<Complex, std::remove_reference_t<decltype(visitor)>> any_visitor(
+      visitor);
+  internal::Detail_controller_3<Complex> controller(dsc, any_visitor, thresholds, unit, short_unit);
   controller.run(rounds);
   return controller.report();
 }

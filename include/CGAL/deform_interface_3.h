@@ -11,6 +11,8 @@
 #include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
 
 #include <CGAL/Deformable_simplicial_complex_3/topology_control.h>
+
+#include <functional>
 #include <type_traits>
 
 namespace CGAL {
@@ -60,6 +62,25 @@ became bad.
                           helps. In [0, 30]; 0 leaves what has arrived in place.}
     \cgalParamType{`double`} \cgalParamDefault{5}
   \cgalParamNEnd
+  \cgalParamNBegin{minimum_facet_angle}
+    \cgalParamDescription{facets of the interface whose smallest angle shrinks below it, in degrees,
+                          are removed where that makes the mesh around them better; in [0, 30]. With
+                          0, none is removed for its angles, and those that keep vertices from their
+                          destinations only from the third pass on. What `minimum_angle` and
+                          `relabeling_threshold` ask for is done none the less.}
+    \cgalParamType{`double`} \cgalParamDefault{5}
+  \cgalParamNEnd
+  \cgalParamNBegin{flow}
+    \cgalParamDescription{where what is at a point goes in the deformation: free vertices go there,
+                          too, up to a harmonic function that is needed where the interface or the
+                          boundary of the domain do not. For the first pass only, in which most
+                          deformations end. Asked at vertices; where it is not finite, or more than
+                          100 times as long as the longest way of the interface, they follow the
+                          interface.}
+    \cgalParamType{function object `Approximate_point_3 flow(Approximate_point_3 p)`, in the
+                   coordinates of the complex}
+    \cgalParamDefault{none: free vertices follow the interface}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_threads}
     \cgalParamDescription{threads to use where linked with TBB; the result does not depend on it}
     \cgalParamType{`unsigned int`} \cgalParamDefault{1}
@@ -102,36 +123,42 @@ template <
 Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& destination,
                                              const NamedParameters& np = NamedParameters()) {
   namespace tags = Deformable_simplicial_complexes::internal_np;
+  namespace internal = Deformable_simplicial_complexes::internal;
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
   auto given_visitor =
       choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Deformation_visitor_3());
-  auto& visitor = Deformable_simplicial_complexes::internal::unwrap(given_visitor);
+  auto& visitor = internal::unwrap(given_visitor);
   auto given_control = choose_parameter(get_parameter(np, tags::topology_control),
                                         Deformable_simplicial_complexes::Allow_topology_changes());
-  auto& topology_control = Deformable_simplicial_complexes::internal::unwrap(given_control);
+  auto& topology_control = internal::unwrap(given_control);
   const unsigned maximum_number_of_passes =
       choose_parameter(get_parameter(np, tags::maximum_number_of_passes), 20u);
-  const Deformable_simplicial_complexes::internal::Deformation_options options = {
+  const internal::Deformation_options<Complex> options = {
       double(choose_parameter(get_parameter(np, tags::quality_threshold), .2)),
       double(choose_parameter(get_parameter(np, tags::relabeling_threshold), .01)),
       double(choose_parameter(get_parameter(np, tags::minimum_angle), 5.)),
+      double(choose_parameter(get_parameter(np, tags::minimum_facet_angle), 5.)),
       choose_parameter(get_parameter(np, tags::manifold_interface), false),
-      choose_parameter(get_parameter(np, tags::collision_order), false)};
-  Deformable_simplicial_complexes::internal::check_threshold(options.quality_threshold);
-  Deformable_simplicial_complexes::internal::check_threshold(options.relabeling_threshold);
+      choose_parameter(get_parameter(np, tags::collision_order), false),
+      std::ref(topology_control),
+      choose_parameter(get_parameter(np, tags::flow), internal::Space_motion<Complex>())};
+  internal::check_threshold(options.quality_threshold);
+  internal::check_threshold(options.relabeling_threshold);
   if (!(options.minimum_angle >= 0 && options.minimum_angle <= 30))
     throw Deformable_simplicial_complexes::Error(
         "the smallest angle is out of range: use 0 to 30 degrees");
+  if (!(options.minimum_facet_angle >= 0 && options.minimum_facet_angle <= 30))
+    throw Deformable_simplicial_complexes::Error(
+        "the smallest angle of a facet is out of range: use 0 to 30 degrees");
   const unsigned number_of_threads =
       choose_parameter(get_parameter(np, tags::number_of_threads), 1u);
 
-  const Deformable_simplicial_complexes::internal::For_each_index for_each_index(number_of_threads);
-  using Visitor = std::remove_reference_t<decltype(visitor)>;
-  using TopologyControl = std::remove_reference_t<decltype(topology_control)>;
-  Deformable_simplicial_complexes::internal::Interface_deformer_3<Complex, Visitor, TopologyControl>
-      deformer(dsc, visitor, topology_control, options, for_each_index);
+  const internal::For_each_index for_each_index(number_of_threads);
+  internal::Visitor_adaptor_3<Complex, std::remove_reference_t<decltype(visitor)>> any_visitor(
+      visitor);
+  internal::Interface_deformer_3<Complex> deformer(dsc, any_visitor, options, for_each_index);
   deformer.set_destinations(destination);
   unsigned pass = 0;
   bool is_stopped = false;
@@ -140,10 +167,10 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
          goes_further()) {
     ++pass;
     deformer.find_degenerating_facets();
-    deformer.move_together();
+    deformer.move_together(pass);
     deformer.move_one_by_one();
     deformer.relabel_degenerate_cells();
-    deformer.remove_obstacles();
+    deformer.remove_obstacles(pass);
     deformer.remove_degenerating_facets();
     deformer.improve();
     deformer.end_pass(pass);

@@ -142,15 +142,16 @@ Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = N
   internal::check_interface_thresholds(thresholds);
   const unsigned iterations =
       choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 1u);
-  const auto unit =
-      internal::edge_unit(get_parameter(np, tags::size_field), dsc.mean_interface_edge());
+  const internal::Edge_unit<Complex> unit(get_parameter(np, tags::size_field),
+                                          dsc.mean_interface_edge());
 
-  using Visitor = std::remove_reference_t<decltype(visitor)>;
-  using Unit = std::remove_const_t<decltype(unit)>;
-  if (!Unit::is_size_field && !(dsc.mean_interface_edge() > 0) && !dsc.interface_vertices().empty())
+  internal::Visitor_adaptor_3<Complex, std::remove_reference_t<decltype(visitor)>> any_visitor(
+      visitor);
+  if (!unit.is_size_field() && !(dsc.mean_interface_edge() > 0) &&
+      !dsc.interface_vertices().empty())
     throw Error("there is no wanted length of edges: the complex was built without an interface; "
                 "give a size field");
-  internal::Interface_improver_3<Complex, Visitor, Unit> improver(dsc, visitor, thresholds, unit);
+  internal::Interface_improver_3<Complex> improver(dsc, any_visitor, thresholds, unit);
   for (unsigned i = 0; i < iterations; ++i) {
     improver.split_long_edges();
     improver.collapse_short_edges();

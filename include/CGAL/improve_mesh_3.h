@@ -84,9 +84,11 @@ Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedP
 
   const bool smooth_interface = choose_parameter(get_parameter(np, tags::smooth_interface), false);
 
-  using Visitor = std::remove_reference_t<decltype(visitor)>;
-  Deformable_simplicial_complexes::internal::Mesh_improver_3<Complex, Visitor> improver(
-      dsc, visitor, threshold, true, smooth_interface);
+  Deformable_simplicial_complexes::internal::Visitor_adaptor_3<
+      Complex, std::remove_reference_t<decltype(visitor)>>
+      any_visitor(visitor);
+  Deformable_simplicial_complexes::internal::Mesh_improver_3<Complex> improver(
+      dsc, any_visitor, threshold, true, smooth_interface);
   static constexpr int attempts = 5;
   if (!aggressive) {
     improver.improve_all(threshold, rounds, attempts);
@@ -96,8 +98,8 @@ Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedP
   for (double t = first; t < part * threshold; t *= step)
     improver.improve_all(t, rounds, attempts);
   improver.improve_all(part * threshold, rounds, attempts);
-  Deformable_simplicial_complexes::internal::Patch_improver_3<Complex, Visitor> patch_improver(
-      dsc, visitor, threshold, rounds);
+  Deformable_simplicial_complexes::internal::Patch_improver_3<Complex> patch_improver(
+      dsc, any_visitor, threshold, rounds);
   if (rounds > 0)
     patch_improver.run();
   improver.improve_all(threshold, rounds, 0);

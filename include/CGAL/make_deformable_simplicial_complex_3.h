@@ -42,8 +42,8 @@ template <class Complex, class NP> void finish(Complex& dsc, const NP& np) {
   const unsigned rounds =
       choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 10u);
   if (choose_parameter(get_parameter(np, internal_np::improve), true)) {
-    Deformation_visitor_3 visitor;
-    Mesh_improver_3<Complex, Deformation_visitor_3> improver(dsc, visitor, threshold);
+    Any_visitor_3<Complex> visitor;
+    Mesh_improver_3<Complex> improver(dsc, visitor, threshold);
     improver.improve_all(threshold, rounds, 0);
   }
   dsc.sort_storage();

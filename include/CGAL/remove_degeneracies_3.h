@@ -94,9 +94,11 @@ Improvement_report remove_degeneracies(Complex& dsc,
         "the length of a degenerate edge is out of range: use 0 or more");
   const unsigned rounds =
       choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 10u);
-  const auto unit =
-      internal::edge_unit(get_parameter(np, tags::size_field), dsc.minimum_interface_edge());
+  const internal::Edge_unit<Complex> unit(get_parameter(np, tags::size_field),
+                                          dsc.minimum_interface_edge());
 
+  internal::Visitor_adaptor_3<Complex, std::remove_reference_t<decltype(visitor)>> any_visitor(
+      visitor);
   Improvement_report report;
   Cavity_3<Complex> cavity(dsc);
   const auto propose = [&](Cell_handle c) {
@@ -122,7 +124,7 @@ Improvement_report remove_degeneracies(Complex& dsc,
                            [&](Cell_handle c, internal::Work_list<Cell_handle>& touched) {
                              if (!propose(c))
                                return;
-                             internal::commit_proposal(dsc, cavity, visitor, report);
+                             internal::commit_proposal(dsc, cavity, any_visitor, report);
                              internal::push_finite(dsc, cavity.created(), touched);
                            });
   return report;

@@ -28,7 +28,6 @@ namespace {
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Approximate_point_3;
 using Vector = Complex::Approximate_vector_3;
-using CGAL::Deformable_simplicial_complexes::Integration_scheme;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 Point centre_of_domain(const Complex& complex) {
@@ -110,29 +109,37 @@ struct Step
   }
 
 private:
+  // A field stretches triangles and presses tetrahedra flat, and may bring them back: the interface
+  // is to change only where it must.
   template <class Field> Report follow(const Field& field, const Advection& advection) const {
+    static constexpr double quality_threshold = .1, minimum_angle = .1, minimum_facet_angle = 0;
     make_room();
-    return advect(CGAL::Velocity_in_user_coordinates_3<Complex, Field>(complex, field), time,
-                  advection.dt, advection.scheme);
+    return CGAL::advect_interface(
+        complex, CGAL::Velocity_in_user_coordinates_3<Complex, Field>(complex, field), time,
+        advection.dt,
+        parameters::number_of_threads(threads)
+            .scheme(advection.scheme)
+            .quality_threshold(quality_threshold)
+            .minimum_angle(minimum_angle)
+            .minimum_facet_angle(minimum_facet_angle));
   }
 
   // These motions stretch the interface, and the mesh around it has to follow.
   void make_room() const { CGAL::control_detail(complex, parameters::collapse_length(2.)); }
 
-  template <class Flow>
-  Report advect(const Flow& flow, double t, double dt,
-                Integration_scheme scheme = Integration_scheme::rk2) const {
-    return CGAL::advect_interface(complex, flow, t, dt,
-                                  parameters::number_of_threads(threads).scheme(scheme));
+  template <class Flow> Report advect(const Flow& flow, double t, double dt) const {
+    return CGAL::advect_interface(complex, flow, t, dt, parameters::number_of_threads(threads));
   }
 };
 
 /// Triangles as fine as the curvature asks for, so that a smooth interface stays smooth when it is
-/// pressed together.
+/// pressed together; sharp edges stay.
 void improve_interface(Complex& complex, const std::optional<double>& aggressiveness) {
   const double edge = complex.mean_interface_edge();
-  const CGAL::Curvature_size_field_3 size(complex, .05 * edge, .2 * edge, edge);
+  static constexpr double feature_angle = 60;
+  const CGAL::Curvature_size_field_3 size(complex, .05 * edge, .2 * edge, edge, .5, feature_angle);
   const auto np = parameters::size_field(std::cref(size))
+                      .feature_angle(feature_angle)
                       .interface_split_length(1.5)
                       .interface_collapse_length(.5)
                       .curved_splits(true);

@@ -3,7 +3,8 @@
 \cgalConcept
 
 A motion of space that is known in closed form, so that `CGAL::advect_interface()` need not
-integrate it: whatever the integration scheme, vertices are sent to where the map says. `Complex`
+integrate it: whatever the integration scheme, vertices are sent to where the map says. It is asked
+for vertices around the interface, too, which follow the interface where it is not finite. `Complex`
 stands for the type of the complex; a map need not define it.
 
 \cgalHasModelsBegin

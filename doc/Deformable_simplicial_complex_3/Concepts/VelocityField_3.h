@@ -3,8 +3,8 @@
 \cgalConcept
 
 A velocity that depends on place and time only. Any function object of this form will do, such as a
-lambda. `CGAL::advect_interface()` calls it for one vertex of the interface after the other; what is
-to be evaluated for many vertices at once, or depends on the interface, is an
+lambda. `CGAL::advect_interface()` calls it for one vertex of the interface after the other, and for
+others around, which follow the interface where it is not finite there; what is to be evaluated for many vertices at once, or depends on the interface, is an
 `InterfaceVelocity_3`. `Complex` stands for the type of the complex; a field need not define it.
 
 \cgalHasModelsBegin

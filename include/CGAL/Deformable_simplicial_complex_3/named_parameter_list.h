@@ -12,6 +12,7 @@ CGAL_add_named_parameter(maximum_number_of_passes_t, maximum_number_of_passes, m
 CGAL_add_named_parameter(scheme_t, scheme, scheme)
 CGAL_add_named_parameter(integration_tolerance_t, integration_tolerance, integration_tolerance)
 CGAL_add_named_parameter(number_of_threads_t, number_of_threads, number_of_threads)
+CGAL_add_named_parameter(flow_t, flow, flow)
 CGAL_add_named_parameter(minimum_angle_t, minimum_angle, minimum_angle)
 CGAL_add_named_parameter(topology_control_t, topology_control, topology_control)
 CGAL_add_named_parameter(manifold_interface_t, manifold_interface, manifold_interface)

@@ -10,6 +10,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/edge_unit.h>
@@ -38,15 +39,16 @@ inline void check_detail_thresholds(const Detail_thresholds& t) {
 
 // Splits long edges and collapses short ones, cell by cell. No collapse makes an edge that would be
 // split.
-template <class Complex, class Visitor, class Unit> class Detail_controller_3
+template <class Complex> class Detail_controller_3
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
 
   // Interface edges are collapsed by `short_unit`, everything else is measured by `unit`.
-  Detail_controller_3(Complex& complex, Visitor& visitor, const Detail_thresholds& thresholds,
-                      const Unit& unit, const Unit& short_unit)
+  Detail_controller_3(Complex& complex, Any_visitor_3<Complex>& visitor,
+                      const Detail_thresholds& thresholds, const Edge_unit<Complex>& unit,
+                      const Edge_unit<Complex>& short_unit)
       : m_complex(complex), m_visitor(visitor), m_thresholds(thresholds), m_unit(unit),
         m_short_unit(short_unit), m_cavity(complex) {}
 
@@ -113,7 +115,7 @@ private:
       return m_thresholds.change_interface ? length(v, w, m_unit) / m_thresholds.interface_split
                                            : 0;
     // Far from the interface, the input has no length that an edge could be long by.
-    const bool is_wanted = Unit::is_size_field || (v->is_interface() && is_tied(w)) ||
+    const bool is_wanted = m_unit.is_size_field() || (v->is_interface() && is_tied(w)) ||
                            (w->is_interface() && is_tied(v));
     return is_wanted ? length(v, w, m_unit) / m_thresholds.split : 0;
   }
@@ -143,14 +145,14 @@ private:
   // Whether a vertex is on the interface or on the boundary of the domain.
   bool is_tied(Vertex_handle v) const { return v->is_interface() || m_complex.is_boundary(v); }
 
-  double length(Vertex_handle v, Vertex_handle w, const Unit& unit) const {
+  double length(Vertex_handle v, Vertex_handle w, const Edge_unit<Complex>& unit) const {
     return length_in_units(m_complex, v, w, unit);
   }
 
   Complex& m_complex;
-  Visitor& m_visitor;
+  Any_visitor_3<Complex>& m_visitor;
   Detail_thresholds m_thresholds;
-  Unit m_unit, m_short_unit;
+  Edge_unit<Complex> m_unit, m_short_unit;
   Cavity_3<Complex> m_cavity;
   Improvement_report m_report;
 };

@@ -6,7 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_DEFORMER_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_report.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Small_angle_remover_3.h>
@@ -16,12 +16,15 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/final_quality.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/harmonic_extension_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/require_finite.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/simultaneous_motion_3.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -30,16 +33,23 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// Where what is at a point goes in the deformation.
+template <class Complex>
+using Space_motion = std::function<typename Complex::Approximate_point_3(
+    const typename Complex::Approximate_point_3&)>;
+
 // What deform_interface() is asked for.
-struct Deformation_options
+template <class Complex> struct Deformation_options
 {
   double quality_threshold, relabeling_threshold;
-  double minimum_angle; // degrees
+  double minimum_angle, minimum_facet_angle; // degrees
   bool manifold_interface, collision_order;
+  Topology_control<Complex> topology_control;
+  Space_motion<Complex> flow; // of the space around the interface, if it is known
 };
 
 // The steps of Algorithm 1, in the order in which deform_interface() takes them.
-template <class Complex, class Visitor, class TopologyControl> class Interface_deformer_3
+template <class Complex> class Interface_deformer_3
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
@@ -48,12 +58,14 @@ public:
   using Vector = typename Complex::Approximate_vector_3;
   using Report = Deformation_report<Complex>;
 
-  Interface_deformer_3(Complex& complex, Visitor& visitor, TopologyControl& topology_control,
-                       const Deformation_options& options, const For_each_index& for_each_index)
+  Interface_deformer_3(Complex& complex, Any_visitor_3<Complex>& visitor,
+                       const Deformation_options<Complex>& options,
+                       const For_each_index& for_each_index)
       : m_complex(complex), m_visitor(visitor), m_options(options),
+        m_degenerate_cosine(std::cos(options.minimum_facet_angle * (CGAL_PI / 180))),
         m_improver(complex, visitor, options.quality_threshold),
         m_small_angles(complex, visitor, options.minimum_angle, options.quality_threshold),
-        m_trapped_cells(complex, visitor, topology_control, options.manifold_interface),
+        m_trapped_cells(complex, visitor, m_options.topology_control, options.manifold_interface),
         m_for_each_index(for_each_index) {}
 
   // No destination survives the deformation, even if a visitor ends it by an exception.
@@ -71,15 +83,12 @@ public:
     const auto vertices = m_complex.interface_vertices();
     const auto approximate = m_complex.geom_traits().construct_approximate_point_3_object();
     std::vector<Point_3> destinations;
-    std::vector<std::size_t> refused;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      destinations.push_back(destination(vertices[i]));
-      if (!has_finite_coordinates(approximate(destinations.back())))
-        refused.push_back(i);
+    std::vector<typename Complex::Approximate_point_3> positions;
+    for (Vertex_handle v : vertices) {
+      destinations.push_back(destination(v));
+      positions.push_back(approximate(destinations.back()));
     }
-    if (!refused.empty())
-      throw Invalid_destination_error(
-          "a destination is not a finite point; check the velocities and the time step", refused);
+    require_finite(positions, "a destination");
     m_trapped_cells.log().begin();
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       m_complex.set_destination(vertices[i],
@@ -93,11 +102,11 @@ public:
 
   bool is_complete() const { return m_unfinished.empty(); }
 
-  // Whether the last two passes brought vertices nearer to their destinations.
+  // Whether the last two passes that had all means brought vertices nearer to their destinations.
   bool is_progressing() const { return m_idle_passes < 2; }
 
-  // Facets of the interface that will be caps or needles at their destinations, and more so than
-  // now: what moves as a whole keeps its facets.
+  // Facets of the interface that will have a small angle at their destinations, and a smaller one
+  // than now: what moves as a whole keeps its facets.
   void find_degenerating_facets() {
     static constexpr double more = 1 + 1e-6; // than what rounding does
     m_degenerating.clear();
@@ -106,26 +115,39 @@ public:
     for (const auto& facet : m_complex.interface_facets()) {
       const auto v = m_complex.facet_vertices(facet);
       const double after = largest_cosine({final(v[0]), final(v[1]), final(v[2])});
-      if (after > degenerate_cosine &&
+      if (after > m_degenerate_cosine &&
           after > more * largest_cosine({now(v[0]), now(v[1]), now(v[2])}))
         m_degenerating.push_back({facet.first, facet.first->time_stamp(), facet.second});
     }
   }
 
-  // Interface and free vertices at once: most of most motions.
-  void move_together() {
+  // Interface and free vertices at once: most of most motions. Free vertices follow the flow of
+  // space, in the first pass, and deviate from it only as interface and boundary do.
+  void move_together(unsigned pass) {
     std::vector<Vertex_handle> vertices = unfinished();
     const std::vector<Vertex_handle> free = free_vertices_near(m_complex, vertices, layers());
     const auto exact = m_complex.geom_traits().construct_exact_point_3_object();
-    const auto displacement = [&](Vertex_handle v) {
-      return v->has_destination() ? remaining(v) : Vector(0, 0, 0);
+    static constexpr double far = 100;         // times the longest way: nothing to be followed
+    static constexpr double negligible = 1e-6; // of the longest way
+    const double longest = longest_way();
+    const bool has_flow = pass == 1 && m_options.flow;
+    const auto flow = [&](Vertex_handle v) {
+      const auto p = m_complex.position(v);
+      const Vector way = has_flow ? m_options.flow(p) - p : Vector(0, 0, 0);
+      return way.squared_length() < far * far * longest * longest ? way : Vector(0, 0, 0);
     };
-    const auto solution = harmonic_extension(m_complex, free, displacement, m_for_each_index);
+    const auto deviation = [&](Vertex_handle v) {
+      const Vector d = (v->has_destination() ? remaining(v) : Vector(0, 0, 0)) - flow(v);
+      const bool follows =
+          has_flow && d.squared_length() < negligible * negligible * longest * longest;
+      return follows ? Vector(0, 0, 0) : d;
+    };
+    const auto solution = harmonic_extension(m_complex, free, deviation, m_for_each_index);
     std::vector<Point_3> targets;
     for (Vertex_handle v : vertices)
       targets.push_back(v->destination());
     for (std::size_t i = 0; i < free.size(); ++i) {
-      const auto target = m_complex.position(free[i]) + solution[i];
+      const auto target = m_complex.position(free[i]) + flow(free[i]) + solution[i];
       if (target != m_complex.position(free[i]) && has_finite_coordinates(target)) {
         vertices.push_back(free[i]);
         targets.push_back(exact(target));
@@ -165,8 +187,10 @@ public:
   }
 
   // What keeps vertices from their destinations: cells that the interface is about to sweep away,
-  // small angles and short edges where it folds, and free vertices that it traps.
-  void remove_obstacles() {
+  // small angles and short edges where it folds, and free vertices that it traps. An interface that
+  // is to keep its facets does so as long as there is hope that the rest is enough.
+  void remove_obstacles(unsigned pass) {
+    m_may_remove_facets = m_options.minimum_facet_angle > 0 || pass > 2;
     static constexpr double swept = .3;   // quality below which a cell in the way may be relabeled
     static constexpr double cosine = .94; // of 20 degrees
     const double shortest = .5 * m_complex.minimum_interface_edge();
@@ -182,19 +206,20 @@ public:
     m_trapped_cells.remove_small_components(handles(cells));
     for (const auto& item : cells) {
       const Cell_handle c = item.cell;
-      if (!m_complex.is_alive(c, item.time_stamp) || remove_degenerate_facet(c, cosine) ||
-          m_improver.remove_degenerate_edge(c, shortest, m_touched))
+      if (!m_complex.is_alive(c, item.time_stamp) ||
+          (m_may_remove_facets && (remove_degenerate_facet(c, cosine) ||
+                                   m_improver.remove_degenerate_edge(c, shortest, m_touched))))
         continue;
       if (c->quality() < m_options.relabeling_threshold)
         m_improver.remove_trapped_vertex(c, m_touched);
     }
   }
 
-  // Facets of the interface that the motion has made caps or needles.
+  // Facets of the interface that the motion has given small angles.
   void remove_degenerating_facets() {
     for (const Facet_item& item : m_degenerating)
       if (m_complex.is_alive(item.cell, item.time_stamp))
-        m_improver.remove_degenerate_facet(item.cell, item.index, degenerate_cosine, m_touched);
+        m_improver.remove_degenerate_facet(item.cell, item.index, m_degenerate_cosine, m_touched);
   }
 
   // Reconnection, smoothing, collapses and splits around what moved.
@@ -203,7 +228,8 @@ public:
     m_touched.clear();
     update_unfinished();
     const double distance = remaining_distance();
-    m_idle_passes = distance > .99 * m_last_distance ? m_idle_passes + 1 : 0;
+    const bool is_idle = m_may_remove_facets && distance > .99 * m_last_distance;
+    m_idle_passes = is_idle ? m_idle_passes + 1 : 0;
     m_last_distance = distance;
   }
 
@@ -291,11 +317,15 @@ private:
 
   // How far around its source a motion is felt: the farther it goes, the more space must give way.
   unsigned layers() const {
+    const double edges = longest_way() / m_complex.mean_interface_edge();
+    return unsigned((std::min)(6., 1 + std::ceil(2 * edges)));
+  }
+
+  double longest_way() const {
     double longest = 0;
     for (Vertex_handle v : unfinished())
       longest = (std::max)(longest, remaining_distance(v));
-    const double edges = longest / m_complex.mean_interface_edge();
-    return unsigned((std::min)(6., 1 + std::ceil(2 * edges)));
+    return longest;
   }
 
   double remaining_distance() const {
@@ -351,14 +381,13 @@ private:
     m_unfinished = std::move(unfinished);
   }
 
-  static constexpr double degenerate_cosine = .9962; // of 5 degrees
-
   Complex& m_complex;
-  Visitor& m_visitor;
-  Deformation_options m_options;
-  Mesh_improver_3<Complex, Visitor> m_improver;
-  Small_angle_remover_3<Complex, Visitor> m_small_angles;
-  Trapped_cells_3<Complex, Visitor, TopologyControl> m_trapped_cells;
+  Any_visitor_3<Complex>& m_visitor;
+  Deformation_options<Complex> m_options;
+  double m_degenerate_cosine; // of the smallest angle that a facet may come to have
+  Mesh_improver_3<Complex> m_improver;
+  Small_angle_remover_3<Complex> m_small_angles;
+  Trapped_cells_3<Complex> m_trapped_cells;
   const For_each_index& m_for_each_index;
   std::vector<Item> m_unfinished;
   Work_list<Cell_handle> m_touched;
@@ -366,6 +395,7 @@ private:
   std::vector<Cell_handle> m_star;
   double m_last_distance = std::numeric_limits<double>::infinity();
   unsigned m_idle_passes = 0;
+  bool m_may_remove_facets = true;
   std::size_t m_vanished = 0;
 };
 

@@ -11,6 +11,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Interface_edge_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Interface_fan_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
@@ -60,15 +61,15 @@ inline void check_interface_thresholds(const Interface_thresholds& t) {
 }
 
 // The passes over the interface, in the order in which improve_interface() takes them.
-template <class Complex, class Visitor, class Unit> class Interface_improver_3
+template <class Complex> class Interface_improver_3
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
 
   // Lengths of edges are measured by `unit`.
-  Interface_improver_3(Complex& complex, Visitor& visitor, const Interface_thresholds& thresholds,
-                       const Unit& unit)
+  Interface_improver_3(Complex& complex, Any_visitor_3<Complex>& visitor,
+                       const Interface_thresholds& thresholds, const Edge_unit<Complex>& unit)
       : m_complex(complex), m_visitor(visitor), m_thresholds(thresholds), m_unit(unit),
         m_improver(complex, visitor, thresholds.quality_threshold), m_cavity(complex) {}
 
@@ -308,10 +309,10 @@ private:
   }
 
   Complex& m_complex;
-  Visitor& m_visitor;
+  Any_visitor_3<Complex>& m_visitor;
   Interface_thresholds m_thresholds;
-  Unit m_unit;
-  Mesh_improver_3<Complex, Visitor> m_improver;
+  Edge_unit<Complex> m_unit;
+  Mesh_improver_3<Complex> m_improver;
   Cavity_3<Complex> m_cavity;
   std::vector<Cell_handle> m_star;
   Work_list<Cell_handle> m_touched;

@@ -12,6 +12,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/final_quality.h>
@@ -44,7 +45,7 @@ bool has_dictated_angle(const Complex& complex, typename Complex::Cell_handle c)
 
 // The operations of Algorithm 3, each applied to one bad cell: every function tries to improve the
 // cell and says whether it did; cells that an operation made or touched go into `touched`.
-template <class Complex, class Visitor> class Mesh_improver_3
+template <class Complex> class Mesh_improver_3
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
@@ -53,8 +54,8 @@ public:
 
   // Where nothing else helps, one that is thorough triangulates sets of facets anew and inserts
   // vertices. Vertices of the interface may be smoothed within their plane or line.
-  Mesh_improver_3(Complex& complex, Visitor& visitor, double threshold, bool is_thorough = false,
-                  bool smooths_interface = false)
+  Mesh_improver_3(Complex& complex, Any_visitor_3<Complex>& visitor, double threshold,
+                  bool is_thorough = false, bool smooths_interface = false)
       : m_complex(complex), m_visitor(visitor), m_threshold(threshold), m_is_thorough(is_thorough),
         m_smooths_interface(smooths_interface), m_cavity(complex) {}
 
@@ -283,7 +284,7 @@ private:
   static constexpr double better = 1.1; // times the quality of a cell that a collapse is to remove
 
   Complex& m_complex;
-  Visitor& m_visitor;
+  Any_visitor_3<Complex>& m_visitor;
   double m_threshold;
   bool m_is_thorough, m_smooths_interface;
   Cavity_3<Complex> m_cavity;

@@ -7,10 +7,10 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Patch_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/commit_proposal.h>
@@ -30,7 +30,7 @@ namespace internal {
 
 // Improves cells where no single operation helps any more: the surroundings of such a cell are
 // copied, disturbed and improved again and again, and replaced whole once they have become better.
-template <class Complex, class Visitor> class Patch_improver_3
+template <class Complex> class Patch_improver_3
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
@@ -38,7 +38,8 @@ public:
   using Vector = typename Complex::Approximate_vector_3;
 
   // Each improvement of a copy takes a number of rounds at the most.
-  Patch_improver_3(Complex& complex, Visitor& visitor, double threshold, unsigned rounds)
+  Patch_improver_3(Complex& complex, Any_visitor_3<Complex>& visitor, double threshold,
+                   unsigned rounds)
       : m_complex(complex), m_visitor(visitor), m_threshold(threshold),
         m_rounds((std::min)(rounds, 5u)), m_cavity(complex),
         m_copy(complex.geom_traits(), complex.quality_measure()), m_copy_cavity(m_copy) {}
@@ -98,7 +99,7 @@ private:
     static constexpr int tries = 10, attempts = 1;
     static constexpr double less = 1 - 1e-6; // than what rounding does
     Patch_3<Complex> patch(cells);
-    Deformation_visitor_3 nobody;
+    Any_visitor_3<Complex> nobody;
     double best = deficit(cells);
     const double worst = worst_quality(cells);
     bool is_better = false;
@@ -107,7 +108,7 @@ private:
         return false;
       if (i > 0)
         disturb();
-      Mesh_improver_3<Complex, Deformation_visitor_3> improver(m_copy, nobody, m_threshold, true);
+      Mesh_improver_3<Complex> improver(m_copy, nobody, m_threshold, true);
       improver.improve_all(m_threshold, m_rounds, attempts);
       const auto copied = m_copy.cells();
       const double now = deficit(copied);
@@ -257,7 +258,7 @@ private:
   }
 
   Complex& m_complex;
-  Visitor& m_visitor;
+  Any_visitor_3<Complex>& m_visitor;
   double m_threshold, m_emphasis = 1;
   unsigned m_rounds;
   Cavity_3<Complex> m_cavity;

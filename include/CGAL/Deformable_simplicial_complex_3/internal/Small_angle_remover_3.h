@@ -9,6 +9,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Star_optimizer_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/commit_proposal.h>
@@ -36,7 +37,7 @@ namespace internal {
 
 // Removes cells with a dihedral angle below a bound or above its supplement, by whatever raises the
 // smallest sine of an angle most. What changes the interface comes last, and changes it by little.
-template <class Complex, class Visitor> class Small_angle_remover_3
+template <class Complex> class Small_angle_remover_3
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
@@ -45,7 +46,8 @@ public:
   using Cells = Work_list<Cell_handle>;
 
   // The angle is in degrees.
-  Small_angle_remover_3(Complex& complex, Visitor& visitor, double angle, double quality_threshold)
+  Small_angle_remover_3(Complex& complex, Any_visitor_3<Complex>& visitor, double angle,
+                        double quality_threshold)
       : m_complex(complex), m_visitor(visitor),
         m_wanted(std::sin(angle * CGAL_PI / 180) / sine_of_regular), m_bound(m_wanted),
         m_quality_threshold(quality_threshold), m_cavity(complex), m_best(complex) {}
@@ -376,7 +378,7 @@ private:
   static constexpr double better = 1.1; // factor that makes a change worth it
 
   Complex& m_complex;
-  Visitor& m_visitor;
+  Any_visitor_3<Complex>& m_visitor;
   Minimum_sine_3 m_sine;
   double m_wanted, m_bound; // the latter may be higher around cells that stay
   double m_quality_threshold;

@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_TOPOLOGY_LOG_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
 
 #include <CGAL/Origin.h>
 
@@ -46,7 +47,7 @@ public:
   }
 
   // Finds the events of a pass and tells the visitor.
-  template <class Visitor> void end_pass(unsigned pass, Visitor& visitor) {
+  void end_pass(unsigned pass, Any_visitor_3<Complex>& visitor) {
     if (m_changes.empty())
       return;
     const std::size_t known = m_events.size();

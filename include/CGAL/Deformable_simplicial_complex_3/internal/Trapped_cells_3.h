@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_TRAPPED_CELLS_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_TRAPPED_CELLS_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Manifold_relabeling_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Topology_log_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/relabeling_3.h>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -23,19 +25,24 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// The user's answer to whether a cell may take a label that changes the topology.
+template <class Complex>
+using Topology_control =
+    std::function<bool(const Complex&, typename Complex::Cell_handle, typename Complex::Label)>;
+
 // Relabels cells that are trapped between parts of the interface. Those that keep the topology go
 // first, and draw their neighbors along; one that changes it is relabeled when nothing else is left
 // to do, and then again first those that keep it. So two parts that meet grow together from one
 // place, instead of touching in many. Where the interface is to be manifold, a cell takes others
 // along with it, or keeps its label.
-template <class Complex, class Visitor, class TopologyControl> class Trapped_cells_3
+template <class Complex> class Trapped_cells_3
 {
 public:
   using Cell_handle = typename Complex::Cell_handle;
   using Label = typename Complex::Label;
 
-  Trapped_cells_3(Complex& complex, Visitor& visitor, TopologyControl& topology_control,
-                  bool manifold_interface)
+  Trapped_cells_3(Complex& complex, Any_visitor_3<Complex>& visitor,
+                  const Topology_control<Complex>& topology_control, bool manifold_interface)
       : m_complex(complex), m_visitor(visitor), m_topology_control(topology_control),
         m_manifold_interface(manifold_interface), m_log(complex) {}
 
@@ -55,7 +62,7 @@ public:
       Label label;
       if (!propose(c, threshold, is_flat, proposed, label) ||
           relabeling_keeps_topology(m_complex, proposed, label) ||
-          !m_topology_control(std::as_const(m_complex), c, label))
+          !m_topology_control(m_complex, c, label))
         continue;
       record(proposed, label);
       relabel(proposed, label);
@@ -73,7 +80,7 @@ public:
       if (is_small_component(c, component)) {
         const Label label = surrounding_label(component);
         if (label == c->label() || !complete(component, label) ||
-            !m_topology_control(std::as_const(m_complex), c, label))
+            !m_topology_control(m_complex, c, label))
           continue;
         record(component, label);
         relabel(component, label);
@@ -199,8 +206,8 @@ private:
   }
 
   Complex& m_complex;
-  Visitor& m_visitor;
-  TopologyControl& m_topology_control;
+  Any_visitor_3<Complex>& m_visitor;
+  const Topology_control<Complex>& m_topology_control;
   bool m_manifold_interface;
   Topology_log_3<Complex> m_log;
   std::unordered_set<std::size_t> m_done; // by time stamp

@@ -7,8 +7,8 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
 
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -18,34 +18,35 @@ namespace internal {
 // What improves the mesh of the user changes it by these functions only. The visitor is told of
 // each change before, when nothing has changed yet if it throws, and after.
 
-template <class Complex, class Visitor>
-void replace_cavity(Complex& complex, Cavity_3<Complex>& cavity, Visitor& visitor) {
-  visitor.before_replacement(std::as_const(cavity));
+template <class Complex>
+void replace_cavity(Complex& complex, Cavity_3<Complex>& cavity, Any_visitor_3<Complex>& visitor) {
+  visitor.before_replacement(cavity);
   complex.replace(cavity);
-  visitor.after_replacement(std::as_const(cavity));
+  visitor.after_replacement(cavity);
 }
 
-template <class Complex, class Visitor>
+template <class Complex>
 void smooth_vertex(Complex& complex, typename Complex::Vertex_handle v,
                    const std::vector<typename Complex::Cell_handle>& star,
-                   const typename Complex::Point_3& target, Visitor& visitor) {
+                   const typename Complex::Point_3& target, Any_visitor_3<Complex>& visitor) {
   visitor.before_smoothing(v, star, target);
   complex.set_point(v, star, target);
   visitor.after_smoothing(v, star);
 }
 
 // Commits the split of the edge between v and w and counts it.
-template <class Complex, class Visitor>
+template <class Complex>
 void commit_split(Complex& complex, Cavity_3<Complex>& cavity, typename Complex::Vertex_handle v,
-                  typename Complex::Vertex_handle w, Visitor& visitor, Improvement_report& report) {
+                  typename Complex::Vertex_handle w, Any_visitor_3<Complex>& visitor,
+                  Improvement_report& report) {
   replace_cavity(complex, cavity, visitor);
   ++report.split;
   visitor.after_split(cavity.vertices().back().handle, v, w);
 }
 
 // Commits a collapse, an insertion or a flip and counts it.
-template <class Complex, class Visitor>
-void commit_proposal(Complex& complex, Cavity_3<Complex>& cavity, Visitor& visitor,
+template <class Complex>
+void commit_proposal(Complex& complex, Cavity_3<Complex>& cavity, Any_visitor_3<Complex>& visitor,
                      Improvement_report& report) {
   using Vertex_handle = typename Complex::Vertex_handle;
   if (cavity.vanishing_vertex() != Vertex_handle()) {

@@ -10,48 +10,44 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <cmath>
+#include <functional>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A length of the input that edges are measured by.
-struct Constant_edge_unit
+// By what edges are measured: the user's wish for their length, a function of position, or a length
+// of the input.
+template <class Complex> class Edge_unit
 {
-  static constexpr bool is_size_field = false;
+public:
+  using Point = typename Complex::Approximate_point_3;
 
-  template <class Point> double operator()(const Point&) const { return length; }
+  // The parameter size_field, or `constant` if it is not given.
+  Edge_unit(const CGAL::internal_np::Param_not_found&, double constant) : m_constant(constant) {}
+  template <class SizeField>
+  Edge_unit(const SizeField& field, double constant)
+      : m_constant(constant), m_field([field](const Point& p) { return double(field(p)); }) {}
 
-  double length;
-};
+  bool is_size_field() const { return bool(m_field); }
 
-// The user's wish for the length of edges.
-template <class SizeField> struct Size_field_edge_unit
-{
-  static constexpr bool is_size_field = true;
-
-  template <class Point> double operator()(const Point& p) const {
-    const double length = field(p);
+  double operator()(const Point& p) const {
+    if (!is_size_field())
+      return m_constant;
+    const double length = m_field(p);
     if (!(length > 0))
       throw Error("the size field is not positive at a point of the domain: use lengths");
     return length;
   }
 
-  SizeField field;
+private:
+  double m_constant;
+  std::function<double(const Point&)> m_field;
 };
 
-// What the parameter size_field stands for; `constant` if it is not given.
-inline Constant_edge_unit edge_unit(const CGAL::internal_np::Param_not_found&, double constant) {
-  return {constant};
-}
-template <class SizeField>
-Size_field_edge_unit<SizeField> edge_unit(const SizeField& field, double) {
-  return {field};
-}
-
-template <class Complex, class Unit>
+template <class Complex>
 double length_in_units(const Complex& complex, typename Complex::Vertex_handle v,
-                       typename Complex::Vertex_handle w, const Unit& unit) {
+                       typename Complex::Vertex_handle w, const Edge_unit<Complex>& unit) {
   const auto p = complex.position(v);
   const auto edge = complex.position(w) - p;
   return std::sqrt(edge.squared_length()) / unit(p + .5 * edge);

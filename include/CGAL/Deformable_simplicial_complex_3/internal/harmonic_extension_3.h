@@ -13,6 +13,8 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -60,11 +62,11 @@ free_vertices_near(const Complex& complex,
 
 /*
 Extends displacements from the interface into the space around: each component solves the Laplace
-equation by linear finite elements, with the value zero at vertices that are neither moving nor
-free. A rigid or affine motion of a closed interface is reproduced inside, so that cells there keep
-their shape.
+equation by linear finite elements. A rigid or affine motion of a closed interface is reproduced
+inside, so that cells there keep their shape.
 
-`displacement(v)` tells the displacement of any vertex that is not in `free`.
+`displacement(v)` tells the displacement of a vertex that is not in `free`. It is asked once for
+each that is next to them.
 */
 template <class Complex, class Displacement>
 std::vector<typename Complex::Approximate_vector_3>
@@ -75,35 +77,50 @@ harmonic_extension(const Complex& complex, const std::vector<typename Complex::V
   if (free.empty())
     return {};
   number_vertices(free);
-  const int n = int(free.size());
+  using Index = Eigen::Index;
+  const Index n = Index(free.size());
+  const auto cells = sorted_star_union(complex, free);
+  auto vertices = free; // and behind them those next to them
+  for (auto c : cells)
+    for (int i = 0; i < 4; ++i)
+      if (!is_numbered(c->vertex(i), vertices)) {
+        c->vertex(i)->set_scratch_index(std::uint32_t(vertices.size()));
+        vertices.push_back(c->vertex(i));
+      }
+  std::vector<Vector> known;
+  for (auto v = vertices.begin() + n; v != vertices.end(); ++v)
+    known.push_back(displacement(*v));
+  number_vertices(vertices); // whoever was asked may have numbered others
+  if (std::all_of(known.begin(), known.end(), [](const Vector& d) { return d == NULL_VECTOR; }))
+    return std::vector<Vector>(free.size(), NULL_VECTOR);
+
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(n);
   Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(n, 3);
-  for (auto c : sorted_star_union(complex, free)) {
+  for (auto c : cells) {
     const Tetrahedron_frame<Point> t(complex.position(c->vertex(0)), complex.position(c->vertex(1)),
                                      complex.position(c->vertex(2)),
                                      complex.position(c->vertex(3)));
     const auto normals = t.area_vectors();
-    int row[4];
-    for (int i = 0; i < 4; ++i)
-      row[i] = is_numbered(c->vertex(i), free) ? int(c->vertex(i)->scratch_index()) : -1;
     for (int i = 0; i < 4; ++i) {
-      if (row[i] < 0)
+      const Index row = Index(c->vertex(i)->scratch_index());
+      if (row >= n)
         continue;
       for (int j = 0; j < 4; ++j) {
+        const Index column = Index(c->vertex(j)->scratch_index());
         const double stiffness = normals[i] * normals[j] / (6 * t.six_volumes);
         if (i == j) {
-          diagonal[row[i]] += stiffness;
-        } else if (row[j] >= 0) {
-          entries.emplace_back(row[i], row[j], stiffness);
+          diagonal[row] += stiffness;
+        } else if (column < n) {
+          entries.emplace_back(row, column, stiffness);
         } else {
-          const Vector d = displacement(c->vertex(j));
-          right.row(row[i]) -= stiffness * Eigen::RowVector3d(d.x(), d.y(), d.z());
+          const Vector& d = known[std::size_t(column - n)];
+          right.row(row) -= stiffness * Eigen::RowVector3d(d.x(), d.y(), d.z());
         }
       }
     }
   }
-  for (int i = 0; i < n; ++i)
+  for (Index i = 0; i < n; ++i)
     entries.emplace_back(i, i, diagonal[i]);
   using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
   Matrix matrix(n, n);
@@ -122,7 +139,7 @@ harmonic_extension(const Complex& complex, const std::vector<typename Complex::V
       },
       worthwhile);
   std::vector<Vector> result;
-  for (int i = 0; i < n; ++i)
+  for (Index i = 0; i < n; ++i)
     result.emplace_back(solution(i, 0), solution(i, 1), solution(i, 2));
   return result;
 }

@@ -9,11 +9,13 @@
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/require_finite.h>
 
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
@@ -41,13 +43,7 @@ velocities_at(const Interface_snapshot_3<Complex>& interface_,
       throw Invalid_destination_error(
           "a velocity must be given for each vertex of the interface, no more and no fewer", {});
   }
-  std::vector<std::size_t> refused;
-  for (std::size_t i = 0; i < result.size(); ++i)
-    if (!has_finite_coordinates(result[i]))
-      refused.push_back(i);
-  if (!refused.empty())
-    throw Invalid_destination_error(
-        "a velocity is not finite; check the velocities and the time step", refused);
+  require_finite(result, "a velocity");
   return result;
 }
 
@@ -123,6 +119,41 @@ integrate_with_fixed_steps(const Interface_snapshot_3<Complex>& interface_,
   return advance(k1, dt);
 }
 
+// The forms of velocities that `advect_interface()` takes; the first that fits counts.
+template <class Complex, class Velocity, class Point = typename Complex::Approximate_point_3>
+constexpr bool is_flow_map = std::is_invocable_v<const Velocity&, Point, double, double>;
+template <class Complex, class Velocity, class Point = typename Complex::Approximate_point_3>
+constexpr bool is_interface_step =
+    std::is_invocable_v<const Velocity&, const Interface_snapshot_3<Complex>&,
+                        const std::vector<Point>&, double, double, std::vector<Point>&>;
+
+// Whether a velocity is known in all of space, as a flow map or a field.
+template <class Complex, class Velocity, class Point = typename Complex::Approximate_point_3>
+constexpr bool is_flow_of_space = is_flow_map<Complex, Velocity> ||
+                                  (!is_interface_step<Complex, Velocity> &&
+                                   std::is_invocable_v<const Velocity&, Point, double>);
+
+// Where what is at p at t is at t + dt, as a guide, for which a rule of Runge and Kutta will do.
+// Not finite if a velocity is not. \pre is_flow_of_space
+template <class Complex, class Velocity>
+typename Complex::Approximate_point_3 follow_flow(const typename Complex::Approximate_point_3& p,
+                                                  const Velocity& velocity, double t, double dt) {
+  if constexpr (is_flow_map<Complex, Velocity>) {
+    return velocity(p, t, dt);
+  } else {
+    using Vector = typename Complex::Approximate_vector_3;
+    const std::array<double, 4> part = {0, .5, .5, 1};
+    Vector sum(0, 0, 0), v(0, 0, 0);
+    for (double a : part) {
+      v = velocity(p + a * dt * v, t + a * dt);
+      sum = sum + (a == .5 ? 2 : 1) * v;
+      if (!has_finite_coordinates(v)) // nobody is asked for what is nowhere
+        return p + v;
+    }
+    return p + dt / 6 * sum;
+  }
+}
+
 // Where the vertices of a snapshot are at t + dt, for all that `advect_interface()` takes.
 template <class Complex, class Velocity>
 std::vector<typename Complex::Approximate_point_3>
@@ -131,16 +162,12 @@ find_destinations(const Interface_snapshot_3<Complex>& interface_,
                   const Velocity& velocity, double t, double dt, Integration_scheme scheme,
                   double tolerance) {
   using Point = typename Complex::Approximate_point_3;
-  constexpr bool is_flow_map = std::is_invocable_v<const Velocity&, Point, double, double>;
-  constexpr bool is_step =
-      std::is_invocable_v<const Velocity&, const Interface_snapshot_3<Complex>&,
-                          const std::vector<Point>&, double, double, std::vector<Point>&>;
-  if constexpr (is_flow_map) {
+  if constexpr (is_flow_map<Complex, Velocity>) {
     std::vector<Point> result;
     for (const Point& p : start)
       result.push_back(velocity(p, t, dt));
     return result;
-  } else if constexpr (is_step) {
+  } else if constexpr (is_interface_step<Complex, Velocity>) {
     std::vector<Point> result;
     velocity(interface_, start, t, dt, result);
     if (result.size() != start.size())

@@ -1,12 +1,14 @@
 #include "instantiations.h"
 
+#include <CGAL/Curvature_size_field_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Triangulation_3.h>
-
-#include <gtest/gtest.h>
+#include <CGAL/advect_interface_3.h>
+#include <CGAL/make_deformable_simplicial_complex_3.h>
+#include <CGAL/velocity_fields_3.h>
 
 #include <algorithm>
 #include <array>

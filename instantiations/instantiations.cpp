@@ -1,3 +1,3 @@
-#define DSC_TEST_EXTERN
+#define DSC_EXTERN
 
 #include "instantiations.h"
