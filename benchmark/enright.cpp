@@ -147,11 +147,14 @@ int flow(const Run& run) {
                                                    .quality_threshold(quality_threshold)
                                                    .minimum_angle(minimum_angle)
                                                    .minimum_facet_angle(minimum_facet_angle));
+    bool is_complete = report.complete;
     if (run.restores_volume && i % run.interval == 0)
-      CGAL::restore_volumes(complex, std::map<int, double>{{1, volume}},
-                            parameters::quality_threshold(quality_threshold));
+      is_complete = CGAL::restore_volumes(complex, std::map<int, double>{{1, volume}},
+                                          parameters::quality_threshold(quality_threshold))
+                        .complete &&
+                    is_complete;
     seconds += processor_seconds() - begin;
-    incomplete += !report.complete;
+    incomplete += !is_complete;
     most_triangles = (std::max)(most_triangles, complex.interface_facets().size());
     const double change = std::abs(complex.volume(1) / volume - 1);
     if ((i + 1) % steps_in_period == 0) {

@@ -44,6 +44,8 @@ struct Flow
   std::size_t steps = 0, incomplete = 0;
   double seconds = 0, sum_of_sweeps = 0, most_sweeps = 0;
   bool is_valid = true;
+  std::size_t components = 1; // of label 1, in the end
+  int characteristic = 2;     // of Euler, of its interface
 
   // One step; `improves` keeps the triangles of the interface as large and as good as they were,
   // and the tetrahedra around it as large as they are.
@@ -63,12 +65,14 @@ struct Flow
     is_valid = is_valid && check(complex);
     time += dt;
     ++steps;
+    components = complex.number_of_components(1);
+    characteristic = complex.euler_characteristic(1);
   }
 
   void print_end_of_row() const {
-    std::cout << " | " << steps << " | " << incomplete << " | " << (is_valid ? "yes" : "**no**")
-              << " | " << seconds << " | " << sum_of_sweeps / double(steps) << " | " << most_sweeps
-              << " |" << std::endl;
+    std::cout << " | " << components << ", " << characteristic << " | " << steps << " | "
+              << incomplete << " | " << (is_valid ? "yes" : "**no**") << " | " << seconds << " | "
+              << sum_of_sweeps / double(steps) << " | " << most_sweeps << " |" << std::endl;
   }
 };
 

@@ -49,7 +49,7 @@ DSC_EXTERN template bool CGAL::propose_edge_removal(const instantiations::Comple
                                                     instantiations::Cavity&);
 DSC_EXTERN template bool CGAL::propose_interface_edge_flip(const instantiations::Complex&,
                                                            instantiations::Cell, int, int,
-                                                           instantiations::Cavity&);
+                                                           instantiations::Cavity&, double);
 DSC_EXTERN template bool CGAL::propose_edge_split(const instantiations::Complex&,
                                                   instantiations::Cell, int, int, double,
                                                   instantiations::Cavity&);

@@ -52,7 +52,8 @@ public:
   \throws Deformable_simplicial_complexes::Error if a parameter is out of its range, or `shortest`
           is more than `longest`.
 
-  n log n in the size of the interface, as lengths are asked for.
+  n log n in the size of the interface, and a pass over its edges for each of those over which a
+  short length spreads.
   */
   template <class Complex>
   Curvature_size_field_3(const Complex& dsc, double tolerance, double shortest, double longest,
@@ -79,8 +80,8 @@ public:
       m_tree->build();
   }
 
-  /// The wanted length of an edge at p: where two vertices are equally near, the shorter one of
-  /// theirs. Logarithmic in the size of the interface.
+  /// The wanted length of an edge at p: that of the nearest vertex, or the shorter one of the nearest
+  /// two if they are equally near, as the ends of the edge are. Logarithmic in the size of the interface.
   double operator()(const Point_3& p) const {
     static constexpr double same = 1 + 1e-6; // ratio of squared distances that rounding may change
     if (m_tree->empty())

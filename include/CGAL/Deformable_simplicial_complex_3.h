@@ -239,10 +239,14 @@ public:
     return {f.first->vertex(i[0]), f.first->vertex(i[1]), f.first->vertex(i[2])};
   }
 
-  /// Mean length of the edges of the interface when the complex was built; 0 without an interface.
+  /// Mean length of the edges of the interface when the complex was built, the unit of lengths
+  /// everywhere; 0 without an interface.
   double mean_interface_edge() const { return m_mean_interface_edge; }
   /// The smallest length of such an edge; 0 without an interface.
   double minimum_interface_edge() const { return m_minimum_interface_edge; }
+  /// Makes the edges of the present interface the unit of lengths, instead of those when the
+  /// complex was built: where labels came later. Linear.
+  void measure_interface_edges();
 
   /// @}
   /// \name Measures
@@ -359,7 +363,6 @@ private:
   void sew(Cavity& cavity);
   void initialize_caches();
   void initialize_boundary_classes();
-  void initialize_edge_lengths();
   bool is_on_side(const Facet& f) const;
   void rebuild(const State& state, const std::vector<Point_3>& points);
   void create_items(const State& state, const std::vector<Point_3>& points);

@@ -74,15 +74,6 @@ public:
     }
   };
 
-  /// Squared length of a segment.
-  struct Compute_approximate_squared_length_3
-  {
-    /// returns the squared distance of p and q.
-    double operator()(const Approximate_point_3& p, const Approximate_point_3& q) const {
-      return (q - p).squared_length();
-    }
-  };
-
   /*!
   The facet of the link of a vertex through which a ray leaves the star.
 
@@ -142,10 +133,6 @@ public:
   Construct_exact_point_3 construct_exact_point_3_object() const { return {}; }
   /// returns a function object.
   Compute_approximate_volume_3 compute_approximate_volume_3_object() const { return {}; }
-  /// returns a function object.
-  Compute_approximate_squared_length_3 compute_approximate_squared_length_3_object() const {
-    return {};
-  }
   /// returns a function object.
   Link_intersection_3 link_intersection_3_object() const { return Link_intersection_3(*this); }
 };

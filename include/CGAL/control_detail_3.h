@@ -12,7 +12,6 @@
 #include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
 
 #include <limits>
-#include <type_traits>
 
 namespace CGAL {
 
@@ -83,8 +82,9 @@ split.
 \cgalNamedParamsEnd
 
 \return what was done.
-\throws Deformable_simplicial_complexes::Error if a parameter is out of its range, the complex then
-       being unchanged, or if the size field has a value that is not positive. An exception of the
+\throws Deformable_simplicial_complexes::Error if a parameter is out of its range, or there is an
+       interface, but neither a size field nor `dsc.mean_interface_edge()`, the complex then being
+       unchanged, or if the size field has a value that is not positive. An exception of the
        size field or of the visitor leaves a valid complex.
 
 A pass over the cells, with the stars of the ends of edges to be collapsed; then n log n in the
@@ -119,9 +119,10 @@ Improvement_report control_detail(Complex& dsc, const NamedParameters& np = Name
                                           dsc.mean_interface_edge());
   const internal::Edge_unit<Complex> short_unit(get_parameter(np, tags::size_field),
                                                 dsc.minimum_interface_edge());
+  if (!unit.is_size_field())
+    internal::require_interface_edge(dsc);
 
-  internal::Visitor_adaptor_3<Complex, std::remove_reference_t<decltype(visitor)>> any_visitor(
-      visitor);
+  auto any_visitor = internal::adapt_visitor<Complex>(visitor);
   internal::Detail_controller_3<Complex> controller(dsc, any_visitor, thresholds, unit, short_unit);
   controller.run(rounds);
   return controller.report();

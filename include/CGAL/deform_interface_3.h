@@ -8,12 +8,12 @@
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Interface_deformer_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/edge_unit.h>
 #include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
 
 #include <CGAL/Deformable_simplicial_complex_3/topology_control.h>
 
 #include <functional>
-#include <type_traits>
 
 namespace CGAL {
 
@@ -114,8 +114,8 @@ became bad.
 \return which vertices did not arrive and how far they stayed, what happened to labels and mesh.
 \throws Deformable_simplicial_complexes::Invalid_destination_error if a destination is not finite;
        the complex is then unchanged. An exception of the visitor leaves a valid complex.
-\throws Deformable_simplicial_complexes::Error if a threshold is out of its range; the complex is
-       then unchanged.
+\throws Deformable_simplicial_complexes::Error if a threshold is out of its range, or there is an
+       interface, but no `dsc.mean_interface_edge()`; the complex is then unchanged.
 */
 template <
     class Complex, class Destination,
@@ -155,9 +155,10 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
   const unsigned number_of_threads =
       choose_parameter(get_parameter(np, tags::number_of_threads), 1u);
 
+  internal::require_interface_edge(dsc);
+
   const internal::For_each_index for_each_index(number_of_threads);
-  internal::Visitor_adaptor_3<Complex, std::remove_reference_t<decltype(visitor)>> any_visitor(
-      visitor);
+  auto any_visitor = internal::adapt_visitor<Complex>(visitor);
   internal::Interface_deformer_3<Complex> deformer(dsc, any_visitor, options, for_each_index);
   deformer.set_destinations(destination);
   unsigned pass = 0;
@@ -169,15 +170,16 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
     deformer.find_degenerating_facets();
     deformer.move_together(pass);
     deformer.move_one_by_one();
-    deformer.relabel_degenerate_cells();
+    deformer.relabel_degenerate_cells(pass);
     deformer.remove_obstacles(pass);
     deformer.remove_degenerating_facets();
     deformer.improve();
-    deformer.end_pass(pass);
   }
   if (pass > 0 && !is_stopped)
     deformer.remove_small_angles(pass);
-  return deformer.report(pass);
+  Deformation_report<Complex> report = deformer.report(pass);
+  report.stopped = is_stopped;
+  return report;
 }
 
 } // namespace CGAL

@@ -18,6 +18,21 @@
 #include <vector>
 
 namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Adds the sides of the domain that a vertex is on: planes that do not move. Returns whether it is
+// on one.
+template <class Quadric> bool hold_in_sides(Boundary_class::Bits sides, Quadric& quadric) {
+  const double weight = quadric.sum_of_weights();
+  for (int axis = 0; axis < 3; ++axis)
+    if (Boundary_class::fixes(sides, axis))
+      quadric.add({axis == 0 ? 1. : 0., axis == 1 ? 1. : 0., axis == 2 ? 1. : 0.}, weight);
+  return sides != Boundary_class::inside;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
 
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
@@ -76,7 +91,8 @@ public:
     static constexpr double short_part = .1; // of the offset, where its facets cancel each other
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       Vertex& v = vertices[i];
-      v.is_held = hold_in_sides(interface_.vertices[i]->boundary_class(), v.quadric) || v.is_held;
+      v.is_held =
+          internal::hold_in_sides(interface_.vertices[i]->boundary_class(), v.quadric) || v.is_held;
       v.quadric.analyse(m_threshold);
       v.displacement = v.quadric.displacement();
       const double length = std::sqrt(v.displacement.squared_length());
@@ -107,15 +123,6 @@ public:
   }
 
 private:
-  // Sides of the domain are planes that do not move.
-  template <class Quadric> static bool hold_in_sides(Boundary_class::Bits sides, Quadric& quadric) {
-    const double weight = quadric.sum_of_weights();
-    for (int axis = 0; axis < 3; ++axis)
-      if (Boundary_class::fixes(sides, axis))
-        quadric.add({axis == 0 ? 1. : 0., axis == 1 ? 1. : 0., axis == 2 ? 1. : 0.}, weight);
-    return sides != Boundary_class::inside;
-  }
-
   double m_speed, m_threshold;
 };
 
@@ -161,6 +168,7 @@ public:
                         (advected[v] - positions[v]) * triangle.unit_normal);
       }
     for (std::size_t v = 0; v < positions.size(); ++v) {
+      internal::hold_in_sides(interface_.vertices[v]->boundary_class(), quadrics[v]);
       quadrics[v].analyse(m_threshold);
       destinations.push_back(positions[v] + quadrics[v].displacement());
     }

@@ -14,8 +14,6 @@
 
 #include <CGAL/number_utils.h>
 
-#include <type_traits>
-
 namespace CGAL {
 
 /*!
@@ -46,14 +44,15 @@ splits change them slightly.
     \cgalParamType{`double`} \cgalParamDefault{0.025, the paper's}
   \cgalParamNEnd
   \cgalParamNBegin{flip_angle}
-    \cgalParamDescription{edges are flipped if the normals of their facets differ by less, in
-                          degrees, in [0, 90]}
+    \cgalParamDescription{edges that do not fulfill the Delaunay criterion are flipped if the
+                          normals of their facets differ by less, in degrees, in [0, 90], and the
+                          worst cell around gets better or stays above the threshold}
     \cgalParamType{`double`} \cgalParamDefault{5, the paper's}
   \cgalParamNEnd
   \cgalParamNBegin{feature_angle}
     \cgalParamDescription{edges where the normals of the facets differ by more are features, in
-                          degrees, in [0, 180]: never flipped, and collapsed only along lines that
-                          bend by less}
+                          degrees, in [0, 180]: never flipped, and their vertices move and collapse
+                          only along lines that bend by less}
     \cgalParamType{`double`} \cgalParamDefault{60}
   \cgalParamNEnd
   \cgalParamNBegin{size_field}
@@ -100,10 +99,10 @@ splits change them slightly.
 \cgalNamedParamsEnd
 
 \return what was done.
-\throws Deformable_simplicial_complexes::Error if a parameter is out of its range, or there is
-       neither a size field nor was there an interface when the complex was built, the complex then
-       being unchanged, or if the size field has a value that is not positive. An exception of the
-       size field or of the visitor leaves a valid complex.
+\throws Deformable_simplicial_complexes::Error if a parameter is out of its range, or there is an
+       interface, but neither a size field nor `dsc.mean_interface_edge()`, the complex then being
+       unchanged, or if the size field has a value that is not positive. An exception of the size
+       field or of the visitor leaves a valid complex.
 
 A pass over the cells and the stars of the vertices of the interface for each iteration.
 */
@@ -145,12 +144,9 @@ Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = N
   const internal::Edge_unit<Complex> unit(get_parameter(np, tags::size_field),
                                           dsc.mean_interface_edge());
 
-  internal::Visitor_adaptor_3<Complex, std::remove_reference_t<decltype(visitor)>> any_visitor(
-      visitor);
-  if (!unit.is_size_field() && !(dsc.mean_interface_edge() > 0) &&
-      !dsc.interface_vertices().empty())
-    throw Error("there is no wanted length of edges: the complex was built without an interface; "
-                "give a size field");
+  auto any_visitor = internal::adapt_visitor<Complex>(visitor);
+  if (!unit.is_size_field())
+    internal::require_interface_edge(dsc);
   internal::Interface_improver_3<Complex> improver(dsc, any_visitor, thresholds, unit);
   for (unsigned i = 0; i < iterations; ++i) {
     improver.split_long_edges();

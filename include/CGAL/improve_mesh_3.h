@@ -11,8 +11,6 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/Patch_improver_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
 
-#include <type_traits>
-
 namespace CGAL {
 
 /*!
@@ -37,7 +35,9 @@ What is improved is the measure of the complex. Where dihedral angles count,
     \cgalParamType{`double`} \cgalParamDefault{0.25; 0.46 if `aggressive`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{how many rounds at the most: each round works on what the last one made}
+    \cgalParamDescription{how many rounds at the most: each round works on what the last one made.
+                          Six times as many where neighbors are improved, too, and that for each
+                          threshold if `aggressive`}
     \cgalParamType{`unsigned int`} \cgalParamDefault{10}
   \cgalParamNEnd
   \cgalParamNBegin{aggressive}
@@ -62,7 +62,7 @@ What is improved is the measure of the complex. Where dihedral angles count,
 \throws Deformable_simplicial_complexes::Error if the threshold is out of its range; the complex is
        then unchanged. An exception of the visitor leaves a valid complex.
 
-A pass over the cells, then n log n in the number of cells below the threshold. Random numbers are
+Some passes over the cells, then n log n in the number of cells below the threshold. Random numbers are
 drawn from a generator of its own, with a fixed seed.
 */
 template <class Complex, class NamedParameters =
@@ -84,9 +84,7 @@ Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedP
 
   const bool smooth_interface = choose_parameter(get_parameter(np, tags::smooth_interface), false);
 
-  Deformable_simplicial_complexes::internal::Visitor_adaptor_3<
-      Complex, std::remove_reference_t<decltype(visitor)>>
-      any_visitor(visitor);
+  auto any_visitor = Deformable_simplicial_complexes::internal::adapt_visitor<Complex>(visitor);
   Deformable_simplicial_complexes::internal::Mesh_improver_3<Complex> improver(
       dsc, any_visitor, threshold, true, smooth_interface);
   static constexpr int attempts = 5;

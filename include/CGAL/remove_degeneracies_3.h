@@ -97,8 +97,7 @@ Improvement_report remove_degeneracies(Complex& dsc,
   const internal::Edge_unit<Complex> unit(get_parameter(np, tags::size_field),
                                           dsc.minimum_interface_edge());
 
-  internal::Visitor_adaptor_3<Complex, std::remove_reference_t<decltype(visitor)>> any_visitor(
-      visitor);
+  auto any_visitor = internal::adapt_visitor<Complex>(visitor);
   Improvement_report report;
   Cavity_3<Complex> cavity(dsc);
   const auto propose = [&](Cell_handle c) {

@@ -5,6 +5,7 @@
 #ifndef CGAL_RESTORE_VOLUMES_3_H
 #define CGAL_RESTORE_VOLUMES_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/deform_to.h>
@@ -13,10 +14,25 @@
 #include <CGAL/deform_interface_3.h>
 
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+What `restore_volumes()` did.
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+*/
+template <class Complex> struct Volume_report
+{
+  bool complete = true; ///< whether all volumes are right within the tolerance
+  /// one for each time the interface was moved; vertices of earlier ones may have been removed
+  /// since
+  std::vector<Deformation_report<Complex>> deformations;
+};
 
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
@@ -42,18 +58,20 @@ may change the mesh on the way.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return whether all volumes are right within the tolerance. If not, something keeps the interface
-        from where it should go, a visitor has ended it, or there were too few iterations.
+\return what was done, and whether all volumes are right within the tolerance. If not, something
+        keeps the interface from where it should go, a visitor has ended it, or there were too few
+        iterations.
 \throws Deformable_simplicial_complexes::Error if a label does not occur, a volume or the tolerance
-       is not positive, or all labels are given and their volumes do not fill the domain; the
-complex is then unchanged.
+       is not positive, all labels are given and their volumes do not fill the domain, or some are
+       and leave nothing for the others; the complex is then unchanged.
 
 Linear in the size of the interface, plus the deformations.
 */
 template <class Complex, class NamedParameters =
                              Deformable_simplicial_complexes::parameters::Default_named_parameters>
-bool restore_volumes(Complex& dsc, const std::map<typename Complex::Label, double>& volumes,
-                     const NamedParameters& np = NamedParameters()) {
+Volume_report<Complex> restore_volumes(Complex& dsc,
+                                       const std::map<typename Complex::Label, double>& volumes,
+                                       const NamedParameters& np = NamedParameters()) {
   namespace tags = Deformable_simplicial_complexes::internal_np;
   namespace internal = Deformable_simplicial_complexes::internal;
   using Deformable_simplicial_complexes::Error;
@@ -76,26 +94,31 @@ bool restore_volumes(Complex& dsc, const std::map<typename Complex::Label, doubl
       throw Error("the volume of label " + std::to_string(label) +
                   " cannot be restored: no cell has this label any more");
   }
-  if (volumes.size() == dsc.labels().size() && std::abs(wanted - domain) > tolerance * domain)
+  const bool are_all_given = volumes.size() == dsc.labels().size();
+  if (!are_all_given && wanted >= domain)
+    throw Error("the volumes to be restored fill the domain, and leave nothing for other labels");
+  if (are_all_given && std::abs(wanted - domain) > tolerance * domain)
     throw Error(
         "the volumes of all labels are given, but do not sum up to that of the domain; leave "
         "a label out, and it will take what is left");
 
-  for (unsigned i = 0;; ++i) {
+  Volume_report<Complex> report;
+  for (;;) {
     std::map<typename Complex::Label, double> missing;
-    bool is_right = true;
+    report.complete = true;
     for (const auto& [label, volume] : volumes) {
       missing[label] = volume - dsc.volume(label);
-      is_right = is_right && std::abs(missing[label]) <= tolerance * volume;
+      report.complete = report.complete && std::abs(missing[label]) <= tolerance * volume;
     }
-    if (is_right || i == iterations)
-      return is_right;
+    const std::size_t done = report.deformations.size();
+    const bool is_ended =
+        done > 0 && (report.deformations.back().stopped || report.deformations.back().passes == 0);
+    if (report.complete || done == iterations || is_ended)
+      return report;
     const Interface_snapshot_3<Complex> interface_(dsc);
     auto positions = interface_.positions(dsc);
     internal::Volume_changer_3<Complex>(interface_).change_by(missing, positions);
-    const auto report = internal::deform_to(dsc, interface_, positions, np);
-    if (report.passes == 0) // a visitor has ended it, or nothing is left to move
-      return false;
+    report.deformations.push_back(internal::deform_to(dsc, interface_, positions, np));
   }
 }
 

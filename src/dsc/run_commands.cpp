@@ -115,7 +115,9 @@ CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
 void Run_commands::add_flow_options(CLI::App& command) {
   command.add_option("--period", m_period,
                      "Multiply velocities by cos(pi t / PERIOD), so that all is back after it");
-  command.add_option("--dt", m_dt, "Time per step; 0.01 if not given");
+  command.add_option("--dt", m_dt,
+                     "Time per step; 0.01 if not given. The distance to the start is reported "
+                     "where a step ends with a period");
   command.add_option("--scheme", m_scheme, "How velocities are integrated")
       ->check(CLI::IsMember(&integration_schemes()))
       ->capture_default_str();

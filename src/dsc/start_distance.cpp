@@ -16,8 +16,10 @@ Start_distance::Start_distance(const std::vector<Surface>& surfaces) {
   m_tree.rebuild(m_triangles.cbegin(), m_triangles.cend());
 }
 
-Distance_statistics Start_distance::of(const std::vector<Surface_point>& points,
-                                       double edge) const {
+std::optional<Distance_statistics> Start_distance::of(const std::vector<Surface_point>& points,
+                                                      double edge) const {
+  if (points.empty())
+    return std::nullopt;
   Distance_statistics result = {};
   for (const Surface_point& p : points) {
     const double distance = std::sqrt(m_tree.squared_distance(p)) / edge;

@@ -12,6 +12,7 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
 
+#include <optional>
 #include <vector>
 
 namespace dsc {
@@ -22,8 +23,9 @@ class Start_distance
 public:
   explicit Start_distance(const std::vector<Surface>& surfaces);
 
-  /// Of points, in units of `edge`.
-  Distance_statistics of(const std::vector<Surface_point>& points, double edge) const;
+  /// Of points, in units of `edge`; nothing if there are none.
+  std::optional<Distance_statistics> of(const std::vector<Surface_point>& points,
+                                        double edge) const;
 
 private:
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;

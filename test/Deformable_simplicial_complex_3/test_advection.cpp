@@ -106,6 +106,24 @@ TEST(Advection, refuses_tolerances_that_cannot_be_kept) {
   EXPECT_TRUE(dsc.state() == before);
 }
 
+// Steps that are too long lead out of the domain of the field, the path itself does not.
+TEST(Advection, adaptive_steps_stay_where_the_field_is) {
+  static constexpr double k = 5;
+  const auto decay = [](const Position& p, double) {
+    return Vector(p.x() < -1 ? std::nan("") : -k * (p.x() + 1), 0, 0);
+  };
+  const Complex dsc = make_complex(grid(4, small_meshes::cube));
+  const CGAL::Interface_snapshot_3<Complex> snapshot(dsc);
+  const auto start = snapshot.positions(dsc);
+  namespace internal = CGAL::Deformable_simplicial_complexes::internal;
+  const auto end = internal::integrate_adaptively(snapshot, start, decay, 0, 1, 1e-6);
+  for (std::size_t i = 0; i < start.size(); ++i)
+    EXPECT_NEAR(end[i].x(), -1 + std::exp(-k) * (start[i].x() + 1), 1e-5);
+  const auto nowhere = [](const Position&, double) { return Vector(std::nan(""), 0, 0); };
+  EXPECT_THROW(internal::integrate_adaptively(snapshot, start, nowhere, 0, 1, 1e-6),
+               CGAL::Deformable_simplicial_complexes::Invalid_destination_error);
+}
+
 // Asked once, whatever the scheme.
 TEST(Advection, steps_of_the_whole_interface) {
   Complex dsc = make_complex(grid(4, small_meshes::cube));

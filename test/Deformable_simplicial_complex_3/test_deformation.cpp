@@ -314,6 +314,37 @@ TEST(Deformation, two_balls_merge) {
   EXPECT_EQ(dsc.euler_characteristic(1), 2);
 }
 
+// Without a unit of lengths, topology could not change.
+TEST(Deformation, of_labels_that_came_later) {
+  Complex dsc = make_complex(grid(8, small_meshes::uniform));
+  for (Complex::Cell_handle c : dsc.cells())
+    dsc.relabel(c, two_cubes(CGAL::centroid(c->vertex(0)->point(), c->vertex(1)->point(),
+                                            c->vertex(2)->point(), c->vertex(3)->point())));
+  const auto stay = [&](Vertex_handle v) { return v->point(); };
+  const auto before = dsc.state();
+  EXPECT_THROW(CGAL::deform_interface(dsc, stay), CGAL::Deformable_simplicial_complexes::Error);
+  EXPECT_TRUE(dsc.state() == before);
+  dsc.measure_interface_edges();
+  EXPECT_EQ(collide(dsc, 4, .08).merged, 1u);
+}
+
+// Vertices go in another order, the same one each time.
+TEST(Deformation, in_the_order_of_collisions) {
+  const auto merged = [](bool collision_order) {
+    Complex dsc = make_complex(grid(8, two_cubes));
+    for (int i = 0; i < 4; ++i) {
+      const auto to_the_middle = [](const Position& p) {
+        return Vector(p.x() > 0 ? -.08 : .08, 0, 0);
+      };
+      deform(dsc, to_the_middle, parameters::collision_order(collision_order));
+    }
+    EXPECT_EQ(dsc.number_of_components(1), 1u);
+    return dsc.state();
+  };
+  EXPECT_TRUE(merged(true) == merged(true));
+  EXPECT_FALSE(merged(true) == merged(false));
+}
+
 // Visitors
 
 namespace {

@@ -189,6 +189,18 @@ TEST(Control_detail, without_interface_and_size_field_does_nothing) {
   EXPECT_EQ(number_of_changes(CGAL::control_detail(empty)), 0u);
 }
 
+// Of an interface that was not there when the complex was built
+TEST(Control_detail, needs_a_length) {
+  Complex dsc = make_complex(grid(4, small_meshes::uniform));
+  dsc.relabel(dsc.cells().front(), 1);
+  expect_error(dsc, [&](Complex& copy) { CGAL::control_detail(copy); });
+  CGAL::control_detail(
+      dsc, parameters::size_field([](const Complex::Approximate_point_3&) { return 1.; }));
+  dsc.measure_interface_edges();
+  CGAL::control_detail(dsc);
+  EXPECT_TRUE(dsc.is_valid());
+}
+
 TEST(Control_detail, refuses_values_out_of_range) {
   const Complex dsc = make_complex(grid(2, small_meshes::four_phases));
   const auto refuses = [&](const auto& np) {

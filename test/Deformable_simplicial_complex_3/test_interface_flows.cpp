@@ -352,3 +352,20 @@ TEST(Advective_face_offset, moves_across_the_interface_only) {
       EXPECT_NEAR(after[i][k], before[i][k] + (std::abs(before[i][k]) == .5 ? .5 * velocity[k] : 0),
                   1e-12);
 }
+
+// A plane that meets a side of the domain obliquely goes as far there as elsewhere.
+TEST(Advective_face_offset, slides_along_the_sides_of_the_domain) {
+  const auto slope = [](const small_meshes::Point& p) { return p.x() > p.z() - 1 ? 1 : 0; };
+  const auto field = [](const Position&, double) { return Vector(1, 0, 0); };
+  const Complex dsc = make_complex(grid(4, slope));
+  const std::vector<Position> before = Snapshot(dsc).positions(dsc);
+  const auto after = destinations(dsc, CGAL::Advective_face_offset_3<decltype(field)>(field), .1);
+  for (std::size_t i = 0; i < before.size(); ++i)
+    if (before[i].x() > -1) {
+      EXPECT_NEAR(after[i].x() - after[i].z(), -.9, 1e-12);
+      EXPECT_NEAR(after[i].y(), before[i].y(), 1e-12);
+      if (before[i].z() == 1) {
+        EXPECT_NEAR(after[i].z(), 1, 1e-12);
+      }
+    }
+}

@@ -129,12 +129,37 @@ TEST(Null_space_smoothing, proposes_the_mean_of_the_centroids) {
     area += dsc.area(f);
   }
   Complex::Point_3 target;
-  ASSERT_TRUE(CGAL::propose_null_space_position(dsc, v, star, .025, 0., target));
+  ASSERT_TRUE(CGAL::propose_null_space_position(dsc, v, star, .025, 1., 0., target));
   EXPECT_NEAR(target.x(), sum.x() / area, 1e-14);
   EXPECT_NEAR(target.y(), sum.y() / area, 1e-14);
   EXPECT_NEAR(target.z(), .5, 1e-14);
   dsc.set_point(v, star, target);
   EXPECT_TRUE(dsc.is_valid());
+}
+
+// Next to facets that are small, the quadric does not see a ridge or a corner.
+TEST(Null_space_smoothing, keeps_edges_of_thin_sides) {
+  Complex dsc = make_complex(grid(8, small_meshes::cube));
+  for (Vertex_handle v : dsc.interface_vertices()) {
+    const Position p = dsc.position(v);
+    if (p.x() == .5 && p.z() == .25 && std::abs(p.y()) < .5) {
+      ASSERT_EQ(dsc.move_vertex(v, {.5, p.y(), .499}), 1);
+    }
+  }
+  std::vector<Cell_handle> star;
+  Complex::Point_3 target;
+  const auto approximate = dsc.geom_traits().construct_approximate_point_3_object();
+  const double right_angle = std::acos(0.);
+  for (double feature_angle : {.7, 1.1}) {
+    std::size_t left = 0;
+    for (Vertex_handle v : dsc.interface_vertices()) {
+      dsc.star(v, star);
+      if (CGAL::propose_null_space_position(dsc, v, star, .025, feature_angle * right_angle, 0.,
+                                            target))
+        left += number_of_sides(dsc.position(v)) > number_of_sides(approximate(target));
+    }
+    EXPECT_EQ(left > 0, feature_angle > 1);
+  }
 }
 
 TEST(Null_space_smoothing, leaves_lines_between_labels_and_the_boundary) {
@@ -151,7 +176,7 @@ TEST(Null_space_smoothing, leaves_lines_between_labels_and_the_boundary) {
           labels.push_back(c->label());
       std::sort(labels.begin(), labels.end());
       labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
-      if (!CGAL::propose_null_space_position(dsc, v, star, .9, 0., target))
+      if (!CGAL::propose_null_space_position(dsc, v, star, .9, 1., 0., target))
         continue;
       ++proposed;
       EXPECT_EQ(labels.size(), 2u);
@@ -314,6 +339,8 @@ TEST(Improve_interface, needs_a_length) {
   dsc.relabel(dsc.cells().front(), 1); // an interface that was not there when it was built
   EXPECT_THROW(CGAL::improve_interface(dsc), CGAL::Deformable_simplicial_complexes::Error);
   CGAL::improve_interface(dsc, parameters::size_field([](const Position&) { return 1.; }));
+  dsc.measure_interface_edges();
+  CGAL::improve_interface(dsc);
   EXPECT_TRUE(dsc.is_valid());
 }
 

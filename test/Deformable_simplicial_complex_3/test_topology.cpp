@@ -286,3 +286,43 @@ TEST(Topology_events, tell_of_a_merge_once_and_where) {
   EXPECT_LT(std::abs(event.where.z()), .55);
   EXPECT_EQ(visitor.events.front().where, event.where);
 }
+
+// A bar between two cubes is pinched until it tears, and then what is left of a side vanishes.
+TEST(Topology_events, tell_of_what_splits_and_vanishes) {
+  const auto dumbbell = [](const Point& p) {
+    const double width = std::abs(p.x()) > .25 ? .5 : .25;
+    return std::abs(p.x()) < .75 && std::abs(p.y()) < width && std::abs(p.z()) < width ? 1 : 0;
+  };
+  Complex dsc = make_complex(grid(8, dumbbell));
+  std::vector<CGAL::Topology_event<Complex>> events;
+  const auto run = [&](const std::function<Vector(Position)>& displacement) {
+    const std::size_t components = dsc.number_of_components(1);
+    for (int i = 0; i < 20 && dsc.number_of_components(1) == components; ++i) {
+      const auto report = deform(dsc, displacement, parameters::manifold_interface(false));
+      events.insert(events.end(), report.events.begin(), report.events.end());
+    }
+    EXPECT_NE(dsc.number_of_components(1), components);
+  };
+  const auto shortened = [](const Vector& way) {
+    const double length = std::sqrt(way.squared_length());
+    return length > .06 ? .06 / length * way : way;
+  };
+  run([&](const Position& p) {
+    return std::abs(p.x()) < .2 ? shortened(Vector(0, -p.y(), -p.z())) : Vector(0, 0, 0);
+  });
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].kind, CGAL::Component_event::Kind::split);
+  EXPECT_EQ(events[0].before.size(), 1u);
+  EXPECT_EQ(events[0].after.size(), 2u);
+  EXPECT_LT(std::abs(events[0].where.x()), .3);
+  events.clear();
+
+  run([&](const Position& p) {
+    return p.x() < 0 ? shortened(Position(-.5, 0, 0) - p) : Vector(0, 0, 0);
+  });
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].kind, CGAL::Component_event::Kind::vanished);
+  EXPECT_EQ(events[0].before.size(), 1u);
+  EXPECT_TRUE(events[0].after.empty());
+  EXPECT_LT(events[0].where.x(), -.3);
+}

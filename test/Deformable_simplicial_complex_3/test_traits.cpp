@@ -152,7 +152,6 @@ TYPED_TEST(Traits_on_kernel, constructions_keep_double_coordinates) {
   const Approximate o(0, 0, 0), x(2, 0, 0), y(0, 3, 0), z(0, 0, 4);
   EXPECT_EQ(volume(o, x, y, z), 4);
   EXPECT_EQ(volume(x, o, y, z), -4);
-  EXPECT_EQ(this->traits.compute_approximate_squared_length_3_object()(x, y), 13);
 }
 
 TYPED_TEST(Traits_on_kernel, ray_through_a_facet) {

@@ -171,6 +171,14 @@ TEST_F(Flows, of_mean_curvature_end_with_nothing) {
   EXPECT_LT(time, 9);
 }
 
+// What is gone is nowhere: not back, either.
+TEST_F(Flows, tell_no_distance_of_nothing) {
+  const Json steps_ = steps("advect box.off --velocity '105-x,105-y,105-z' --scheme euler "
+                            "--period 1 --dt 1 --steps 1");
+  EXPECT_EQ(steps_.back().at("interface_triangles"), 0);
+  EXPECT_FALSE(steps_.back().contains("distance_to_start"));
+}
+
 TEST_F(Flows, are_resumed) {
   const std::string flow = "enright --period 0.08 --dt 0.02 ";
   const auto distance_after_resuming = [&](const std::string& inputs) {

@@ -47,7 +47,8 @@ template <class Complex> struct Deformation_report
   /// vertices that were removed or left the interface, by a merge or a collapse, before they
   /// arrived
   std::size_t vanished = 0;
-  unsigned passes = 0; ///< executions of the main loop of Algorithm 1
+  unsigned passes = 0;  ///< executions of the main loop of Algorithm 1
+  bool stopped = false; ///< whether the visitor ended it: `go_further()` was false
   /// \var split
   /// edges split
   /// \var collapsed

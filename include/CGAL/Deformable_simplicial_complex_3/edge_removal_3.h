@@ -11,6 +11,7 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -105,14 +106,15 @@ caller's to judge.
 \param complex is not changed.
 \param cell, i, j the edge between the vertices i and j of the cell.
 \param cavity filled with the proposal if there is one.
+\param minimum_quality the worst quality need not rise if it is above this in the end.
 \return whether the ring is finite, exactly two facets of the interface meet in the edge, and the
-        worst quality rises, all new tetrahedra being positive.
+        worst quality rises or is good enough, all new tetrahedra being positive.
 
 Cubic in the number of cells around the edge.
 */
 template <class Complex>
 bool propose_interface_edge_flip(const Complex& complex, typename Complex::Cell_handle cell, int i,
-                                 int j, Cavity_3<Complex>& cavity) {
+                                 int j, Cavity_3<Complex>& cavity, double minimum_quality = 1) {
   cavity.clear();
   Deformable_simplicial_complexes::internal::Edge_ring_3<Complex> ring(cell, i, j, cavity);
   const std::size_t n = ring.size();
@@ -131,9 +133,9 @@ bool propose_interface_edge_flip(const Complex& complex, typename Complex::Cell_
     if (ring.cell(k)->label() != ring.cell(k + 1)->label() &&
         !relabeling_keeps_topology(complex, ring.cell(k), ring.cell(k + 1)->label()))
       return false;
-  return ring.triangulate(sheets[0], sheets[1], cavity.quality_before()) &&
-         ring.triangulate(sheets[1], sheets[0] + n, cavity.quality_before()) &&
-         cavity.is_positive();
+  const double bound = (std::min)(cavity.quality_before(), minimum_quality);
+  return ring.triangulate(sheets[0], sheets[1], bound) &&
+         ring.triangulate(sheets[1], sheets[0] + n, bound) && cavity.is_positive();
 }
 
 } // namespace CGAL

@@ -37,6 +37,8 @@ two labels keep their volumes, up to rounding.
 \param aggressiveness up to which ratio of the eigenvalues a direction belongs to the null space, in
        [0, 1); the paper takes 0.025. On an edge between two facets of equal areas, that is a
        dihedral angle of 2 atan(sqrt(aggressiveness)): 18 degrees.
+\param feature_angle where the normals of two facets differ by more, in radians, v moves only along
+       their edge whatever their areas, and not at all where such edges end, meet or turn.
 \param minimum_quality no cell of the star may come to be of lower quality, unless it is so already;
        then none may come to be worse than the worst is.
 \param target the proposed position.
@@ -49,8 +51,8 @@ Linear in the star.
 template <class Complex>
 bool propose_null_space_position(const Complex& complex, typename Complex::Vertex_handle v,
                                  const std::vector<typename Complex::Cell_handle>& star,
-                                 double aggressiveness, double minimum_quality,
-                                 typename Complex::Point_3& target) {
+                                 double aggressiveness, double feature_angle,
+                                 double minimum_quality, typename Complex::Point_3& target) {
   namespace internal = Deformable_simplicial_complexes::internal;
   using Vector = typename Complex::Approximate_vector_3;
   const internal::Interface_fan_3<Complex> fan(complex, v, star);
@@ -73,9 +75,9 @@ bool propose_null_space_position(const Complex& complex, typename Complex::Verte
     to_centroids = to_centroids + a * ((p[1] - from) + (p[2] - from)) / 3;
     area += a;
   }
-  quadric.analyse(aggressiveness);
+  quadric.analyse(aggressiveness, fan.rank_by_features(feature_angle));
   const double squared_sum = sum_of_areas.squared_length();
-  if (quadric.rank() == 0 || quadric.rank() == 3 || !(squared_sum > 0))
+  if (quadric.rank() == 3 || !(squared_sum > 0))
     return false;
   Vector step = quadric.project_on_null_space(to_centroids / area);
   step = step - (step * sum_of_areas) / squared_sum * sum_of_areas;

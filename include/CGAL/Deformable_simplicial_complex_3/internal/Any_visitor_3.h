@@ -83,6 +83,11 @@ private:
   Visitor& m_visitor;
 };
 
+template <class Complex, class Visitor>
+Visitor_adaptor_3<Complex, Visitor> adapt_visitor(Visitor& visitor) {
+  return Visitor_adaptor_3<Complex, Visitor>(visitor);
+}
+
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL

@@ -18,6 +18,8 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/require_finite.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/simultaneous_motion_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/triangle_quality.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -26,6 +28,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -108,17 +111,28 @@ public:
   // Facets of the interface that will have a small angle at their destinations, and a smaller one
   // than now: what moves as a whole keeps its facets.
   void find_degenerating_facets() {
+    using Triangle = std::array<typename Complex::Approximate_point_3, 3>;
     static constexpr double more = 1 + 1e-6; // than what rounding does
     m_degenerating.clear();
     const auto final = [&](Vertex_handle v) { return m_complex.final_position(v); };
     const auto now = [&](Vertex_handle v) { return m_complex.position(v); };
-    for (const auto& facet : m_complex.interface_facets()) {
-      const auto v = m_complex.facet_vertices(facet);
-      const double after = largest_cosine({final(v[0]), final(v[1]), final(v[2])});
-      if (after > m_degenerate_cosine &&
-          after > more * largest_cosine({now(v[0]), now(v[1]), now(v[2])}))
-        m_degenerating.push_back({facet.first, facet.first->time_stamp(), facet.second});
-    }
+    const std::vector<Vertex_handle> vertices = unfinished();
+    number_vertices(vertices);
+    for (Cell_handle c : star_union(m_complex, vertices))
+      for (int i = 0; i < 4; ++i) {
+        const Cell_handle d = c->neighbor(i);
+        if (d->label() >= c->label() || m_complex.is_infinite(d))
+          continue;
+        const auto v = m_complex.facet_vertices({c, i});
+        const double after = largest_cosine(Triangle{final(v[0]), final(v[1]), final(v[2])});
+        if (after > m_degenerate_cosine &&
+            after > more * largest_cosine(Triangle{now(v[0]), now(v[1]), now(v[2])}))
+          m_degenerating.push_back({c, c->time_stamp(), i});
+      }
+    std::sort(m_degenerating.begin(), m_degenerating.end(),
+              [](const Facet_item& a, const Facet_item& b) {
+                return std::tie(a.time_stamp, a.index) < std::tie(b.time_stamp, b.index);
+              });
   }
 
   // Interface and free vertices at once: most of most motions. Free vertices follow the flow of
@@ -181,9 +195,10 @@ public:
   }
 
   // Cells flattened between two parts of the interface: where its topology changes.
-  void relabel_degenerate_cells() {
+  void relabel_degenerate_cells(unsigned pass) {
     m_touched.sort();
     relabel(m_touched, m_options.relabeling_threshold);
+    find_events(pass);
   }
 
   // What keeps vertices from their destinations: cells that the interface is about to sweep away,
@@ -204,6 +219,7 @@ public:
     cells.sort();
     relabel(cells, swept);
     m_trapped_cells.remove_small_components(handles(cells));
+    find_events(pass);
     for (const auto& item : cells) {
       const Cell_handle c = item.cell;
       if (!m_complex.is_alive(c, item.time_stamp) ||
@@ -242,14 +258,12 @@ public:
     m_trapped_cells.relabel(handles(cells), any_quality, [&](Cell_handle c) {
       return m_small_angles.is_bad(c) && m_small_angles.ends_bad(c);
     });
-    end_pass(pass);
+    find_events(pass);
     m_small_angles.run([&](Cell_handle c, typename Complex::Label label) {
       return m_trapped_cells.relabel_if_topology_stays(c, label);
     });
     update_unfinished();
   }
-
-  void end_pass(unsigned pass) { m_trapped_cells.log().end_pass(pass, m_visitor); }
 
   Report report(unsigned passes) {
     Report report;
@@ -271,6 +285,8 @@ public:
   }
 
 private:
+  void find_events(unsigned pass) { m_trapped_cells.log().find_events(pass, m_visitor); }
+
   struct Item
   {
     Vertex_handle vertex;
@@ -298,17 +314,6 @@ private:
       if (m_improver.remove_degenerate_facet(c, i, cosine, m_touched))
         return true;
     return false;
-  }
-
-  // The cosine of the smallest angle of a triangle.
-  static double largest_cosine(const std::array<typename Complex::Approximate_point_3, 3>& p) {
-    double result = -1;
-    for (int i = 0; i < 3; ++i) {
-      const Vector a = p[(i + 1) % 3] - p[i], b = p[(i + 2) % 3] - p[i];
-      const double lengths = std::sqrt(a.squared_length() * b.squared_length());
-      result = (std::max)(result, lengths > 0 ? a * b / lengths : 1);
-    }
-    return result;
   }
 
   Vector remaining(Vertex_handle v) const {

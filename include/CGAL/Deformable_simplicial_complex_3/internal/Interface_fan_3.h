@@ -98,6 +98,19 @@ public:
     return result;
   }
 
+  // In how many directions features hold the center: 1 in a smooth sheet, 2 on a feature that bends
+  // by less than the angle, 3 where features end, meet or turn. \pre is_disk()
+  int rank_by_features(double angle) const {
+    const auto neighbors = neighbors_along_features(angle);
+    if (neighbors.empty())
+      return 1;
+    const Point p = m_complex.position(m_center);
+    const bool goes_on =
+        neighbors.size() == 2 && angle_between(m_complex.position(neighbors[0]) - p,
+                                               p - m_complex.position(neighbors[1])) < angle;
+    return goes_on ? 2 : 3;
+  }
+
 private:
   const Complex& m_complex;
   Vertex_handle m_center;

@@ -112,7 +112,9 @@ public:
       const Interface_edge_3<Complex> edge(m_complex, c, i, j);
       return edge.is_in_sheet() && edge.violates_delaunay_criterion() &&
              edge.bend() < m_thresholds.flip_angle &&
-             propose_interface_edge_flip(m_complex, c, i, j, m_cavity) && commit();
+             propose_interface_edge_flip(m_complex, c, i, j, m_cavity,
+                                         m_thresholds.quality_threshold) &&
+             commit();
     });
   }
 
@@ -123,7 +125,8 @@ public:
     for (Vertex_handle v : m_complex.interface_vertices()) {
       m_complex.star(v, m_star);
       if (!propose_null_space_position(m_complex, v, m_star, m_thresholds.aggressiveness,
-                                       m_thresholds.quality_threshold, target))
+                                       m_thresholds.feature_angle, m_thresholds.quality_threshold,
+                                       target))
         continue;
       smooth_vertex(m_complex, v, m_star, target, m_visitor);
       ++m_report.smoothed;
@@ -243,13 +246,10 @@ private:
   // Whether no feature goes with the center of a disk: that it is in a smooth sheet, or that it
   // goes along a straight feature.
   bool keeps_features(const Interface_fan_3<Complex>& disk, Vertex_handle kept) const {
-    const auto neighbors = disk.neighbors_along_features(m_thresholds.feature_angle);
-    if (neighbors.empty())
-      return true;
-    const auto p = m_complex.position(disk.center());
-    return neighbors.size() == 2 && (kept == neighbors[0] || kept == neighbors[1]) &&
-           angle_between(m_complex.position(neighbors[0]) - p,
-                         p - m_complex.position(neighbors[1])) < m_thresholds.feature_angle;
+    const double angle = m_thresholds.feature_angle;
+    const int rank = disk.rank_by_features(angle);
+    const auto neighbors = disk.neighbors_along_features(angle);
+    return rank == 1 || (rank == 2 && (kept == neighbors[0] || kept == neighbors[1]));
   }
 
   // Proposes to collapse vertex i into vertex j if little of the interface moves, and no facet

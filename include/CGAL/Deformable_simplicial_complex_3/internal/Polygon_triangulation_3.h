@@ -33,6 +33,8 @@ public:
   // counterclockwise seen from b. Returns false if the worst quality is not above `bound`.
   template <class Vertex>
   bool create(std::size_t n, const Vertex& vertex, double bound, Cell_handle parent) {
+    if (n > few && !has_ear(n, vertex, bound))
+      return false;
     // best[p * n + q]: quality of the best triangulation of the polygon from p to q > p, in which
     // the triangle (p, apex, q) lies on the edge (p, q).
     m_best.assign(n * n, std::numeric_limits<double>::infinity());
@@ -73,6 +75,18 @@ public:
   }
 
 private:
+  static constexpr std::size_t few = 30; // below, tables cost next to nothing
+
+  // Whether a triangle of three successive vertices may be part of the triangulation: of each there
+  // are two that do not touch, and so at least one that does not contain the edge (0, n - 1).
+  template <class Vertex> bool has_ear(std::size_t n, const Vertex& vertex, double bound) {
+    for (std::size_t p = 0; p + 2 < n; ++p)
+      if (m_cavity.quality({vertex(p), vertex(p + 1), vertex(p + 2), m_b}) > bound &&
+          m_cavity.quality({vertex(p + 1), vertex(p), vertex(p + 2), m_a}) > bound)
+        return true;
+    return false;
+  }
+
   Cavity& m_cavity;
   Index m_a, m_b;
   // Most polygons have fewer than eight vertices.

@@ -10,11 +10,13 @@
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Interface_edge_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/Interface_fan_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Star_optimizer_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/changed_facets_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/swept_volume_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_retriangulation_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
@@ -240,7 +242,7 @@ private:
       for (int j = i + 1; j < 4; ++j)
         consider(m_complex.is_interface(typename Complex::Edge(c, i, j)) &&
                  propose_interface_edge_flip(m_complex, c, i, j, m_cavity) &&
-                 is_little(volume_swept_by_flip(m_complex, m_cavity, c->vertex(i), c->vertex(j))));
+                 is_little(facets_changed_by_flip(Interface_edge_3<Complex>(m_complex, c, i, j))));
   }
 
   // Of vertices of the interface that have moved, or of those off it.
@@ -251,15 +253,21 @@ private:
         continue;
       for (int j = 0; j < 4; ++j)
         consider(j != i && propose_edge_collapse(m_complex, c, i, j, 0, m_cavity) &&
-                 (!of_interface || is_little(volume_swept_by_collapse(m_complex, m_cavity))));
+                 (!of_interface ||
+                  is_little(facets_changed_by_collapse(m_complex, fan(v), c->vertex(j)))));
     }
   }
 
-  // Whether the interface may move by a volume.
-  bool is_little(double volume) const {
+  Interface_fan_3<Complex> fan(Vertex_handle v) {
+    m_complex.star(v, m_star);
+    return Interface_fan_3<Complex>(m_complex, v, m_star);
+  }
+
+  // Whether the interface may change as much.
+  bool is_little(const Changed_facets_3& change) const {
     static constexpr double little = .1; // of the cube of a mean edge
     const double edge = m_complex.mean_interface_edge();
-    return volume < slack() * little * edge * edge * edge;
+    return change.swept_volume < slack() * little * edge * edge * edge;
   }
 
   // Where cells stay, the interface may move farther.

@@ -46,8 +46,9 @@ public:
                          c->label(), label, c->component()});
   }
 
-  // Finds the events of a pass and tells the visitor.
-  void end_pass(unsigned pass, Any_visitor_3<Complex>& visitor) {
+  // Finds the events since the last look and tells the visitor. To be called before cells are
+  // replaced, as those that relabeling joined carry the number of one of their components only.
+  void find_events(unsigned pass, Any_visitor_3<Complex>& visitor) {
     if (m_changes.empty())
       return;
     const std::size_t known = m_events.size();

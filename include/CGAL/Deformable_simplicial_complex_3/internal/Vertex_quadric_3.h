@@ -33,8 +33,9 @@ public:
 
   // Finds the spaces. Eigenvalues up to `threshold` times the largest one belong to the null space:
   // on an edge between two facets of the same weight, dihedral angles up to
-  // 2 atan(sqrt(threshold)) count as smooth. To be called after all facets are added.
-  void analyse(double threshold) {
+  // 2 atan(sqrt(threshold)) count as smooth. The primary space has a minimum dimension if that is
+  // known otherwise. To be called after all facets are added.
+  void analyse(double threshold, int minimum_rank = 0) {
     static constexpr double rounding = 1e-10;
     threshold = (std::max)(threshold, rounding);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(m_matrix);
@@ -43,6 +44,7 @@ public:
     m_rank = 0;
     for (int i = 0; i < 3; ++i)
       m_rank += m_eigenvalues(i) > threshold * m_eigenvalues(2);
+    m_rank = (std::max)(m_rank, minimum_rank);
   }
 
   double sum_of_weights() const { return m_matrix.trace(); }

@@ -97,7 +97,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
   }
   result.initialize_boundary_classes();
   result.initialize_caches();
-  result.initialize_edge_lengths();
+  result.measure_interface_edges();
   result.m_normalization = m_normalization;
   swap(result);
 
@@ -318,7 +318,7 @@ void CGAL_DSC_CLASS::initialize_boundary_classes() {
 }
 
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::initialize_edge_lengths() {
+void CGAL_DSC_CLASS::measure_interface_edges() {
   double sum = 0, minimum = 0;
   size_type n = 0;
   for (const Facet& f : interface_facets()) {

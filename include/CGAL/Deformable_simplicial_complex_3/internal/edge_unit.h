@@ -45,6 +45,13 @@ private:
   std::function<double(const Point&)> m_field;
 };
 
+// Throws if a complex has an interface, but no length that its edges are measured by.
+template <class Complex> void require_interface_edge(const Complex& complex) {
+  if (!(complex.mean_interface_edge() > 0) && !complex.interface_vertices().empty())
+    throw Error("there is no unit of lengths, as the complex was built without an interface; call "
+                "measure_interface_edges()");
+}
+
 template <class Complex>
 double length_in_units(const Complex& complex, typename Complex::Vertex_handle v,
                        typename Complex::Vertex_handle w, const Edge_unit<Complex>& unit) {

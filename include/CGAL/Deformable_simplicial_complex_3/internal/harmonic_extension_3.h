@@ -9,6 +9,8 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
 #include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
 
+#include <CGAL/Origin.h>
+
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 

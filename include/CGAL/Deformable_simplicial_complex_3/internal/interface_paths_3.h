@@ -10,12 +10,12 @@
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/require_finite.h>
+#include <CGAL/Origin.h>
 
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
@@ -82,10 +82,33 @@ integrate_adaptively(const Interface_snapshot_3<Complex>& interface_,
     else if (!(std::abs(step) >= smallest_step))
       throw Error("the velocities change too fast to be integrated to the tolerance; use a larger "
                   "one, or shorter steps");
-    if (stepper.try_step(derivative, state, t, step) == odeint::success && is_last)
-      break;
+    try {
+      if (stepper.try_step(derivative, state, t, step) == odeint::success && is_last)
+        break;
+    } catch (const Invalid_destination_error&) { // a shorter step may not get where nothing is
+      step /= 2;
+      if (!(std::abs(step) >= smallest_step))
+        throw;
+    }
   }
   return points(state);
+}
+
+// Where a point, or all vertices, get in one step of a rule of Runge and Kutta, from their rate of
+// change (place, time) and how they advance (place, rate, step).
+template <class Place, class Rate, class Advance>
+Place follow_rate(const Place& start, double t, double dt, Integration_scheme scheme,
+                  const Rate& rate, const Advance& advance) {
+  const auto k1 = rate(start, t);
+  if (scheme == Integration_scheme::euler)
+    return advance(start, k1, dt);
+  const auto k2 = rate(advance(start, k1, dt / 2), t + dt / 2);
+  if (scheme == Integration_scheme::rk2)
+    return advance(start, k2, dt);
+  const auto k3 = rate(advance(start, k2, dt / 2), t + dt / 2);
+  const auto k4 = rate(advance(start, k3, dt), t + dt);
+  const Place halfway = advance(advance(start, k1, dt / 6), k2, dt / 3);
+  return advance(advance(halfway, k3, dt / 3), k4, dt / 6);
 }
 
 // Paths by a rule of Runge and Kutta in one step.
@@ -97,26 +120,15 @@ integrate_with_fixed_steps(const Interface_snapshot_3<Complex>& interface_,
                            Integration_scheme scheme) {
   using Points = std::vector<typename Complex::Approximate_point_3>;
   using Vectors = std::vector<typename Complex::Approximate_vector_3>;
-  const auto advance = [&](const Vectors& v, double step) {
-    Points result;
-    for (std::size_t i = 0; i < start.size(); ++i)
-      result.push_back(start[i] + step * v[i]);
-    return result;
-  };
-  const auto at = [&](const Points& positions, double time) {
+  const auto rate = [&](const Points& positions, double time) {
     return velocities_at(interface_, positions, time, velocity);
   };
-  Vectors k1 = at(start, t);
-  if (scheme == Integration_scheme::euler)
-    return advance(k1, dt);
-  const Vectors k2 = at(advance(k1, dt / 2), t + dt / 2);
-  if (scheme == Integration_scheme::rk2)
-    return advance(k2, dt);
-  const Vectors k3 = at(advance(k2, dt / 2), t + dt / 2);
-  const Vectors k4 = at(advance(k3, dt), t + dt);
-  for (std::size_t i = 0; i < k1.size(); ++i)
-    k1[i] = (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]) / 6;
-  return advance(k1, dt);
+  const auto advance = [](Points positions, const Vectors& v, double step) {
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      positions[i] = positions[i] + step * v[i];
+    return positions;
+  };
+  return follow_rate(start, t, dt, scheme, rate, advance);
 }
 
 // The forms of velocities that `advect_interface()` takes; the first that fits counts.
@@ -141,16 +153,15 @@ typename Complex::Approximate_point_3 follow_flow(const typename Complex::Approx
   if constexpr (is_flow_map<Complex, Velocity>) {
     return velocity(p, t, dt);
   } else {
+    using Point = typename Complex::Approximate_point_3;
     using Vector = typename Complex::Approximate_vector_3;
-    const std::array<double, 4> part = {0, .5, .5, 1};
-    Vector sum(0, 0, 0), v(0, 0, 0);
-    for (double a : part) {
-      v = velocity(p + a * dt * v, t + a * dt);
-      sum = sum + (a == .5 ? 2 : 1) * v;
-      if (!has_finite_coordinates(v)) // nobody is asked for what is nowhere
-        return p + v;
-    }
-    return p + dt / 6 * sum;
+    const auto rate = [&](const Point& q, double time) -> Vector {
+      if (!has_finite_coordinates(q)) // nobody is asked for what is nowhere
+        return q - ORIGIN;
+      return velocity(q, time);
+    };
+    const auto advance = [](const Point& q, const Vector& v, double step) { return q + step * v; };
+    return follow_rate(p, t, dt, Integration_scheme::rk4, rate, advance);
   }
 }
 

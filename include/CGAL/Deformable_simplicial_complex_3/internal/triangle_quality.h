@@ -24,6 +24,17 @@ template <class Point> double triangle_quality(const std::array<Point, 3>& p) {
   return squares > 0 ? 2 * std::sqrt(3.) * doubled_area / squares : 0;
 }
 
+// The cosine of the smallest angle of a triangle; 1 if a side is 0.
+template <class Point> double largest_cosine(const std::array<Point, 3>& p) {
+  double result = -1;
+  for (int i = 0; i < 3; ++i) {
+    const auto a = p[(i + 1) % 3] - p[i], b = p[(i + 2) % 3] - p[i];
+    const double lengths = std::sqrt(a.squared_length() * b.squared_length());
+    result = (std::max)(result, lengths > 0 ? a * b / lengths : 1);
+  }
+  return result;
+}
+
 // The smallest angle of a triangle, in radians; 0 if a side is.
 template <class Point> double smallest_angle(const std::array<Point, 3>& p) {
   double result = 4; // more than there is
