@@ -80,8 +80,9 @@ public:
       m_tree->build();
   }
 
-  /// The wanted length of an edge at p: that of the nearest vertex, or the shorter one of the nearest
-  /// two if they are equally near, as the ends of the edge are. Logarithmic in the size of the interface.
+  /// The wanted length of an edge at p: that of the nearest vertex, or the shorter one of the
+  /// nearest two if they are equally near, as the ends of the edge are. Logarithmic in the size of
+  /// the interface.
   double operator()(const Point_3& p) const {
     static constexpr double same = 1 + 1e-6; // ratio of squared distances that rounding may change
     if (m_tree->empty())

@@ -19,8 +19,8 @@ namespace CGAL {
 
 Moves the interface with a velocity for one step of time: integrates the path of each vertex, then
 calls `deform_interface()`. The path within the step is not followed, only its end. Where the
-velocity is known in all of space, as a field or a flow map, free vertices around the interface go
-with it, too, unless the parameter `flow` is given.
+velocity is known in all of space, as a field or an invertible flow map, free vertices around the
+interface go with it, too, unless the parameter `flow` is given.
 
 \param dsc the complex
 \param velocity one of

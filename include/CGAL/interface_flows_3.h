@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/tags.h>
 
 #include <cmath>
 #include <vector>
@@ -26,6 +27,7 @@ class Rigid_rotation_3
 public:
   using Point_3 = Simple_cartesian<double>::Point_3;   ///< in the coordinates of the complex
   using Vector_3 = Simple_cartesian<double>::Vector_3; ///< in the coordinates of the complex
+  using Is_invertible = Tag_true;                      ///< space goes with it
 
   /// \param center a point of the axis. \param axis its direction, not zero, of any length.
   /// \param angular_velocity radians per unit of time, counterclockwise seen against the axis.

@@ -407,6 +407,18 @@ Vector eddy(const Position& p, double) {
   return f * Vector(-p.y(), p.x(), p.x() * p.y());
 }
 
+struct Eddy_map
+{
+  Position operator()(const Position& p, double t, double dt) const {
+    return CGAL::Deformable_simplicial_complexes::internal::follow_flow<Complex>(p, eddy, t, dt);
+  }
+};
+
+struct Invertible_eddy_map : Eddy_map
+{
+  using Is_invertible = CGAL::Tag_true;
+};
+
 // The part of the free vertices that go with the eddy.
 template <class Velocity, class NamedParameters>
 double part_that_follows(const Velocity& velocity, const NamedParameters& np) {
@@ -415,8 +427,7 @@ double part_that_follows(const Velocity& velocity, const NamedParameters& np) {
   const auto vertices = dsc.vertices();
   std::vector<Position> expected;
   for (Vertex_handle v : vertices)
-    expected.push_back(CGAL::Deformable_simplicial_complexes::internal::follow_flow<Complex>(
-        dsc.position(v), eddy, 0, dt));
+    expected.push_back(Eddy_map()(dsc.position(v), 0, dt));
   EXPECT_TRUE(CGAL::advect_interface(dsc, velocity, 0, dt, np).complete);
   EXPECT_TRUE(dsc.is_valid());
   double all = 0, following = 0;
@@ -445,6 +456,9 @@ TEST(Advection, takes_the_space_around_along) {
     EXPECT_GT(part, .05);
     EXPECT_LT(part, .9);
   }
+  // a flow map may collapse space, unless it says that it does not
+  EXPECT_LT(part_that_follows(Eddy_map(), rk4), .1);
+  EXPECT_GT(part_that_follows(Invertible_eddy_map(), rk4), .95);
   // the user knows better
   EXPECT_LT(part_that_follows(eddy, rk4.flow([](const Position& p) { return p; })), .1);
 }

@@ -2,10 +2,12 @@
 \ingroup PkgDeformableSimplicialComplex3Concepts
 \cgalConcept
 
-A motion of space that is known in closed form, so that `CGAL::advect_interface()` need not
-integrate it: whatever the integration scheme, vertices are sent to where the map says. It is asked
-for vertices around the interface, too, which follow the interface where it is not finite. `Complex`
-stands for the type of the complex; a map need not define it.
+A motion that is known in closed form, so that `CGAL::advect_interface()` need not integrate it:
+whatever the integration scheme, vertices are sent to where the map says. `Complex` stands for the
+type of the complex; a map need not define it.
+
+A map that neither folds nor collapses space may define a type `Is_invertible` as `CGAL::Tag_true`.
+Vertices around the interface then go with it, too, but where it is not finite.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Rigid_rotation_3}

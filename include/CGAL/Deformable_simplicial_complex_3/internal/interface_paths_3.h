@@ -11,6 +11,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/require_finite.h>
 #include <CGAL/Origin.h>
+#include <CGAL/tags.h>
 
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
@@ -139,11 +140,21 @@ constexpr bool is_interface_step =
     std::is_invocable_v<const Velocity&, const Interface_snapshot_3<Complex>&,
                         const std::vector<Point>&, double, double, std::vector<Point>&>;
 
-// Whether a velocity is known in all of space, as a flow map or a field.
+// Whether a flow map says so.
+template <class Map, class = void> struct Is_invertible : Tag_false
+{
+};
+template <class Map>
+struct Is_invertible<Map, std::void_t<typename Map::Is_invertible>> : Map::Is_invertible
+{
+};
+
+// Whether space goes with a velocity: a field, or a flow map that does not fold or collapse it.
 template <class Complex, class Velocity, class Point = typename Complex::Approximate_point_3>
-constexpr bool is_flow_of_space = is_flow_map<Complex, Velocity> ||
-                                  (!is_interface_step<Complex, Velocity> &&
-                                   std::is_invocable_v<const Velocity&, Point, double>);
+constexpr bool is_flow_of_space = is_flow_map<Complex, Velocity>
+                                      ? Is_invertible<Velocity>::value
+                                      : (!is_interface_step<Complex, Velocity> &&
+                                         std::is_invocable_v<const Velocity&, Point, double>);
 
 // Where what is at p at t is at t + dt, as a guide, for which a rule of Runge and Kutta will do.
 // Not finite if a velocity is not. \pre is_flow_of_space
