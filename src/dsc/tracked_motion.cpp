@@ -136,7 +136,7 @@ private:
 /// pressed together; sharp edges stay.
 void improve_interface(Complex& complex, const std::optional<double>& aggressiveness) {
   const double edge = complex.mean_interface_edge();
-  static constexpr double feature_angle = 85; // less than at a cube, more than at the rims of sheets
+  static constexpr double feature_angle = 85; // below a cube, above the rims of sheets
   const CGAL::Curvature_size_field_3 size(complex, .05 * edge, .2 * edge, edge, .5, feature_angle);
   const auto np = parameters::size_field(std::cref(size))
                       .feature_angle(feature_angle)
