@@ -6,7 +6,7 @@
 #define CGAL_CURVATURE_SIZE_FIELD_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface_triangles_3.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>

@@ -7,7 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Integration_scheme.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/deform_to.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface_paths_3.h>
 #include <CGAL/deform_interface_3.h>

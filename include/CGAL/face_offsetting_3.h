@@ -5,7 +5,7 @@
 #ifndef CGAL_FACE_OFFSETTING_3_H
 #define CGAL_FACE_OFFSETTING_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complex_3/Integration_scheme.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Vertex_quadric_3.h>

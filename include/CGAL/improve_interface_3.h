@@ -7,7 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Interface_improver_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/edge_unit.h>
 #include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>

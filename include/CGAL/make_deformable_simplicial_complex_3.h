@@ -8,7 +8,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Labelled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Tetrahedralization_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/check_surfaces_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/check_tetrahedra_3.h>

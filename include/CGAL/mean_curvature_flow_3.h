@@ -5,9 +5,9 @@
 #ifndef CGAL_MEAN_CURVATURE_FLOW_3_H
 #define CGAL_MEAN_CURVATURE_FLOW_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/cotangent_weights_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface_triangles_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/label_volumes_3.h>

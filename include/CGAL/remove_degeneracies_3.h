@@ -5,7 +5,7 @@
 #ifndef CGAL_REMOVE_DEGENERACIES_3_H
 #define CGAL_REMOVE_DEGENERACIES_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/degeneracy_removal_3.h>

@@ -7,7 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/deform_to.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/label_volumes_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>

@@ -125,8 +125,9 @@ public:
   void set_point(const Point& p) { m_point = p; }
   std::size_t time_stamp() const { return m_time_stamp; }
   void set_time_stamp(std::size_t stamp) { m_time_stamp = stamp; }
-  bool is_interface() const { return m_is_interface; }
-  void set_interface(bool is_interface) { m_is_interface = is_interface; }
+  bool is_interface() const { return m_interface_degree > 0; }
+  std::uint32_t interface_degree() const { return m_interface_degree; }
+  void set_interface_degree(std::uint32_t degree) { m_interface_degree = degree; }
   std::uint8_t boundary_class() const { return m_boundary_class; }
   void set_boundary_class(std::uint8_t boundary_class) { m_boundary_class = boundary_class; }
   const Point& destination() const { return m_destination; }
@@ -142,9 +143,9 @@ public:
 private:
   Point m_point, m_destination;
   std::size_t m_time_stamp = std::size_t(-1);
-  std::uint32_t m_scratch_index = 0;
+  std::uint32_t m_scratch_index = 0, m_interface_degree = 0;
   std::uint8_t m_boundary_class = 0;
-  bool m_is_interface = false, m_has_destination = false;
+  bool m_has_destination = false;
 };
 
 // DeformableSimplicialComplexCellBase_3

@@ -320,7 +320,7 @@ TEST(Is_valid, sees_what_was_tampered_with) {
     });
     expect_invalid([&](Complex& dsc) {
       const Vertex_handle v = dsc.vertices()[i];
-      v->set_interface(!v->is_interface());
+      v->set_interface_degree(v->interface_degree() + 1);
     });
     expect_invalid([&](Complex& dsc) { // a little, so that all stays positive
       const Vertex_handle v = dsc.vertices()[i];

@@ -47,11 +47,14 @@ public:
   /// \name Place in the Complex
   /// @{
 
-  /// whether a facet between two labels is incident; false for a new vertex.
+  /// whether `interface_degree()` is not zero.
   bool is_interface() const;
 
-  /// sets `is_interface()`.
-  void set_interface(bool is_interface);
+  /// the number of facets between two labels that are incident; 0 for a new vertex.
+  std::uint32_t interface_degree() const;
+
+  /// sets `interface_degree()`.
+  void set_interface_degree(std::uint32_t degree);
 
   /// the sides of the domain on which the vertex lies, see `CGAL::Boundary_class`; 0 for a new
   /// vertex.

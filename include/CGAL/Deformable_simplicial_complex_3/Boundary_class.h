@@ -5,33 +5,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_BOUNDARY_CLASS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_BOUNDARY_CLASS_H
 
-#include <cstdint>
-
-namespace CGAL {
-
-/*!
-\ingroup PkgDeformableSimplicialComplex3Ref
-
-Where a vertex lies on the boundary of the domain: a set of sides, as bits. Of a box, the bits 0 to
-5 are the sides x minimum, x maximum, y minimum, and so on: one bit for a vertex on a face, two on
-an edge, three at a corner; the vertex moves within all of them. A domain that is no box has only
-`fixed` vertices on its boundary. No bit: a vertex in the inside.
-*/
-struct Boundary_class
-{
-  using Bits = std::uint8_t;        ///< a set of sides
-  static constexpr Bits inside = 0; ///< on no side
-  static constexpr Bits fixed = 64; ///< on the boundary of a domain that is no box: may not move
-
-  /// Whether motion along an axis (0, 1, 2) leaves the sides.
-  static bool fixes(Bits sides, int axis) {
-    return (sides & fixed) != 0 || (sides >> (2 * axis) & 3) != 0;
-  }
-
-  /// Whether everything of a class is also on all sides of another one.
-  static bool contains(Bits sides, Bits others) { return (sides & others) == others; }
-};
-
-} // namespace CGAL
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_BOUNDARY_CLASS_H

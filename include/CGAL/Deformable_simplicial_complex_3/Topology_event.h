@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_TOPOLOGY_EVENT_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_TOPOLOGY_EVENT_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Component_event.h>
+#include <CGAL/Deformable_simplicial_complexes/Component_event.h>
 
 namespace CGAL {
 

@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_EDGE_COLLAPSE_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_EDGE_COLLAPSE_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 
 #include <algorithm>
 #include <array>
@@ -203,10 +203,10 @@ bool propose_edge_collapse(const Complex& complex, typename Complex::Cell_handle
 
   std::vector<typename Complex::Cell_handle> star_a, star_b;
   complex.star(a, star_a);
-  cavity.clear();
+  cavity.begin(Deformable_simplicial_complexes::Proposal_kind::collapse);
   for (auto c : star_a)
     cavity.remove(c);
-  cavity.remove(a, b);
+  cavity.collapse(a, b);
   const auto b_index = cavity.add(b);
   for (auto c : star_a) {
     if (c->has_vertex(b))

@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_EDGE_REMOVAL_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_EDGE_REMOVAL_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Polygon_triangulation_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/topology_of_relabeling_3.h>
 
@@ -85,7 +85,7 @@ Cubic in n.
 template <class Complex>
 bool propose_edge_removal(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,
                           Cavity_3<Complex>& cavity) {
-  cavity.clear();
+  cavity.begin(Deformable_simplicial_complexes::Proposal_kind::flip);
   Deformable_simplicial_complexes::internal::Edge_ring_3<Complex> ring(cell, i, j, cavity);
   for (std::size_t k = 0; k < ring.size(); ++k) {
     if (complex.is_infinite(ring.cell(k)) || ring.cell(k)->label() != cell->label())
@@ -115,7 +115,7 @@ Cubic in the number of cells around the edge.
 template <class Complex>
 bool propose_interface_edge_flip(const Complex& complex, typename Complex::Cell_handle cell, int i,
                                  int j, Cavity_3<Complex>& cavity, double minimum_quality = 1) {
-  cavity.clear();
+  cavity.begin(Deformable_simplicial_complexes::Proposal_kind::flip);
   Deformable_simplicial_complexes::internal::Edge_ring_3<Complex> ring(cell, i, j, cavity);
   const std::size_t n = ring.size();
   boost::container::small_vector<std::size_t, 8> sheets; // ring vertices at which the label changes

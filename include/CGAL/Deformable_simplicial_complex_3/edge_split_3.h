@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_EDGE_SPLIT_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_EDGE_SPLIT_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 
 #include <array>
 #include <cstddef>
@@ -36,7 +36,7 @@ bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle ce
   using Vertex_handle = typename Complex::Vertex_handle;
   using Index = typename Cavity_3<Complex>::Index;
   const Vertex_handle a = cell->vertex(i), b = cell->vertex(j);
-  cavity.clear();
+  cavity.begin(Deformable_simplicial_complexes::Proposal_kind::split);
   auto c = complex.triangulation().tds().incident_cells(cell, i, j), done = c;
   bool is_on_boundary = false;
   do {

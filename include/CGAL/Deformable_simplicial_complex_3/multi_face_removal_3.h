@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_MULTI_FACE_REMOVAL_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_MULTI_FACE_REMOVAL_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Sandwich_3.h>
 
 #include <boost/container/small_vector.hpp>
@@ -137,7 +137,7 @@ bool propose_multi_face_removal(const Complex& complex, typename Complex::Cell_h
   Deformable_simplicial_complexes::internal::Best_sandwich_3<Complex> sandwich(complex, cell, i);
   if (!sandwich.grow())
     return false;
-  cavity.clear();
+  cavity.begin(Deformable_simplicial_complexes::Proposal_kind::flip);
   for (const auto& sheet : sandwich.sheets()) {
     cavity.remove(sheet.below);
     cavity.remove(sheet.above);

@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_MULTI_FACE_RETRIANGULATION_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_MULTI_FACE_RETRIANGULATION_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Polygon_triangulation_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Sandwich_3.h>
 
@@ -154,7 +154,7 @@ bool propose_multi_face_retriangulation(const Complex& complex, typename Complex
   Deformable_simplicial_complexes::internal::Whole_sandwich_3<Complex> sandwich(complex, cell, i);
   if (!sandwich.grow())
     return false;
-  cavity.clear();
+  cavity.begin(Deformable_simplicial_complexes::Proposal_kind::flip);
   return sandwich.retriangulate(cavity) && cavity.is_positive();
 }
 

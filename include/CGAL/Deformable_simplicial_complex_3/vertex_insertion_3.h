@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_VERTEX_INSERTION_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_VERTEX_INSERTION_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Star_optimizer_3.h>
 #include <CGAL/Origin.h>
 #include <CGAL/enum.h>
@@ -169,7 +169,7 @@ bool fill_with_star(const Complex& complex, typename Complex::Cell_handle seed,
   using Cell_handle = typename Complex::Cell_handle;
   using Index = typename Cavity_3<Complex>::Index;
   const auto exact = complex.geom_traits().construct_exact_point_3_object();
-  cavity.clear();
+  cavity.begin(Deformable_simplicial_complexes::Proposal_kind::insertion);
   Star_shaped_set_3<Complex> set(complex, exact(p), cavity);
   if (!set.grow(seed))
     return false;
@@ -183,7 +183,7 @@ bool fill_with_star(const Complex& complex, typename Complex::Cell_handle seed,
   });
   p = optimizer.run();
 
-  cavity.clear();
+  cavity.begin(Deformable_simplicial_complexes::Proposal_kind::insertion);
   for (Cell_handle c : set.cells())
     cavity.remove(c);
   const Index inserted = cavity.add(exact(p), Boundary_class::inside);

@@ -6,7 +6,7 @@
 #define CGAL_IO_MEDIT_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Medit_scanner.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Vertex_numbering.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/files.h>

@@ -5,7 +5,7 @@
 #ifndef CGAL_IO_PVD_SERIES_H
 #define CGAL_IO_PVD_SERIES_H
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/files.h>
 
 #include <CGAL/assertions.h>

@@ -5,8 +5,8 @@
 #ifndef CGAL_IO_CHECKPOINT_3_H
 #define CGAL_IO_CHECKPOINT_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/State_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/State.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/files.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/little_endian.h>
 

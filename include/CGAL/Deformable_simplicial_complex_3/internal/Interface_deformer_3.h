@@ -15,7 +15,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/collision_order_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/final_quality.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/harmonic_extension_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/require_finite.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/simultaneous_motion_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>

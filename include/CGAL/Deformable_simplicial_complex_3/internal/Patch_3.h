@@ -5,9 +5,9 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_PATCH_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_PATCH_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
 
 #include <array>
@@ -84,7 +84,7 @@ public:
 
   // Plans that the patch takes the place of its cells.
   void propose(Cavity_3<Complex>& cavity) const {
-    cavity.clear();
+    cavity.begin(Proposal_kind::replacement);
     for (Cell_handle c : m_replaced)
       cavity.remove(c);
     std::vector<typename Cavity_3<Complex>::Index> indices;

@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_PATCH_IMPROVER_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_PATCH_IMPROVER_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
@@ -51,7 +51,7 @@ public:
   // then above all for what the worst ones lack.
   void run() {
     static constexpr int passes = 4;
-    m_complex.number_of_components(0); // numbers all: a patch keeps the numbers of its parts
+    m_complex.update_components(); // a patch keeps the numbers of its parts
     for (double emphasis : {1., 3.}) {
       m_emphasis = emphasis;
       for (int pass = 0; pass < passes; ++pass)

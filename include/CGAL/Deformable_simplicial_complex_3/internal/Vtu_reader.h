@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_VTU_READER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_VTU_READER_H
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/base64.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/files.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/little_endian.h>

@@ -5,9 +5,9 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CHECK_SURFACES_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CHECK_SURFACES_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Triangle_soup_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/refuse_surface.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/soup_intersections_3.h>
 

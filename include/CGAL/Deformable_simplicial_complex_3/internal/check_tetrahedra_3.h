@@ -5,10 +5,9 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CHECK_TETRAHEDRA_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CHECK_TETRAHEDRA_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Triangle_soup_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/assemble_triangulation.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 
 #include <CGAL/enum.h>
 
@@ -61,24 +60,6 @@ void orient_tetrahedra(const std::vector<typename Traits::Point_3>& points,
   if (!offenders.empty())
     throw Invalid_tetrahedra_error("tetrahedra are flat: remesh where they are",
                                    std::move(offenders));
-}
-
-// Throws Invalid_tetrahedra_error if the boundary, given by the infinite ones among the cells and
-// supposed that it is a connected 2-manifold, is no sphere.
-inline void check_boundary(const std::vector<Cell_vertices>& cells) {
-  std::vector<std::size_t> vertices;
-  std::size_t number_of_facets = 0;
-  for (const Cell_vertices& c : cells)
-    if (std::find(c.begin(), c.end(), 0) != c.end()) {
-      ++number_of_facets;
-      vertices.insert(vertices.end(), c.begin(), c.end());
-    }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  // Three edges for two facets: V - E + F = V - F / 2. The infinite vertex counts here, too.
-  if (2 * (vertices.size() - 1) != number_of_facets + 4)
-    throw Invalid_tetrahedra_error("the boundary of the tetrahedra is no sphere: give a mesh whose "
-                                   "domain is a ball");
 }
 
 } // namespace internal

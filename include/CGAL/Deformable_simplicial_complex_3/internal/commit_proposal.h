@@ -5,9 +5,11 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COMMIT_PROPOSAL_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COMMIT_PROPOSAL_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
+
+#include <CGAL/assertions.h>
 
 #include <vector>
 
@@ -39,6 +41,7 @@ template <class Complex>
 void commit_split(Complex& complex, Cavity_3<Complex>& cavity, typename Complex::Vertex_handle v,
                   typename Complex::Vertex_handle w, Any_visitor_3<Complex>& visitor,
                   Improvement_report& report) {
+  CGAL_precondition(cavity.kind() == Proposal_kind::split);
   replace_cavity(complex, cavity, visitor);
   ++report.split;
   visitor.after_split(cavity.vertices().back().handle, v, w);
@@ -48,19 +51,25 @@ void commit_split(Complex& complex, Cavity_3<Complex>& cavity, typename Complex:
 template <class Complex>
 void commit_proposal(Complex& complex, Cavity_3<Complex>& cavity, Any_visitor_3<Complex>& visitor,
                      Improvement_report& report) {
-  using Vertex_handle = typename Complex::Vertex_handle;
-  if (cavity.vanishing_vertex() != Vertex_handle()) {
+  switch (cavity.kind()) {
+  case Proposal_kind::collapse:
     visitor.before_collapse(cavity.vanishing_vertex(), cavity.kept_vertex());
     replace_cavity(complex, cavity, visitor);
     ++report.collapsed;
-  } else if (cavity.vertices().back().handle == Vertex_handle()) {
+    break;
+  case Proposal_kind::insertion:
     replace_cavity(complex, cavity, visitor);
     ++report.inserted;
     visitor.after_insertion(cavity.vertices().back().handle);
-  } else {
+    break;
+  case Proposal_kind::flip:
     replace_cavity(complex, cavity, visitor);
     ++report.flipped;
     visitor.after_flip(cavity.created());
+    break;
+  case Proposal_kind::split:
+  case Proposal_kind::replacement:
+    CGAL_error_msg("commits of these kinds tell more than their proposals");
   }
 }
 

@@ -5,9 +5,10 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_ENCLOSING_BOX_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_ENCLOSING_BOX_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Triangle_soup_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/refuse_surface.h>
 
 #include <CGAL/Bbox_3.h>
@@ -116,7 +117,7 @@ inline Triangle_soup_3 box_surface(const Bbox_3& box, unsigned n) {
   const std::array<Coordinates_3, 2> corners = {Coordinates_3{box.xmin(), box.ymin(), box.zmin()},
                                                 {box.xmax(), box.ymax(), box.zmax()}};
   if (!has_finite_coordinates(corners[0]) || !has_finite_coordinates(corners[1]) ||
-      !has_measurable_extent(corners))
+      !extent_of<3>(corners).is_measurable())
     throw Error("the size of the enclosing box is not between 1e-30 and 1e30: give another box, "
                 "scale the surfaces, or use the parameter normalize");
 

@@ -5,9 +5,9 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABEL_TETRAHEDRA_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABEL_TETRAHEDRA_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Triangle_soup_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/assemble_triangulation.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 
 #include <algorithm>
 #include <array>
@@ -44,14 +44,14 @@ struct Facet_side
 using Facet_sides = std::array<Facet_side, 4>;
 
 // Throws Tetrahedralization_error unless each wall is a facet of two tetrahedra.
-inline std::vector<Facet_sides> find_sides(const std::vector<Cell_vertices>& tetrahedra,
+inline std::vector<Facet_sides> find_sides(const std::vector<Cell_vertices<3>>& tetrahedra,
                                            std::vector<Wall> walls) {
   std::sort(walls.begin(), walls.end());
   std::size_t walls_found = 0;
   std::vector<Facet_sides> sides(tetrahedra.size());
-  const std::vector<Cell_facet> facets = sorted_facets(tetrahedra);
+  const auto facets = sorted_facets(tetrahedra);
   for (std::size_t i = 1; i < facets.size(); ++i) {
-    const Cell_facet &f = facets[i - 1], &g = facets[i];
+    const auto &f = facets[i - 1], &g = facets[i];
     if (f.vertices != g.vertices)
       continue;
     Facet_side &behind_f = sides[f.cell][f.index], &behind_g = sides[g.cell][g.index];
@@ -73,7 +73,7 @@ inline std::vector<Facet_sides> find_sides(const std::vector<Cell_vertices>& tet
 // surface that was entered last and not left again, 0 outside all surfaces. A step through a wall
 // leaves its surface if it is inside, and enters it otherwise: orientations do not matter, and a
 // surface nested in itself bounds a cavity. n log n.
-inline std::vector<int> label_tetrahedra(const std::vector<Cell_vertices>& tetrahedra,
+inline std::vector<int> label_tetrahedra(const std::vector<Cell_vertices<3>>& tetrahedra,
                                          const std::vector<Wall>& walls,
                                          const std::vector<int>& surface_labels) {
   const std::vector<Facet_sides> sides = find_sides(tetrahedra, walls);

@@ -6,7 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_UNTANGLING_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/Proposed_motion_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/has_finite_coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 
 #include <CGAL/Origin.h>
 

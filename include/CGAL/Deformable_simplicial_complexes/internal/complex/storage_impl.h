@@ -2,20 +2,67 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COMPLEX_STORAGE_IMPL_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COMPLEX_STORAGE_IMPL_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_STORAGE_IMPL_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_STORAGE_IMPL_H
 
-// Member functions of Deformable_simplicial_complex_3: creation, state, validity.
-// Included by its header only.
+// Member functions of Labelled_complex: creation, state, validity.
+
+#include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/less_time_stamp.h>
+
+#include <CGAL/Origin.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iostream>
+#include <utility>
+#include <vector>
+
+#define CGAL_DSC_TEMPLATE template <class Derived, class Space, class Quality, class Domain>
+#define CGAL_DSC_CLASS Labelled_complex<Derived, Space, Quality, Domain>
 
 namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+// A moved complex is an empty one.
+CGAL_DSC_TEMPLATE
+CGAL_DSC_CLASS::Labelled_complex(Labelled_complex&& other) noexcept
+    : m_triangulation(std::move(other.m_triangulation)), m_quality_measure(other.m_quality_measure),
+      m_domain(other.m_domain), m_totals(std::move(other.m_totals)),
+      m_normalization(std::exchange(other.m_normalization, Normalization())),
+      m_mean_interface_edge(std::exchange(other.m_mean_interface_edge, 0)),
+      m_minimum_interface_edge(std::exchange(other.m_minimum_interface_edge, 0)),
+      m_version(other.m_version++), m_components(std::move(other.m_components)) {
+  other.m_components = internal::Component_tracker();
+}
 
 CGAL_DSC_TEMPLATE
-auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
-                            const std::vector<std::array<size_type, 4>>& tetrahedra,
+void CGAL_DSC_CLASS::swap(Labelled_complex& other) noexcept {
+  using std::swap;
+  m_triangulation.swap(other.m_triangulation);
+  swap(m_quality_measure, other.m_quality_measure);
+  swap(m_domain, other.m_domain);
+  swap(m_totals, other.m_totals);
+  swap(m_normalization, other.m_normalization);
+  swap(m_mean_interface_edge, other.m_mean_interface_edge);
+  swap(m_minimum_interface_edge, other.m_minimum_interface_edge);
+  swap(m_components, other.m_components);
+  // What was proposed to either of them holds no more.
+  m_version = other.m_version = (std::max)(m_version, other.m_version) + 1;
+}
+
+CGAL_DSC_TEMPLATE
+auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
+                            const std::vector<std::array<size_type, corners>>& tetrahedra,
                             const std::vector<Label>& labels) -> std::vector<Vertex_handle> {
-  using Deformable_simplicial_complexes::Invalid_tetrahedra_error;
-  namespace internal = Deformable_simplicial_complexes::internal;
   if (tetrahedra.empty())
     throw Invalid_tetrahedra_error("there are no tetrahedra; give at least one");
   if (labels.size() != tetrahedra.size())
@@ -25,33 +72,32 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
   if (tetrahedra.size() > maximum)
     throw Invalid_tetrahedra_error("there are more than 2^29 tetrahedra");
 
-  Deformable_simplicial_complex_3 result(geom_traits(), m_quality_measure);
-  const auto approximate = geom_traits().construct_approximate_point_3_object();
-  const auto orientation = geom_traits().orientation_3_object();
-  std::vector<Approximate_point_3> positions;
-  for (const Point_3& p : points) {
+  Labelled_complex result(geom_traits(), m_quality_measure, m_domain);
+  std::vector<Approximate_point> positions;
+  for (const Point& p : points) {
     positions.push_back(approximate(p));
     if (!internal::has_finite_coordinates(positions.back()))
       throw Invalid_tetrahedra_error(
           "coordinates are no finite numbers: correct or remove the point", {},
           {positions.size() - 1});
   }
-  if (!internal::has_measurable_extent(positions))
+  if (!internal::extent_of<dimension>(positions).is_measurable())
     throw Invalid_tetrahedra_error("the extent of the domain is not between 1e-30 and 1e30; scale "
                                    "the points, so that volumes and qualities can be computed");
   std::vector<bool> is_used(points.size(), false);
-  std::vector<Approximate_point_3> barycenters;
+  std::vector<Approximate_point> barycenters;
   for (size_type t = 0; t < tetrahedra.size(); ++t) {
     const auto& v = tetrahedra[t];
-    Approximate_vector_3 sum(0, 0, 0);
+    Approximate_vector sum(CGAL::NULL_VECTOR);
     for (size_type i : v) {
       if (i >= points.size())
         throw Invalid_tetrahedra_error("a tetrahedron names a point that does not exist", {t}, {i});
       is_used[i] = true;
       sum = sum + (positions[i] - CGAL::ORIGIN);
     }
-    barycenters.push_back(CGAL::ORIGIN + sum / 4);
-    if (orientation(points[v[0]], points[v[1]], points[v[2]], points[v[3]]) != POSITIVE)
+    barycenters.push_back(CGAL::ORIGIN + sum / corners);
+    if (internal::apply_to_corners<corners>(
+            orientation(), [&](int i) -> const Point& { return points[v[i]]; }) != POSITIVE)
       throw Invalid_tetrahedra_error("a tetrahedron is flat or negatively oriented; give its "
                                      "vertices in positive order",
                                      {t}, {v.begin(), v.end()});
@@ -61,9 +107,9 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
     throw Invalid_tetrahedra_error("a point belongs to no tetrahedron; leave it out", {},
                                    {size_type(unused - is_used.begin())});
 
-  const std::vector<size_type> vertex_order = internal::hilbert_order(positions);
-  const std::vector<size_type> cell_order = internal::hilbert_order(barycenters);
-  internal::prepare_for_cells(result.m_triangulation);
+  const std::vector<size_type> vertex_order = internal::hilbert_order<Space>(positions);
+  const std::vector<size_type> cell_order = internal::hilbert_order<Space>(barycenters);
+  internal::prepare_for_cells<Space>(result.m_triangulation);
   std::vector<size_type> rank(points.size());
   std::vector<Vertex_handle> handles(1, result.m_triangulation.infinite_vertex());
   for (size_type i = 0; i < vertex_order.size(); ++i) {
@@ -71,18 +117,19 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
     handles.push_back(result.m_triangulation.tds().create_vertex());
     handles.back()->set_point(points[vertex_order[i]]);
   }
-  std::vector<Vertex_indices> cells;
+  std::vector<Cell_vertices> cells;
   for (size_type t : cell_order) {
-    const auto& v = tetrahedra[t];
-    cells.push_back({rank[v[0]], rank[v[1]], rank[v[2]], rank[v[3]]});
+    cells.emplace_back();
+    for (int i = 0; i < corners; ++i)
+      cells.back()[i] = rank[tetrahedra[t][i]];
   }
   try {
     internal::append_infinite_cells(cells);
-    const auto cell_handles = internal::create_cells(result.m_triangulation.tds(), handles, cells);
+    const auto cell_handles = internal::create_cells<Space>(result.m_triangulation.tds(), handles, cells);
     for (size_type i = 0; i < cell_order.size(); ++i)
       cell_handles[i]->set_label(labels[cell_order[i]]);
     result.check_stars(handles);
-    internal::check_boundary(cells);
+    result.check_boundary();
   } catch (const Invalid_tetrahedra_error& e) {
     // Translate indices along the curve to those of the caller.
     std::vector<size_type> where, who;
@@ -95,7 +142,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point_3>& points,
     std::sort(where.begin(), where.end());
     throw Invalid_tetrahedra_error(e.what(), where, who);
   }
-  result.initialize_boundary_classes();
+  result.m_domain.classify_boundary(result);
   result.initialize_caches();
   result.measure_interface_edges();
   result.m_normalization = m_normalization;
@@ -112,11 +159,11 @@ void CGAL_DSC_CLASS::sort_storage() {
   if (number_of_cells() == 0)
     return;
   const State before = state();
-  std::vector<Approximate_point_3> positions, barycenters;
+  std::vector<Approximate_point> positions, barycenters;
   for (const auto& p : before.points)
-    positions.emplace_back(p[0], p[1], p[2]);
+    positions.push_back(internal::point_at<Labelled_complex>(p));
   for (const auto& c : before.cells) {
-    Approximate_vector_3 sum(0, 0, 0);
+    Approximate_vector sum(CGAL::NULL_VECTOR);
     int finite = 0;
     for (std::uint32_t v : c)
       if (v != 0) {
@@ -125,9 +172,8 @@ void CGAL_DSC_CLASS::sort_storage() {
       }
     barycenters.push_back(CGAL::ORIGIN + sum / finite);
   }
-  namespace internal = Deformable_simplicial_complexes::internal;
-  const std::vector<size_type> vertex_order = internal::hilbert_order(positions);
-  const std::vector<size_type> cell_order = internal::hilbert_order(barycenters);
+  const std::vector<size_type> vertex_order = internal::hilbert_order<Space>(positions);
+  const std::vector<size_type> cell_order = internal::hilbert_order<Space>(barycenters);
 
   State after = before;
   std::vector<std::uint32_t> vertex_rank(positions.size() + 1, 0), cell_rank(before.cells.size());
@@ -139,14 +185,14 @@ void CGAL_DSC_CLASS::sort_storage() {
   for (size_type i = 0; i < cell_order.size(); ++i) {
     const size_type old = cell_order[i];
     cell_rank[old] = std::uint32_t(i);
-    for (int j = 0; j < 4; ++j)
+    for (int j = 0; j < corners; ++j)
       after.cells[i][j] = vertex_rank[before.cells[old][j]];
     after.cell_labels[i] = before.cell_labels[old];
     after.exhausted_qualities[i] = before.exhausted_qualities[old];
   }
   for (size_type v = 0; v < before.vertex_cells.size(); ++v)
     after.vertex_cells[vertex_rank[v]] = cell_rank[before.vertex_cells[v]];
-  std::vector<Point_3> points;
+  std::vector<Point> points;
   const std::vector<Vertex_handle> vertices = this->vertices();
   for (size_type i : vertex_order)
     points.push_back(vertices[i]->point());
@@ -158,15 +204,15 @@ auto CGAL_DSC_CLASS::state() const -> State {
   State result;
   result.mean_interface_edge = m_mean_interface_edge;
   result.minimum_interface_edge = m_minimum_interface_edge;
-  const Approximate_vector_3& t = m_normalization.translation;
-  result.normalization_translation = {t.x(), t.y(), t.z()};
+  result.normalization_translation =
+      internal::coordinates_of<dimension>(m_normalization.translation);
   result.normalization_scale = m_normalization.scale;
   if (number_of_cells() == 0)
     return result;
 
-  const auto order = Deformable_simplicial_complexes::internal::Less_time_stamp();
+  const internal::Less_time_stamp order;
   std::vector<Cell_handle> cells;
-  for (Cell_handle c : m_triangulation.all_cell_handles())
+  for (Cell_handle c : Space::all_cells(m_triangulation))
     cells.push_back(c);
   std::sort(cells.begin(), cells.end(), order);
   std::vector<Vertex_handle> vertices = this->vertices();
@@ -178,14 +224,15 @@ auto CGAL_DSC_CLASS::state() const -> State {
         std::lower_bound(cells.begin(), cells.end(), vertices[i]->cell(), order) - cells.begin();
     result.vertex_cells.push_back(std::uint32_t(position));
     if (i > 0) {
-      const Approximate_point_3 p = this->position(vertices[i]);
-      result.points.push_back({p.x(), p.y(), p.z()});
+      result.points.push_back(
+          internal::coordinates_of<dimension>(this->position(vertices[i])));
       result.boundary_classes.push_back(vertices[i]->boundary_class());
     }
   }
   for (Cell_handle c : cells) {
-    const auto index = [&](int i) { return c->vertex(i)->scratch_index(); };
-    result.cells.push_back({index(0), index(1), index(2), index(3)});
+    result.cells.emplace_back();
+    for (int i = 0; i < corners; ++i)
+      result.cells.back()[i] = c->vertex(i)->scratch_index();
     result.cell_labels.push_back(c->label());
     result.exhausted_qualities.push_back(c->exhausted_quality());
   }
@@ -194,46 +241,44 @@ auto CGAL_DSC_CLASS::state() const -> State {
 
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::restore(const State& state) {
-  using Deformable_simplicial_complexes::Invalid_tetrahedra_error;
-  if (!Deformable_simplicial_complexes::internal::is_consistent(state))
+  if (!internal::is_consistent(state))
     throw Invalid_tetrahedra_error("the arrays of the state do not fit together");
-  std::vector<Point_3> points;
+  std::vector<Point> points;
   for (const auto& p : state.points)
-    points.push_back(
-        geom_traits().construct_exact_point_3_object()(Approximate_point_3(p[0], p[1], p[2])));
+    points.push_back(exact(internal::point_at<Labelled_complex>(p)));
   rebuild(state, points);
 }
 
 // `points` are those of the state before rounding.
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::rebuild(const State& state, const std::vector<Point_3>& points) {
-  Deformable_simplicial_complex_3 result(geom_traits(), m_quality_measure);
-  const auto& t = state.normalization_translation;
-  result.m_normalization = {Approximate_vector_3(t[0], t[1], t[2]), state.normalization_scale};
+void CGAL_DSC_CLASS::rebuild(const State& state, const std::vector<Point>& points) {
+  Labelled_complex result(geom_traits(), m_quality_measure, m_domain);
+  result.m_normalization = {
+      internal::vector_of<Labelled_complex>(state.normalization_translation),
+      state.normalization_scale};
   result.m_mean_interface_edge = state.mean_interface_edge;
   result.m_minimum_interface_edge = state.minimum_interface_edge;
   if (!state.cells.empty())
     result.create_items(state, points);
   if (!result.is_valid())
-    throw Deformable_simplicial_complexes::Invalid_tetrahedra_error(
+    throw Invalid_tetrahedra_error(
         "the state is none of a valid complex");
   swap(result);
 }
 
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::create_items(const State& state, const std::vector<Point_3>& points) {
-  namespace internal = Deformable_simplicial_complexes::internal;
-  internal::prepare_for_cells(m_triangulation);
+void CGAL_DSC_CLASS::create_items(const State& state, const std::vector<Point>& points) {
+  internal::prepare_for_cells<Space>(m_triangulation);
   std::vector<Vertex_handle> vertices(1, m_triangulation.infinite_vertex());
   for (size_type i = 0; i < state.points.size(); ++i) {
     vertices.push_back(m_triangulation.tds().create_vertex());
     vertices.back()->set_point(points[i]);
     vertices.back()->set_boundary_class(state.boundary_classes[i]);
   }
-  std::vector<Vertex_indices> indices;
-  for (const auto& c : state.cells)
-    indices.push_back({c[0], c[1], c[2], c[3]});
-  const auto cells = internal::create_cells(m_triangulation.tds(), vertices, indices);
+  std::vector<Cell_vertices> indices(state.cells.size());
+  for (size_type c = 0; c < indices.size(); ++c)
+    std::copy(state.cells[c].begin(), state.cells[c].end(), indices[c].begin());
+  const auto cells = internal::create_cells<Space>(m_triangulation.tds(), vertices, indices);
   for (size_type i = 0; i < cells.size(); ++i) {
     if (!is_infinite(cells[i]))
       cells[i]->set_label(state.cell_labels[i]);
@@ -242,7 +287,7 @@ void CGAL_DSC_CLASS::create_items(const State& state, const std::vector<Point_3>
   for (size_type v = 0; v < vertices.size(); ++v)
     vertices[v]->set_cell(cells[state.vertex_cells[v]]);
   check_stars(vertices);
-  internal::check_boundary(indices);
+  check_boundary();
   initialize_caches();
 }
 
@@ -252,8 +297,8 @@ void CGAL_DSC_CLASS::check_stars(const std::vector<Vertex_handle>& vertices) con
   std::vector<size_type> degrees(vertices.size(), 0);
   for (std::uint32_t i = 0; i < vertices.size(); ++i)
     vertices[i]->set_scratch_index(i);
-  for (Cell_handle c : m_triangulation.all_cell_handles())
-    for (int i = 0; i < 4; ++i)
+  for (Cell_handle c : Space::all_cells(m_triangulation))
+    for (int i = 0; i < corners; ++i)
       ++degrees[c->vertex(i)->scratch_index()];
   const auto is_connected = [&](size_type i) {
     star(vertices[i], m_star);
@@ -261,60 +306,46 @@ void CGAL_DSC_CLASS::check_stars(const std::vector<Vertex_handle>& vertices) con
   };
   for (size_type i = 1; i < vertices.size(); ++i)
     if (!is_connected(i))
-      throw Deformable_simplicial_complexes::Invalid_tetrahedra_error(
+      throw Invalid_tetrahedra_error(
           "the tetrahedra around a vertex are not connected through facets; give a mesh whose "
-          "domain "
-          "is a ball",
+          "domain is a ball",
           {}, {i});
   if (!is_connected(0))
-    throw Deformable_simplicial_complexes::Invalid_tetrahedra_error(
+    throw Invalid_tetrahedra_error(
         "the boundary of the tetrahedra is not connected; give a mesh whose domain is a ball");
+}
+
+// Throws if the boundary, supposed that it is a connected manifold, is no sphere.
+CGAL_DSC_TEMPLATE
+void CGAL_DSC_CLASS::check_boundary() const {
+  star(m_triangulation.infinite_vertex(), m_star);
+  std::vector<size_type> vertices;
+  for (Cell_handle c : m_star)
+    for (int i = 0; i < corners; ++i)
+      if (!is_infinite(c->vertex(i)))
+        vertices.push_back(c->vertex(i)->time_stamp());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  if (!Space::is_sphere(vertices.size(), m_star.size()))
+    throw Invalid_tetrahedra_error("the boundary of the tetrahedra is no sphere: give a mesh whose "
+                                   "domain is a ball");
 }
 
 // Everything that follows from points, cells and labels.
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::initialize_caches() {
-  Bbox_3 box;
-  for (Vertex_handle v : m_triangulation.finite_vertex_handles())
-    box += position(v).bbox();
-  m_totals = Deformable_simplicial_complexes::internal::Label_totals(
-      (box.xmax() - box.xmin()) * (box.ymax() - box.ymin()) * (box.zmax() - box.zmin()));
-  for (Cell_handle c : m_triangulation.finite_cell_handles()) {
-    m_totals.add_cell(c->label(), cell_volume(c));
+  internal::Extent<dimension> box;
+  for (Vertex_handle v : finite_vertices())
+    box.add(position(v));
+  m_totals = internal::Label_totals(box.measure());
+  for (Cell_handle c : finite_cells()) {
+    m_totals.add_cell(c->label(), measure(c));
     c->set_quality(cell_quality(c));
-    for (int i = 0; i < 4; ++i)
-      if (is_interface(Facet(c, i)))
-        for (Vertex_handle v : facet_vertices(Facet(c, i)))
-          v->set_interface(true);
+    for (int i = 0; i < corners; ++i)
+      if (c->neighbor(i)->label() < c->label() && is_interface(Facet(c, i)))
+        count_interface_facet(Facet(c, i), 1);
   }
-  m_components.reset(m_triangulation, Cell_volumes{*this});
-}
-
-CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::initialize_boundary_classes() {
-  std::vector<Facet> hull;
-  star(m_triangulation.infinite_vertex(), m_star);
-  Bbox_3 box;
-  for (Cell_handle c : m_star) {
-    hull.emplace_back(c, c->index(m_triangulation.infinite_vertex()));
-    for (Vertex_handle v : facet_vertices(hull.back()))
-      box += position(v).bbox();
-  }
-  const auto sides = [&](Vertex_handle v) {
-    Boundary_class::Bits bits = Boundary_class::inside;
-    for (int axis = 0; axis < 3; ++axis) {
-      bits |= position(v)[axis] == box.min(axis) ? 1 << (2 * axis) : 0;
-      bits |= position(v)[axis] == box.max(axis) ? 2 << (2 * axis) : 0;
-    }
-    return bits;
-  };
-  const bool is_box = std::all_of(hull.begin(), hull.end(), [&](const Facet& f) {
-    const auto v = facet_vertices(f);
-    return (sides(v[0]) & sides(v[1]) & sides(v[2])) != 0;
-  });
-  for (const Facet& f : hull)
-    for (Vertex_handle v : facet_vertices(f))
-      v->set_boundary_class(is_box ? sides(v) : Boundary_class::fixed);
+  m_components.reset(*this, m_totals);
 }
 
 CGAL_DSC_TEMPLATE
@@ -323,8 +354,9 @@ void CGAL_DSC_CLASS::measure_interface_edges() {
   size_type n = 0;
   for (const Facet& f : interface_facets()) {
     const auto v = facet_vertices(f);
-    for (int i = 0; i < 3; ++i) {
-      const double length = std::sqrt((position(v[i]) - position(v[(i + 1) % 3])).squared_length());
+    for (const auto& edge : Space::facet_edges) {
+      const double length =
+          std::sqrt((position(v[edge[0]]) - position(v[edge[1]])).squared_length());
       sum += length;
       minimum = n == 0 ? length : (std::min)(minimum, length);
       ++n;
@@ -337,24 +369,24 @@ void CGAL_DSC_CLASS::measure_interface_edges() {
 CGAL_DSC_TEMPLATE
 bool CGAL_DSC_CLASS::report(bool ok, const char* what, bool verbose) const {
   if (!ok && verbose)
-    std::cerr << "Deformable_simplicial_complex_3: " << what << std::endl;
+    std::cerr << "deformable simplicial complex: " << what << std::endl;
   return ok;
 }
 
 CGAL_DSC_TEMPLATE
 bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
-  if (m_triangulation.dimension() < 3) // empty
+  if (m_triangulation.dimension() < dimension) // empty
     return report(number_of_cells() == 0, "cells without space", verbose);
   if (!report(m_triangulation.tds().is_valid(verbose), "invalid data structure", verbose))
     return false;
 
-  auto totals = Deformable_simplicial_complexes::internal::Label_totals(m_totals);
+  auto totals = m_totals;
   for (const auto& t : m_totals.totals())
     totals.add_volume(t.label, -t.volume);
   size_type count = 0;
-  for (Cell_handle c : m_triangulation.finite_cell_handles()) {
+  for (Cell_handle c : finite_cells()) {
     ++count;
-    totals.add_volume(c->label(), totals.units(cell_volume(c)));
+    totals.add_volume(c->label(), totals.units(measure(c)));
     if (!report(is_positive(c), "a cell is not positively oriented", verbose) ||
         !report(c->quality() == cell_quality(c), "a cached quality is stale", verbose))
       return false;
@@ -367,40 +399,32 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
   }
 
   std::vector<Cell_handle> cells;
-  for (Vertex_handle v : m_triangulation.finite_vertex_handles()) {
-    if (!report(v->is_interface() == has_interface_facet(v), "an interface flag is stale", verbose))
-      return false;
+  for (Vertex_handle v : finite_vertices()) {
     star(v, cells);
-    const bool is_on_hull =
-        std::any_of(cells.begin(), cells.end(), [&](Cell_handle c) { return is_infinite(c); });
-    if (!report(is_on_hull == is_boundary(v), "a boundary class is wrong", verbose))
+    size_type twice_interface = 0;
+    bool is_on_hull = false;
+    for (Cell_handle c : cells) {
+      is_on_hull = is_on_hull || is_infinite(c);
+      for (int i = 0; i < corners; ++i)
+        twice_interface += c->vertex(i) != v && is_interface(Facet(c, i)) ? 1 : 0;
+    }
+    if (!report(twice_interface == 2 * size_type(v->interface_degree()),
+                "a number of facets of the interface is stale", verbose) ||
+        !report(is_on_hull == is_boundary(v), "a boundary class is wrong", verbose))
       return false;
   }
 
   star(m_triangulation.infinite_vertex(), cells);
   return std::all_of(cells.begin(), cells.end(), [&](Cell_handle c) {
-    return report(is_on_side(Facet(c, c->index(m_triangulation.infinite_vertex()))),
+    return report(m_domain.keeps_side(*this, Facet(c, c->index(m_triangulation.infinite_vertex()))),
                   "a boundary facet lies on no side of the domain", verbose);
   });
 }
 
-// Whether a boundary facet stays in its plane whatever its vertices may do.
-CGAL_DSC_TEMPLATE
-bool CGAL_DSC_CLASS::is_on_side(const Facet& f) const {
-  const auto v = facet_vertices(f);
-  const auto sides = v[0]->boundary_class() & v[1]->boundary_class() & v[2]->boundary_class();
-  if ((sides & Boundary_class::fixed) != 0)
-    return true;
-  for (int axis = 0; axis < 3; ++axis)
-    if ((sides >> (2 * axis) & 3) != 0 && position(v[0])[axis] == position(v[1])[axis] &&
-        position(v[0])[axis] == position(v[2])[axis])
-      return true;
-  return false;
-}
-
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #undef CGAL_DSC_TEMPLATE
 #undef CGAL_DSC_CLASS
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COMPLEX_STORAGE_IMPL_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_STORAGE_IMPL_H

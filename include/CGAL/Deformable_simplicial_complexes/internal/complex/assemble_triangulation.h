@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_ASSEMBLE_TRIANGULATION_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_ASSEMBLE_TRIANGULATION_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_ASSEMBLE_TRIANGULATION_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_ASSEMBLE_TRIANGULATION_H
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <algorithm>
 #include <array>
@@ -18,11 +18,11 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // Vertex indices of a cell. In the arrays below, vertex 0 is infinite.
-using Cell_vertices = std::array<std::size_t, 4>;
+template <int d> using Cell_vertices = std::array<std::size_t, d + 1>;
 
-struct Cell_facet
+template <int d> struct Cell_facet
 {
-  std::array<std::size_t, 3> vertices; // sorted
+  std::array<std::size_t, d> vertices; // sorted
   std::size_t cell;
   int index;
   bool is_even; // the permutation (opposite vertex, sorted vertices) of the cell's vertices
@@ -33,33 +33,47 @@ struct Cell_facet
   }
 };
 
+// Sorts the vertices of a facet. Returns whether an even number of exchanges does it.
+template <std::size_t n> bool sort_facet(std::array<std::size_t, n>& vertices) {
+  bool is_even = true;
+  for (std::size_t i = 1; i < n; ++i)
+    for (std::size_t j = i; j > 0 && vertices[j] < vertices[j - 1]; --j) {
+      std::swap(vertices[j], vertices[j - 1]);
+      is_even = !is_even;
+    }
+  return is_even;
+}
+
 // All facets of the cells, equal ones next to each other, those of earlier cells first. A bucket
 // for each smallest vertex leaves little to sort.
-inline std::vector<Cell_facet> sorted_facets(const std::vector<Cell_vertices>& cells) {
-  std::vector<Cell_facet> unsorted;
-  unsorted.reserve(4 * cells.size());
+template <std::size_t corners>
+std::vector<Cell_facet<int(corners) - 1>>
+sorted_facets(const std::vector<std::array<std::size_t, corners>>& cells) {
+  static constexpr int d = int(corners) - 1;
+  using Facet = Cell_facet<d>;
+  std::vector<Facet> unsorted;
+  unsorted.reserve(corners * cells.size());
   std::vector<std::size_t> bucket_ends;
   for (std::size_t c = 0; c < cells.size(); ++c)
-    for (int i = 0; i < 4; ++i) {
-      std::array<std::size_t, 3> f = {cells[c][(i + 1) % 4], cells[c][(i + 2) % 4],
-                                      cells[c][(i + 3) % 4]};
-      const bool is_even = (i % 2 == 0) == ((f[0] < f[1]) == ((f[0] < f[2]) == (f[1] < f[2])));
-      std::sort(f.begin(), f.end());
+    for (int i = 0; i <= d; ++i) {
+      std::array<std::size_t, d> f;
+      for (int k = 0; k < d; ++k)
+        f[k] = cells[c][k < i ? k : k + 1];
+      // The vertex i comes first after i exchanges.
+      const bool is_even = sort_facet(f) == (i % 2 == 0);
       unsorted.push_back({f, c, i, is_even});
       if (bucket_ends.size() < f[0] + 2)
         bucket_ends.resize(f[0] + 2, 0);
       ++bucket_ends[f[0] + 1];
     }
   std::partial_sum(bucket_ends.begin(), bucket_ends.end(), bucket_ends.begin());
-  std::vector<Cell_facet> facets(unsorted.size());
-  for (const Cell_facet& f : unsorted)
+  std::vector<Facet> facets(unsorted.size());
+  for (const Facet& f : unsorted)
     facets[bucket_ends[f.vertices[0]]++] = f;
   for (auto first = facets.begin(); first != facets.end();) {
     const auto last = facets.begin() + bucket_ends[first->vertices[0]];
-    std::sort(first, last, [](const Cell_facet& f, const Cell_facet& g) {
-      return f.vertices[1] != g.vertices[1]   ? f.vertices[1] < g.vertices[1]
-             : f.vertices[2] != g.vertices[2] ? f.vertices[2] < g.vertices[2]
-                                              : f.cell < g.cell;
+    std::sort(first, last, [](const Facet& f, const Facet& g) {
+      return f.vertices != g.vertices ? f.vertices < g.vertices : f.cell < g.cell;
     });
     first = last;
   }
@@ -68,8 +82,9 @@ inline std::vector<Cell_facet> sorted_facets(const std::vector<Cell_vertices>& c
 
 // Adds the infinite cells that close the boundary of finite, positively oriented ones. Throws
 // Invalid_tetrahedra_error where cells are no neighbors on different sides of the facet they share.
-inline void append_infinite_cells(std::vector<Cell_vertices>& cells) {
-  const std::vector<Cell_facet> facets = sorted_facets(cells);
+template <std::size_t corners>
+void append_infinite_cells(std::vector<std::array<std::size_t, corners>>& cells) {
+  const auto facets = sorted_facets(cells);
   for (std::size_t i = 0; i < facets.size();) {
     std::size_t j = i + 1;
     while (j < facets.size() && facets[j].vertices == facets[i].vertices)
@@ -83,37 +98,41 @@ inline void append_infinite_cells(std::vector<Cell_vertices>& cells) {
                                      {facets[i].cell, facets[i + 1].cell});
     if (j - i == 1) {
       // Replacing the opposite vertex mirrors the cell: swapping two vertices turns it back.
-      Cell_vertices infinite = cells[facets[i].cell];
+      auto infinite = cells[facets[i].cell];
       infinite[facets[i].index] = 0;
-      std::swap(infinite[(facets[i].index + 1) % 4], infinite[(facets[i].index + 2) % 4]);
+      std::swap(infinite[(facets[i].index + 1) % corners],
+                infinite[(facets[i].index + 2) % corners]);
       cells.push_back(infinite);
     }
     i = j;
   }
 }
 
-// Makes an empty triangulation three-dimensional, without cells.
-template <class Triangulation> void prepare_for_cells(Triangulation& triangulation) {
-  triangulation.tds().delete_cell(triangulation.infinite_vertex()->cell());
-  triangulation.tds().set_dimension(3);
+// Makes an empty triangulation one of full dimension, without cells.
+template <class Space> void prepare_for_cells(typename Space::Triangulation& triangulation) {
+  Space::delete_cell(triangulation.tds(), triangulation.infinite_vertex()->cell());
+  triangulation.tds().set_dimension(Space::dimension);
 }
 
-// Fills an empty data structure with vertices and cells and makes the cells neighbors.
+// Fills an empty data structure with cells between vertices and makes the cells neighbors.
 // `vertices[0]` exists already. Throws if a facet does not have exactly two cells, one on each
 // side.
-template <class Tds>
-std::vector<typename Tds::Cell_handle>
-create_cells(Tds& tds, const std::vector<typename Tds::Vertex_handle>& vertices,
-             const std::vector<Cell_vertices>& cells) {
-  std::vector<typename Tds::Cell_handle> handles;
+template <class Space>
+std::vector<typename Space::Cell_handle>
+create_cells(typename Space::Triangulation_data_structure& tds,
+             const std::vector<typename Space::Vertex_handle>& vertices,
+             const std::vector<Cell_vertices<Space::dimension>>& cells) {
+  static constexpr int corners = Space::dimension + 1;
+  std::vector<typename Space::Cell_handle> handles;
   handles.reserve(cells.size());
-  for (const Cell_vertices& c : cells) {
-    handles.push_back(
-        tds.create_cell(vertices[c[0]], vertices[c[1]], vertices[c[2]], vertices[c[3]]));
-    for (std::size_t v : c)
-      vertices[v]->set_cell(handles.back());
+  for (const auto& c : cells) {
+    handles.push_back(Space::create_cell(tds));
+    for (int i = 0; i < corners; ++i) {
+      handles.back()->set_vertex(i, vertices[c[i]]);
+      vertices[c[i]]->set_cell(handles.back());
+    }
   }
-  const std::vector<Cell_facet> facets = sorted_facets(cells);
+  const auto facets = sorted_facets(cells);
   for (std::size_t i = 0; i < facets.size(); i += 2) {
     if (i + 1 == facets.size() || !facets[i].fits(facets[i + 1]) ||
         (i + 2 < facets.size() && facets[i].vertices == facets[i + 2].vertices))
@@ -131,4 +150,4 @@ create_cells(Tds& tds, const std::vector<typename Tds::Vertex_handle>& vertices,
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_ASSEMBLE_TRIANGULATION_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_ASSEMBLE_TRIANGULATION_H

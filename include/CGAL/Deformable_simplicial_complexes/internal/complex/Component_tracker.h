@@ -2,10 +2,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COMPONENT_TRACKER_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COMPONENT_TRACKER_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_COMPONENT_TRACKER_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_COMPONENT_TRACKER_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Component_event.h>
+#include <CGAL/Deformable_simplicial_complexes/Component_event.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Label_totals.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Marks.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,33 +28,42 @@ public:
   using Number = std::uint32_t;
 
   // The components may have changed.
-  void invalidate() { m_is_known = false; }
+  void invalidate() {
+    m_is_known = false;
+    m_is_counted = false;
+  }
 
-  // `volume(c)` is a number of any type whose sums are exact; `to_double(sum)` its value.
-  template <class Triangulation, class Volumes>
-  void update(const Triangulation& triangulation, const Volumes& volumes) {
+  // Numbers components anew if they may have changed. The totals tell the unit of volumes, in which
+  // their sums are exact.
+  template <class Complex> void update(const Complex& complex, const Label_totals& totals) {
     if (m_is_known)
       return;
     const std::vector<Component> before = std::move(m_components);
     m_components.clear();
-    const std::vector<Origin> origins = number(triangulation, before, volumes);
-    compare(before, origins, volumes);
+    const std::vector<Origin> origins = number(complex, before, totals);
+    compare(before, origins, totals);
     m_is_known = true;
+    m_counts.clear();
+    for (const Component& component : m_components)
+      ++count_of(component.label);
+    m_is_counted = true;
   }
 
   // Forgets the past: the components of now are the first ones. \pre no cell has a number
-  template <class Triangulation, class Volumes>
-  void reset(const Triangulation& triangulation, const Volumes& volumes) {
+  template <class Complex> void reset(const Complex& complex, const Label_totals& totals) {
     m_components.clear();
     m_is_known = false;
-    update(triangulation, volumes);
+    update(complex, totals);
     m_events.clear();
   }
 
-  // As of the last update.
-  std::size_t number_of_components(int label) const {
-    return std::size_t(std::count_if(m_components.begin(), m_components.end(),
-                                     [&](const Component& c) { return c.label == label; }));
+  // Of now, whether or not they are numbered: a query, which alters no number.
+  template <class Complex>
+  std::size_t number_of_components(const Complex& complex, int label) const {
+    if (!m_is_counted)
+      count(complex);
+    const auto it = std::lower_bound(m_counts.begin(), m_counts.end(), label, is_below);
+    return it != m_counts.end() && it->label == label ? it->number : 0;
   }
 
   // What the updates since the last call found.
@@ -70,15 +81,49 @@ private:
   };
   using Origin = std::pair<Number, Number>;
 
-  template <class Triangulation, class Volumes>
-  std::vector<Origin> number(const Triangulation& triangulation,
-                             const std::vector<Component>& before, const Volumes& volumes) {
-    using Cell_handle = typename Triangulation::Cell_handle;
+  struct Count
+  {
+    int label;
+    std::size_t number;
+  };
+
+  static bool is_below(const Count& count, int label) { return count.label < label; }
+
+  std::size_t& count_of(int label) const {
+    auto it = std::lower_bound(m_counts.begin(), m_counts.end(), label, is_below);
+    if (it == m_counts.end() || it->label != label)
+      it = m_counts.insert(it, {label, 0});
+    return it->number;
+  }
+
+  template <class Complex> void count(const Complex& complex) const {
+    m_counts.clear();
+    std::vector<typename Complex::Cell_handle> seen;
+    Marks<typename Complex::Cell_handle> marks(seen);
+    std::size_t next = 0;
+    for (typename Complex::Cell_handle seed : complex.finite_cells()) {
+      if (marks.has(seed))
+        continue;
+      ++count_of(seed->label());
+      for (marks.add(seed); next < seen.size(); ++next) {
+        const auto c = seen[next];
+        for (int i = 0; i < Complex::corners; ++i)
+          if (c->neighbor(i)->label() == c->label() && !complex.is_infinite(c->neighbor(i)))
+            marks.add(c->neighbor(i));
+      }
+    }
+    m_is_counted = true;
+  }
+
+  template <class Complex>
+  std::vector<Origin> number(const Complex& complex, const std::vector<Component>& before,
+                             const Label_totals& totals) {
+    using Cell_handle = typename Complex::Cell_handle;
     // New numbers begin above the old ones; cells that were never numbered have number 0.
     const Number first = (std::max)(Number(1), Number(before.size()));
     std::vector<Origin> origins;
     std::vector<Cell_handle> front;
-    for (Cell_handle seed : triangulation.finite_cell_handles()) {
+    for (Cell_handle seed : complex.finite_cells()) {
       if (seed->component() >= first)
         continue;
       const Number component = Number(m_components.size());
@@ -90,7 +135,7 @@ private:
             origin.first < before.size() && before[origin.first].label == c->label();
         if (has_origin && (origins.empty() || origins.back() != origin))
           origins.push_back(origin);
-        m_components.back().volume += volumes.units(c);
+        m_components.back().volume += totals.units(complex.measure(c));
         c->set_component(first + component);
         front.push_back(c);
       };
@@ -98,14 +143,14 @@ private:
       while (!front.empty()) {
         const Cell_handle c = front.back();
         front.pop_back();
-        for (int i = 0; i < 4; ++i) {
+        for (int i = 0; i < Complex::corners; ++i) {
           const Cell_handle n = c->neighbor(i);
-          if (n->label() == c->label() && n->component() < first && !triangulation.is_infinite(n))
+          if (n->label() == c->label() && n->component() < first && !complex.is_infinite(n))
             visit(n);
         }
       }
     }
-    for (Cell_handle c : triangulation.finite_cell_handles())
+    for (Cell_handle c : complex.finite_cells())
       c->set_component(c->component() - first);
     std::sort(origins.begin(), origins.end());
     origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
@@ -113,9 +158,8 @@ private:
   }
 
   // Events of the sets of components of then and now that are connected by origins.
-  template <class Volumes>
   void compare(const std::vector<Component>& before, const std::vector<Origin>& origins,
-               const Volumes& volumes) {
+               const Label_totals& totals) {
     std::vector<std::vector<Number>> targets(before.size()), sources(m_components.size());
     for (const Origin& origin : origins) {
       targets[origin.first].push_back(origin.second);
@@ -123,7 +167,7 @@ private:
     }
     std::vector<bool> is_seen_before(before.size()), is_seen_now(m_components.size());
     const auto part = [&](const std::vector<Component>& components, Number i) {
-      return Component_event::Part{i, volumes.to_double(components[i].volume)};
+      return Component_event::Part{i, totals.volume_of(components[i].volume)};
     };
     std::vector<Number> olds, news;
     const auto see = [](std::vector<bool>& is_seen, std::vector<Number>& list, Number i) {
@@ -175,10 +219,12 @@ private:
   std::vector<Component> m_components; // as of the last update, by number
   std::vector<Component_event> m_events;
   bool m_is_known = true;
+  mutable std::vector<Count> m_counts; // by label
+  mutable bool m_is_counted = false;
 };
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COMPONENT_TRACKER_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_COMPONENT_TRACKER_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABEL_TOTALS_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABEL_TOTALS_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_LABEL_TOTALS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_LABEL_TOTALS_H
 
 #include <algorithm>
 #include <cmath>
@@ -38,6 +38,9 @@ public:
   std::int64_t units(double volume) const { return std::llrint(volume * m_to_units); }
 
   double volume_of(std::int64_t units) const { return double(units) / m_to_units; }
+
+  // Changes of this label's totals need no memory afterwards.
+  void make_room(int label) { total(label); }
 
   void add_cell(int label, double volume) {
     Total& t = total(label);
@@ -94,4 +97,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABEL_TOTALS_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_LABEL_TOTALS_H

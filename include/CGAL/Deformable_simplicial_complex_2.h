@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_H
+
+#include <CGAL/Deformable_simplicial_complex_2/internal/Space_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/quality_measures_2.h>
+#include <CGAL/Deformable_simplicial_complex_traits_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Ball_domain.h>
+#include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
+
+#include <CGAL/Default.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+A triangulated domain of the plane each triangle of which carries a label. The *interface* is the set
+of edges between triangles of different labels. The domain is a disk, in most cases a rectangle whose
+sides are known to the complex.
+
+All that holds in any dimension is inherited from `Labelled_complex`: its cells are triangles and its
+facets edges.
+
+\tparam Traits_ model of `DeformableSimplicialComplexTraits_2`
+\tparam Tds_ a `Triangulation_data_structure_2` with the vertices and faces of this package
+*/
+template <class Traits_ = Deformable_simplicial_complex_traits_2<>, class Tds_ = Default>
+class Deformable_simplicial_complex_2
+    : public Deformable_simplicial_complexes::Labelled_complex<
+          Deformable_simplicial_complex_2<Traits_, Tds_>,
+          Deformable_simplicial_complexes::internal::Space_2<Traits_, Tds_>, Area_length_ratio_2,
+          Deformable_simplicial_complexes::Ball_domain>
+{
+  using Base = Deformable_simplicial_complexes::Labelled_complex<
+      Deformable_simplicial_complex_2,
+      Deformable_simplicial_complexes::internal::Space_2<Traits_, Tds_>, Area_length_ratio_2,
+      Deformable_simplicial_complexes::Ball_domain>;
+
+public:
+  using typename Base::Label;
+
+  /// A position as it is stored and as predicates see it.
+  using Point_2 = typename Base::Point;
+  /// A position with coordinates of type `double`, to measure with.
+  using Approximate_point_2 = typename Base::Approximate_point;
+  /// The difference of two such positions.
+  using Approximate_vector_2 = typename Base::Approximate_vector;
+
+  /// An empty complex.
+  explicit Deformable_simplicial_complex_2(const Traits_& traits = Traits_())
+      : Base(traits, Area_length_ratio_2(), Deformable_simplicial_complexes::Ball_domain()) {}
+
+  double area(Label label) const { return this->measure(label); } ///< constant time
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_H

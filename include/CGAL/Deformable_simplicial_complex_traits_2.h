@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_TRAITS_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_TRAITS_2_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/number_utils.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Exact predicates and floating point measures of a deformable simplicial complex in the plane: the twin
+of `Deformable_simplicial_complex_traits_3`.
+
+\tparam Kernel_ a CGAL kernel with exact predicates.
+*/
+template <class Kernel_ = Exact_predicates_inexact_constructions_kernel>
+class Deformable_simplicial_complex_traits_2 : public Kernel_
+{
+public:
+  using Kernel = Kernel_;                   ///< the kernel whose predicates decide
+  using Point_2 = typename Kernel::Point_2; ///< the points that predicates see
+
+  using Approximate_kernel = Simple_cartesian<double>;       ///< the kernel that measures
+  using Approximate_point_2 = Approximate_kernel::Point_2;   ///< the points that are measured
+  using Approximate_vector_2 = Approximate_kernel::Vector_2; ///< the differences of those points
+
+  /// The nearest point with double coordinates.
+  struct Construct_approximate_point_2
+  {
+    /// returns p with coordinates converted by `to_double()`.
+    Approximate_point_2 operator()(const Point_2& p) const {
+      return {to_double(p.x()), to_double(p.y())};
+    }
+  };
+
+  /// The exact point that has these double coordinates.
+  struct Construct_exact_point_2
+  {
+    /// returns p with the same coordinates.
+    Point_2 operator()(const Approximate_point_2& p) const { return Point_2(p.x(), p.y()); }
+  };
+
+  /// Signed area of a triangle, positive iff its vertices are in counterclockwise order, up to
+  /// rounding.
+  struct Compute_approximate_area_2
+  {
+    /// returns the signed area of pqr.
+    double operator()(const Approximate_point_2& p, const Approximate_point_2& q,
+                      const Approximate_point_2& r) const {
+      return determinant(q - p, r - p) / 2;
+    }
+  };
+
+  /// returns a function object.
+  Construct_approximate_point_2 construct_approximate_point_2_object() const { return {}; }
+  /// returns a function object.
+  Construct_exact_point_2 construct_exact_point_2_object() const { return {}; }
+  /// returns a function object.
+  Compute_approximate_area_2 compute_approximate_area_2_object() const { return {}; }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_TRAITS_2_H

@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_BALL_DOMAIN_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_BALL_DOMAIN_H
+
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+The domain of a complex that is a ball, in most cases a box: what lies outside is one infinite
+vertex and the cells that have it, and vertices on the boundary move within its sides only. If the
+domain is no box, they do not move.
+
+A domain answers whatever depends on the shape of space as a whole: what lies outside, where a
+corner of a cell is as the cell sees it, and what the boundary permits. In a ball all cells see a
+vertex where it is.
+
+\cgalModels{SimplicialDomain}
+*/
+class Ball_domain
+{
+public:
+  /// Whether a vertex is the one outside.
+  template <class Complex>
+  bool is_outside(const Complex& complex, typename Complex::Vertex_handle v) const {
+    return v == complex.triangulation().infinite_vertex();
+  }
+
+  /// Whether the vertex outside is one of the vertices of a cell.
+  template <class Complex>
+  bool is_outside(const Complex& complex, typename Complex::Cell_handle c) const {
+    return complex.triangulation().is_infinite(c);
+  }
+
+  /// Where a cell that is not outside sees its vertex `i` if that is at `p`.
+  template <class Complex>
+  const typename Complex::Approximate_point&
+  seen(const Complex& /*complex*/, typename Complex::Cell_handle /*c*/, int /*i*/,
+       const typename Complex::Approximate_point& p) const {
+    return p;
+  }
+
+  /// The same for the points that predicates see.
+  template <class Complex>
+  const typename Complex::Point& seen_exactly(const Complex& /*complex*/,
+                                                     typename Complex::Cell_handle /*c*/, int /*i*/,
+                                                     const typename Complex::Point& p) const {
+    return p;
+  }
+
+  /// The point nearest to `q` that `v` may go to within the sides of the domain it lies on.
+  template <class Complex>
+  typename Complex::Point admissible(const Complex& complex, typename Complex::Vertex_handle v,
+                                     const typename Complex::Point& q) const;
+
+  /// Finds the sides that the vertices of the boundary lie on. Linear in the boundary.
+  template <class Complex> void classify_boundary(const Complex& complex) const;
+
+  /// Whether a facet of the boundary stays in its side whatever its vertices may do.
+  template <class Complex>
+  bool keeps_side(const Complex& complex, const typename Complex::Facet& f) const;
+};
+
+template <class Complex>
+typename Complex::Point Ball_domain::admissible(const Complex& complex,
+                                                typename Complex::Vertex_handle v,
+                                                const typename Complex::Point& q) const {
+  const Boundary_class::Bits sides = v->boundary_class();
+  if (sides == Boundary_class::inside)
+    return q;
+  static constexpr int d = Complex::dimension;
+  std::array<double, d> coordinates;
+  const auto from = complex.position(v), to = complex.approximate(q);
+  bool is_fixed = true;
+  for (int axis = 0; axis < d; ++axis) {
+    const bool fixes = Boundary_class::fixes(sides, axis);
+    is_fixed = is_fixed && fixes;
+    coordinates[axis] = fixes ? from[axis] : to[axis];
+  }
+  return is_fixed ? v->point() : complex.exact(internal::point_at<Complex>(coordinates));
+}
+
+template <class Complex> void Ball_domain::classify_boundary(const Complex& complex) const {
+  using Vertex_handle = typename Complex::Vertex_handle;
+  static constexpr int d = Complex::dimension;
+  const Vertex_handle outside = complex.triangulation().infinite_vertex();
+  std::vector<typename Complex::Cell_handle> star;
+  complex.star(outside, star);
+  std::vector<std::array<Vertex_handle, d>> hull;
+  internal::Extent<d> box;
+  for (auto c : star) {
+    hull.push_back(complex.facet_vertices({c, c->index(outside)}));
+    for (Vertex_handle v : hull.back())
+      box.add(complex.position(v));
+  }
+  const auto sides = [&](Vertex_handle v) {
+    Boundary_class::Bits bits = Boundary_class::inside;
+    for (int axis = 0; axis < d; ++axis) {
+      bits |= complex.position(v)[axis] == box.lower(axis) ? 1 << (2 * axis) : 0;
+      bits |= complex.position(v)[axis] == box.upper(axis) ? 2 << (2 * axis) : 0;
+    }
+    return bits;
+  };
+  const bool is_box = std::all_of(hull.begin(), hull.end(), [&](const auto& f) {
+    unsigned common = sides(f[0]);
+    for (Vertex_handle v : f)
+      common &= sides(v);
+    return common != 0;
+  });
+  for (const auto& f : hull)
+    for (Vertex_handle v : f)
+      v->set_boundary_class(is_box ? sides(v) : Boundary_class::fixed);
+}
+
+template <class Complex>
+bool Ball_domain::keeps_side(const Complex& complex, const typename Complex::Facet& f) const {
+  const auto vertices = complex.facet_vertices(f);
+  unsigned sides = vertices[0]->boundary_class();
+  for (auto v : vertices)
+    sides &= v->boundary_class();
+  if ((sides & Boundary_class::fixed) != 0)
+    return true;
+  for (int axis = 0; axis < Complex::dimension; ++axis)
+    if ((sides >> (2 * axis) & 3) != 0 &&
+        std::all_of(vertices.begin(), vertices.end(), [&](auto v) {
+          return complex.position(v)[axis] == complex.position(vertices[0])[axis];
+        }))
+      return true;
+  return false;
+}
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_BALL_DOMAIN_H

@@ -1,0 +1,223 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CAVITY_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CAVITY_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// What a proposed replacement does to the vertices.
+enum class Proposal_kind {
+  flip,        ///< the vertices stay, other cells connect them
+  split,       ///< an edge gets a vertex: the last one of the cavity
+  collapse,    ///< a vertex vanishes into one at the other end of an edge
+  insertion,   ///< a cell gets a vertex: the last one of the cavity
+  replacement, ///< anything else: any number of vertices come, go and move
+};
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+A proposed replacement: cells to remove, cells to create in their place, and the worst quality
+before and after. A mesh operation fills a cavity without touching the complex;
+`Deformable_simplicial_complex_3::replace()` then commits it whole, or it is dropped. A cavity
+remembers what the complex was when it was begun: no other state of it takes the proposal.
+
+Vertices have indices within the cavity. Those that have only removed cells may be moved, and vanish
+if no cell is planned for them. Infinite cells may take part; a planned cell with the infinite
+vertex has no orientation and no quality. If the planned cells have the boundary of the removed ones
+and all finite ones are positive, they fill exactly the same space: no further geometric test is
+needed.
+
+\tparam Complex a deformable simplicial complex
+*/
+template <class Complex> class Cavity
+{
+public:
+  static constexpr int corners = Complex::dimension + 1;       ///< of a cell
+  using Vertex_handle = typename Complex::Vertex_handle;       ///< vertex of the complex
+  using Cell_handle = typename Complex::Cell_handle;           ///< cell of the complex
+  using Point = typename Complex::Point;                       ///< as in the complex
+  using Approximate_point = typename Complex::Approximate_point; ///< as in the complex
+  using Index = std::uint32_t; ///< index of a vertex within the cavity, into `vertices()`
+  using Indices = std::array<Index, corners>; ///< the corners of a planned cell
+
+  /// A vertex of the complex, or one to be created.
+  struct Vertex
+  {
+    Vertex_handle handle;        ///< null while the vertex is yet to be created
+    Point point;                 ///< where it is to be
+    Approximate_point position;  ///< the same, with coordinates of type `double`
+    std::uint8_t boundary_class; ///< see `Boundary_class`
+  };
+
+  /// A cell to be created.
+  struct Planned_cell
+  {
+    Indices vertices;   ///< infinite ones may be among them
+    Cell_handle parent; ///< the removed cell whose label and component it inherits
+    double quality;     ///< infinity if a vertex is infinite
+  };
+
+  using Tetrahedron = Planned_cell; ///< its name in three dimensions
+
+  /// An empty cavity in a complex, which must outlive it.
+  explicit Cavity(const Complex& complex) : m_complex(&complex) {}
+
+  /// Empties the cavity for a proposal to the complex as it is now. Keeps its memory.
+  void begin(Proposal_kind kind) {
+    clear();
+    m_kind = kind;
+    m_version = m_complex->version();
+  }
+
+  /// Empties the cavity and keeps its memory.
+  void clear() {
+    m_vertices.clear();
+    m_removed.clear();
+    m_planned.clear();
+    m_created.clear();
+    m_vanishing_vertex = m_kept_vertex = Vertex_handle();
+    m_quality_before = m_quality_after = std::numeric_limits<double>::infinity();
+  }
+
+  /// The index of v, which becomes a vertex of the cavity if it was none.
+  Index add(Vertex_handle v) {
+    const Index known = v->scratch_index();
+    if (known < m_vertices.size() && m_vertices[known].handle == v)
+      return known;
+    v->set_scratch_index(Index(m_vertices.size()));
+    if (m_complex->is_infinite(v)) // it is nowhere
+      m_vertices.push_back({v, Point(), Approximate_point(), v->boundary_class()});
+    else
+      m_vertices.push_back({v, v->point(), m_complex->position(v), v->boundary_class()});
+    return Index(m_vertices.size() - 1);
+  }
+
+  /// The index of v, which is to be at p. To be called before cells are planned.
+  /// \pre all cells of v are removed, or p is where v is
+  Index add(Vertex_handle v, const Point& p) {
+    const Index index = add(v);
+    m_vertices[index].point = p;
+    m_vertices[index].position = m_complex->approximate(p);
+    return index;
+  }
+
+  /// The index of a vertex to be created at p.
+  Index add(const Point& p, std::uint8_t boundary_class) {
+    m_vertices.push_back({Vertex_handle(), p, m_complex->approximate(p), boundary_class});
+    return Index(m_vertices.size() - 1);
+  }
+
+  /// Plans the removal of a cell, whose vertices become vertices of the cavity.
+  void remove(Cell_handle c) {
+    for (int i = 0; i < corners; ++i)
+      add(c->vertex(i));
+    m_removed.push_back(c);
+    if (!m_complex->is_infinite(c))
+      m_quality_before = (std::min)(m_quality_before, c->quality());
+  }
+
+  /// Tells that the vertex v, all of whose cells are removed, collapses into `kept`.
+  void collapse(Vertex_handle v, Vertex_handle kept) {
+    m_vanishing_vertex = v;
+    m_kept_vertex = kept;
+  }
+
+  /// Plans a cell in the place of `parent`, a removed one. Returns its quality.
+  double create(const Indices& vertices, Cell_handle parent) {
+    const double quality = this->quality(vertices);
+    m_planned.push_back({vertices, parent, quality});
+    m_quality_after = (std::min)(m_quality_after, quality);
+    return quality;
+  }
+
+  /// Whether the infinite vertex is among cavity vertices.
+  bool is_infinite(const Indices& cell) const {
+    return std::any_of(cell.begin(), cell.end(),
+                       [&](Index i) { return m_complex->is_infinite(m_vertices[i].handle); });
+  }
+
+  /// Quality of a cell of cavity vertices by the measure of the complex.
+  double quality(const Indices& cell) const {
+    if (is_infinite(cell))
+      return std::numeric_limits<double>::infinity();
+    return internal::apply_to_corners<corners>(
+        m_complex->quality_measure(),
+        [&](int i) -> const Approximate_point& { return m_vertices[cell[i]].position; });
+  }
+
+  /// Whether all finite planned cells are positively oriented, exactly.
+  bool is_positive() const {
+    const auto orientation = m_complex->orientation();
+    return std::all_of(m_planned.begin(), m_planned.end(), [&](const Planned_cell& cell) {
+      return is_infinite(cell.vertices) ||
+             internal::apply_to_corners<corners>(orientation, [&](int i) -> const Point& {
+               return m_vertices[cell.vertices[i]].point;
+             }) == POSITIVE;
+    });
+  }
+
+  /// What the proposal does to the vertices.
+  Proposal_kind kind() const { return m_kind; }
+  /// `Complex::version()` when the cavity was begun.
+  std::uint64_t version() const { return m_version; }
+
+  /// Worst quality of the removed cells; infinity if there is none.
+  double quality_before() const { return m_quality_before; }
+  /// Worst quality of the planned cells; infinity if there is none.
+  double quality_after() const { return m_quality_after; }
+
+  /// The vertices of the cavity by their indices.
+  const std::vector<Vertex>& vertices() const { return m_vertices; }
+  /// The cells to be removed, infinite ones included; no longer there after a commit.
+  const std::vector<Cell_handle>& removed() const { return m_removed; }
+  /// The cells to be created, in the order of the calls of `create()`.
+  const std::vector<Planned_cell>& planned() const { return m_planned; }
+  /// The same, by their name in three dimensions.
+  const std::vector<Planned_cell>& tetrahedra() const { return m_planned; }
+  /// The vertex that collapses, null if there is none.
+  Vertex_handle vanishing_vertex() const { return m_vanishing_vertex; }
+  /// The vertex that it collapses into, null if there is none.
+  Vertex_handle kept_vertex() const { return m_kept_vertex; }
+
+  /// The cells that a commit made, parallel to `planned()`; empty before.
+  const std::vector<Cell_handle>& created() const { return m_created; }
+
+private:
+  template <class Derived, class Space, class Quality, class Domain> friend class Labelled_complex;
+
+  const Complex* m_complex;
+  Proposal_kind m_kind = Proposal_kind::replacement;
+  std::uint64_t m_version = 0;
+  std::vector<Vertex> m_vertices;
+  std::vector<Cell_handle> m_removed;
+  std::vector<Planned_cell> m_planned;
+  std::vector<Cell_handle> m_created;
+  Vertex_handle m_vanishing_vertex, m_kept_vertex;
+  double m_quality_before = std::numeric_limits<double>::infinity();
+  double m_quality_after = std::numeric_limits<double>::infinity();
+};
+
+} // namespace Deformable_simplicial_complexes
+
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// A proposed replacement in three dimensions.
+template <class Complex> using Cavity_3 = Deformable_simplicial_complexes::Cavity<Complex>;
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CAVITY_H

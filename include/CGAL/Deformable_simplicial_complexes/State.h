@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_STATE_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_STATE_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+is everything a deformable simplicial complex consists of, as plain numbers: a complex that is
+restored from its state continues to the same bits as the original would have. That takes more than
+points and cells: the order of the simplices is the order in which they are visited, the cell
+stored with a vertex is where the walk around it begins, and the order of the vertices in a cell is
+the order in which its terms are summed.
+
+States are obtained by `Deformable_simplicial_complex_3::state()`, put back by
+`Deformable_simplicial_complex_3::restore()`, and kept in files by `IO::write_checkpoint()`.
+Coordinates and lengths are those of the complex, not of the user, see
+`Deformable_simplicial_complex_3::Normalization`.
+
+\tparam d the dimension
+*/
+template <int d> struct State
+{
+  /// the coordinates of the finite vertices, by increasing time stamp
+  std::vector<std::array<double, d>> points;
+
+  /// the boundary classes of the finite vertices
+  std::vector<std::uint8_t> boundary_classes;
+
+  /// for each vertex the index in `cells` of the cell stored with it: first that of the infinite
+  /// vertex, then at `i + 1` that of the vertex `i`
+  std::vector<std::uint32_t> vertex_cells;
+
+  /// the vertices of all cells, infinite ones included, by increasing time stamp of the cell: zero
+  /// is the infinite vertex, `i + 1` the vertex `i`
+  std::vector<std::array<std::uint32_t, d + 1>> cells;
+
+  /// the labels of `cells`
+  std::vector<std::int32_t> cell_labels;
+
+  /// for each of `cells` the quality at which improving it was last tried in vain
+  std::vector<float> exhausted_qualities;
+
+  /// the mean length of the interface edges when the complex was built
+  double mean_interface_edge = 0;
+
+  /// the smallest length of an interface edge when the complex was built
+  double minimum_interface_edge = 0;
+
+  /// the translation of the normalization
+  std::array<double, d> normalization_translation = {};
+
+  /// the scale of the normalization
+  double normalization_scale = 1;
+};
+
+namespace internal {
+
+// References to all members: the one list that comparison and files are made of.
+template <class State_d> auto members(State_d& state) {
+  return std::tie(state.points, state.boundary_classes, state.vertex_cells, state.cells,
+                  state.cell_labels, state.exhausted_qualities, state.mean_interface_edge,
+                  state.minimum_interface_edge, state.normalization_translation,
+                  state.normalization_scale);
+}
+
+// Whether the arrays that run parallel have the same size.
+template <int d> bool has_consistent_sizes(const State<d>& state) {
+  const std::size_t infinite = state.cells.empty() ? 0 : 1;
+  return state.boundary_classes.size() == state.points.size() &&
+         state.vertex_cells.size() == state.points.size() + infinite &&
+         state.cell_labels.size() == state.cells.size() &&
+         state.exhausted_qualities.size() == state.cells.size();
+}
+
+// Whether the arrays fit together, all coordinates are finite, and no cell has a vertex twice.
+template <int d> bool is_consistent(const State<d>& state) {
+  if (!has_consistent_sizes(state) || state.cells.size() >= std::uint32_t(-1) ||
+      !(state.normalization_scale > 0) || !std::isfinite(state.normalization_scale) ||
+      !(state.mean_interface_edge >= 0) || !(state.minimum_interface_edge >= 0))
+    return false;
+  const auto is_cell = [&](std::array<std::uint32_t, d + 1> c) {
+    std::sort(c.begin(), c.end());
+    return c[d] <= state.points.size() && std::adjacent_find(c.begin(), c.end()) == c.end();
+  };
+  const auto is_cell_of = [&](std::size_t v) {
+    const std::size_t c = state.vertex_cells[v];
+    return c < state.cells.size() &&
+           std::find(state.cells[c].begin(), state.cells[c].end(), v) != state.cells[c].end();
+  };
+  bool result = has_finite_coordinates(state.normalization_translation) &&
+                std::all_of(state.cells.begin(), state.cells.end(), is_cell) &&
+                std::all_of(state.points.begin(), state.points.end(),
+                            has_finite_coordinates<std::array<double, d>>) &&
+                (state.points.empty() || extent_of<d>(state.points).is_measurable());
+  for (std::size_t v = 0; result && v < state.vertex_cells.size(); ++v)
+    result = is_cell_of(v);
+  return result;
+}
+
+} // namespace internal
+
+/// \relates State
+/// returns whether all numbers of `a` and `b` are equal.
+template <int d> bool operator==(const State<d>& a, const State<d>& b) {
+  return internal::members(a) == internal::members(b);
+}
+
+/// \relates State
+/// returns whether some number of `a` and `b` differs.
+template <int d> bool operator!=(const State<d>& a, const State<d>& b) { return !(a == b); }
+
+} // namespace Deformable_simplicial_complexes
+
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// The state of a complex in three dimensions.
+using Deformable_simplicial_complex_state_3 = Deformable_simplicial_complexes::State<3>;
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_STATE_H

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_DATA_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_DATA_H
+
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+What a vertex of a deformable simplicial complex carries in any dimension, besides its point: a time
+stamp that orders vertices by creation, and what the complex caches about it. The setters are for the
+complex; calling them from outside breaks what it caches.
+
+\tparam Point where vertices are
+*/
+template <class Point> class Vertex_data
+{
+public:
+  using Has_timestamp = Tag_true; ///< makes the container of the vertices number them
+
+  /// The number in the order of creation; `std::size_t(-1)` for a vertex outside a container.
+  std::size_t time_stamp() const { return m_time_stamp; }
+  /// Sets `time_stamp()`.
+  void set_time_stamp(std::size_t stamp) { m_time_stamp = stamp; }
+
+  /// Whether a facet between two labels is incident.
+  bool is_interface() const { return m_interface_degree > 0; }
+  /// The number of facets between two labels that are incident.
+  std::uint32_t interface_degree() const { return m_interface_degree; }
+  /// Sets `interface_degree()`.
+  void set_interface_degree(std::uint32_t degree) { m_interface_degree = degree; }
+
+  /// The sides of the domain that hold the vertex, see `Boundary_class`; 0 in the inside.
+  std::uint8_t boundary_class() const { return m_boundary_class; }
+  /// Sets `boundary_class()`.
+  void set_boundary_class(std::uint8_t boundary_class) { m_boundary_class = boundary_class; }
+
+  /// Where the vertex is to go in the current deformation; meaningful while `has_destination()`.
+  const Point& destination() const { return m_destination; }
+  /// Whether the vertex is on its way to somewhere.
+  bool has_destination() const { return m_has_destination; }
+  /// Sets `destination()`; `has_destination()` is true afterwards.
+  void set_destination(const Point& destination) {
+    m_destination = destination;
+    m_has_destination = true;
+  }
+  /// `has_destination()` is false afterwards.
+  void clear_destination() { m_has_destination = false; }
+
+  /// A place in whatever list an algorithm numbers vertices by; the list must confirm it.
+  std::uint32_t scratch_index() const { return m_scratch_index; }
+  /// Sets `scratch_index()`.
+  void set_scratch_index(std::uint32_t index) { m_scratch_index = index; }
+
+private:
+  Point m_destination;
+  std::size_t m_time_stamp = std::size_t(-1);
+  std::uint32_t m_scratch_index = 0;
+  std::uint32_t m_interface_degree = 0;
+  std::uint8_t m_boundary_class = 0;
+  bool m_has_destination = false;
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_DATA_H

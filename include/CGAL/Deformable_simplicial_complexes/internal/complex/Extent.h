@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_EXTENT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_EXTENT_H
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The smallest box of d dimensions around points.
+template <int d> class Extent
+{
+public:
+  Extent() {
+    m_lower.fill(std::numeric_limits<double>::infinity());
+    m_upper.fill(-std::numeric_limits<double>::infinity());
+  }
+
+  template <class Point> void add(const Point& p) {
+    for (int axis = 0; axis < d; ++axis) {
+      m_lower[axis] = (std::min)(m_lower[axis], double(p[axis]));
+      m_upper[axis] = (std::max)(m_upper[axis], double(p[axis]));
+    }
+  }
+
+  // Whether the longest side is such that products of several lengths neither overflow nor
+  // underflow.
+  bool is_measurable() const {
+    static constexpr double shortest = 1e-30, longest = 1e30; // three of them are within doubles
+    double side = 0;
+    for (int axis = 0; axis < d; ++axis)
+      side = (std::max)(side, m_upper[axis] - m_lower[axis]);
+    return side >= shortest && side <= longest;
+  }
+
+  double lower(int axis) const { return m_lower[axis]; }
+  double upper(int axis) const { return m_upper[axis]; }
+
+  // Of the box: its area or volume.
+  double measure() const {
+    double result = 1;
+    for (int axis = 0; axis < d; ++axis)
+      result *= m_upper[axis] - m_lower[axis];
+    return result;
+  }
+
+private:
+  std::array<double, d> m_lower, m_upper;
+};
+
+template <int d, class Points> Extent<d> extent_of(const Points& points) {
+  Extent<d> result;
+  for (const auto& p : points)
+    result.add(p);
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_EXTENT_H

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_APPLY_TO_CORNERS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_APPLY_TO_CORNERS_H
+
+#include <utility>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+template <class Function, class Corner, int... i>
+decltype(auto) apply_to_corners(const Function& f, const Corner& corner,
+                                std::integer_sequence<int, i...>) {
+  return f(corner(i)...);
+}
+
+// f(corner(0), ..., corner(n - 1)): what predicates and measures make of a simplex with n corners.
+template <int n, class Function, class Corner>
+decltype(auto) apply_to_corners(const Function& f, const Corner& corner) {
+  return apply_to_corners(f, corner, std::make_integer_sequence<int, n>());
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_APPLY_TO_CORNERS_H

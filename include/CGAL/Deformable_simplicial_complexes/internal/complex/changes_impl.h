@@ -1,0 +1,318 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_CHANGES_IMPL_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_CHANGES_IMPL_H
+
+// Member functions of Labelled_complex: motion, change of the mesh.
+
+#include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#define CGAL_DSC_TEMPLATE template <class Derived, class Space, class Quality, class Domain>
+#define CGAL_DSC_CLASS Labelled_complex<Derived, Space, Quality, Domain>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+CGAL_DSC_TEMPLATE
+double CGAL_DSC_CLASS::cell_quality(Cell_handle c) const {
+  return quality(c, [&](Vertex_handle v) { return position(v); });
+}
+
+CGAL_DSC_TEMPLATE
+bool CGAL_DSC_CLASS::is_positive(Cell_handle c) const {
+  return is_positive(c, [](Vertex_handle v) -> const Point& { return v->point(); });
+}
+
+CGAL_DSC_TEMPLATE
+bool CGAL_DSC_CLASS::is_positive_star(Vertex_handle v, const std::vector<Cell_handle>& star,
+                                      const Point& q) const {
+  const auto point_of = [&](Vertex_handle w) -> const Point& { return w == v ? q : w->point(); };
+  return std::all_of(star.begin(), star.end(), [&](Cell_handle c) {
+    return is_infinite(c) || is_positive(c, point_of);
+  });
+}
+
+CGAL_DSC_TEMPLATE
+double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, double margin) {
+  const Point q = admissible_destination(v, destination);
+  if (q == v->point())
+    return 1;
+  star(v, m_star);
+  if (is_positive_star(v, m_star, q)) {
+    set_point(v, m_star, q);
+    return 1;
+  }
+
+  // The first cell to become flat: volumes are linear along the ray.
+  double way = 1;
+  const Approximate_point from = position(v), to = approximate(q);
+  for (Cell_handle c : m_star) {
+    if (is_infinite(c))
+      continue;
+    const int apex = c->index(v);
+    std::array<Approximate_point, dimension> link;
+    for (int i = 0; i < dimension; ++i)
+      link[i] = corner(c, Space::facet_vertices[apex][i]);
+    const auto measure_with = [&](const Approximate_point& p) {
+      return Space::measure_of_cone(geom_traits(), link, m_domain.seen(*this, c, apex, p));
+    };
+    const double here = measure_with(from), there = measure_with(to);
+    if (there < here)
+      way = (std::min)(way, here / (here - there));
+  }
+
+  // Rounding may ask for more distance than the margin.
+  static constexpr int maximum_number_of_halvings = 40;
+  way *= 1 - margin;
+  for (int i = 0; i < maximum_number_of_halvings && way > 0; ++i, way /= 2) {
+    const Point p = exact(from + way * (to - from));
+    if (is_positive_star(v, m_star, p)) {
+      if (p == v->point())
+        return 0;
+      set_point(v, m_star, p);
+      return way;
+    }
+  }
+  return 0;
+}
+
+CGAL_DSC_TEMPLATE
+void CGAL_DSC_CLASS::set_point(Vertex_handle v, const std::vector<Cell_handle>& star,
+                               const Point& p) {
+  ++m_version;
+  for (Cell_handle c : star)
+    if (!is_infinite(c))
+      m_totals.add_volume(c->label(), -m_totals.units(measure(c)));
+  v->set_point(p);
+  for (Cell_handle c : star)
+    if (!is_infinite(c)) {
+      CGAL_assertion(is_positive(c));
+      m_totals.add_volume(c->label(), m_totals.units(measure(c)));
+      c->set_quality(cell_quality(c));
+    }
+}
+
+CGAL_DSC_TEMPLATE
+template <class ForEachIndex>
+void CGAL_DSC_CLASS::set_points(const std::vector<Vertex_handle>& vertices,
+                                const std::vector<Point>& points,
+                                const std::vector<Cell_handle>& cells,
+                                const ForEachIndex& for_each_index) {
+  m_volume_changes.resize(cells.size());
+  ++m_version;
+  for_each_index(cells.size(), [&](size_type i) {
+    m_volume_changes[i] = is_infinite(cells[i]) ? 0 : m_totals.units(measure(cells[i]));
+  });
+  for (size_type i = 0; i < vertices.size(); ++i)
+    vertices[i]->set_point(points[i]);
+  for_each_index(cells.size(), [&](size_type i) {
+    if (is_infinite(cells[i]))
+      return;
+    CGAL_assertion(is_positive(cells[i]));
+    m_volume_changes[i] = m_totals.units(measure(cells[i])) - m_volume_changes[i];
+    cells[i]->set_quality(cell_quality(cells[i]));
+  });
+  for (size_type i = 0; i < cells.size(); ++i)
+    if (!is_infinite(cells[i]))
+      m_totals.add_volume(cells[i]->label(), m_volume_changes[i]);
+}
+
+CGAL_DSC_TEMPLATE
+void CGAL_DSC_CLASS::relabel(Cell_handle c, Label label) {
+  m_totals.make_room(label);
+  // From here on nothing can fail.
+  ++m_version;
+  const auto count_interface = [&](int number) {
+    for (int i = 0; i < corners; ++i)
+      if (is_interface(Facet(c, i)))
+        count_interface_facet(Facet(c, i), number);
+  };
+  const double volume = measure(c);
+  count_interface(-1);
+  m_totals.remove_cell(c->label(), volume);
+  m_totals.add_cell(label, volume);
+  c->set_label(label);
+  count_interface(1);
+  for (int i = 0; i < corners; ++i)
+    if (c->neighbor(i)->label() == label && !is_infinite(c->neighbor(i)))
+      c->set_component(c->neighbor(i)->component());
+  m_components.invalidate();
+}
+
+// The new vertices and cells of a cavity, deleted again unless they are kept.
+CGAL_DSC_TEMPLATE
+class CGAL_DSC_CLASS::Created_items
+{
+public:
+  Created_items(Triangulation_data_structure& tds, Cavity& cavity) : m_tds(tds), m_cavity(cavity) {}
+  Created_items(const Created_items&) = delete;
+  Created_items& operator=(const Created_items&) = delete;
+
+  void create() {
+    for (std::size_t i = 0; i < m_cavity.m_vertices.size(); ++i)
+      if (m_cavity.m_vertices[i].handle == Vertex_handle()) {
+        m_new_vertices.push_back(i);
+        auto& v = m_cavity.m_vertices[i];
+        v.handle = m_tds.create_vertex();
+        v.handle->set_point(v.point);
+        v.handle->set_boundary_class(v.boundary_class);
+      }
+    m_cavity.m_created.reserve(m_cavity.m_planned.size());
+    while (m_cavity.m_created.size() < m_cavity.m_planned.size())
+      m_cavity.m_created.push_back(Space::create_cell(m_tds));
+  }
+
+  void keep() { m_are_kept = true; }
+
+  ~Created_items() {
+    if (m_are_kept)
+      return;
+    for (Cell_handle c : m_cavity.m_created)
+      Space::delete_cell(m_tds, c);
+    m_cavity.m_created.clear();
+    for (std::size_t i : m_new_vertices) {
+      if (m_cavity.m_vertices[i].handle != Vertex_handle())
+        m_tds.delete_vertex(m_cavity.m_vertices[i].handle);
+      m_cavity.m_vertices[i].handle = Vertex_handle();
+    }
+  }
+
+private:
+  Triangulation_data_structure& m_tds;
+  Cavity& m_cavity;
+  std::vector<std::size_t> m_new_vertices; // by their indices within the cavity
+  bool m_are_kept = false;
+};
+
+CGAL_DSC_TEMPLATE
+void CGAL_DSC_CLASS::replace(Cavity& cavity) {
+  if (cavity.version() != m_version)
+    throw Stale_proposal_error();
+  CGAL_precondition(cavity.is_positive());
+  Triangulation_data_structure& tds = m_triangulation.tds();
+  m_half_facets.clear();
+  m_half_facets.reserve(corners * (cavity.removed().size() + cavity.planned().size()));
+  Created_items items(tds, cavity);
+  items.create();
+  items.keep();
+
+  // From here on nothing can fail.
+  ++m_version;
+  bool is_label_mixed = false;
+  const Cell_handle* finite = nullptr;
+  for (const Cell_handle& c : cavity.removed()) {
+    c->tds_data().mark_in_conflict();
+    if (!is_infinite(c)) {
+      is_label_mixed = is_label_mixed || (finite && c->label() != (*finite)->label());
+      finite = &c;
+      m_totals.remove_cell(c->label(), measure(c));
+    }
+  }
+  if (is_label_mixed)
+    count_removed_interface(cavity);
+  collect_surroundings(cavity);
+
+  for (auto& v : cavity.m_vertices)
+    if (!is_infinite(v.handle) && !(v.handle->point() == v.point))
+      v.handle->set_point(v.point);
+  for (std::size_t k = 0; k < cavity.planned().size(); ++k) {
+    const auto& plan = cavity.planned()[k];
+    const Cell_handle c = cavity.created()[k];
+    for (int i = 0; i < corners; ++i) {
+      c->set_vertex(i, cavity.m_vertices[plan.vertices[i]].handle);
+      c->vertex(i)->set_cell(c);
+    }
+    c->set_component(plan.parent->component());
+    if (!is_infinite(c)) {
+      c->set_label(plan.parent->label());
+      c->set_quality(plan.quality);
+      m_totals.add_cell(c->label(), measure(c));
+    }
+  }
+  sew(is_label_mixed);
+
+  for (const auto& v : cavity.vertices())
+    if (v.handle->cell()->tds_data().is_in_conflict()) // a removed cell: it has no other
+      tds.delete_vertex(v.handle);
+  for (Cell_handle c : cavity.removed())
+    Space::delete_cell(tds, c);
+  if (is_label_mixed)
+    m_components.invalidate();
+}
+
+// Takes away the facets of the interface that removed cells have. \pre these are marked
+CGAL_DSC_TEMPLATE
+void CGAL_DSC_CLASS::count_removed_interface(const Cavity& cavity) {
+  for (Cell_handle c : cavity.removed())
+    for (int i = 0; i < corners; ++i) {
+      const Cell_handle n = c->neighbor(i);
+      const bool comes_again = n->tds_data().is_in_conflict() && n->label() < c->label();
+      if (is_interface(Facet(c, i)) && !comes_again)
+        count_interface_facet(Facet(c, i), -1);
+    }
+}
+
+// Collects the facets to be sewn: those of cells around the cavity and of planned ones.
+// \pre removed cells are marked, and there is room
+CGAL_DSC_TEMPLATE
+void CGAL_DSC_CLASS::collect_surroundings(const Cavity& cavity) {
+  for (std::size_t i = 0; i < cavity.vertices().size(); ++i)
+    cavity.vertices()[i].handle->set_scratch_index(std::uint32_t(i));
+  const auto add = [&](Cell_handle c, int i, const auto& index_of) {
+    Half_facet facet;
+    for (int k = 1; k < corners; ++k)
+      facet.vertices[k - 1] = index_of((i + k) % corners);
+    std::sort(facet.vertices.begin(), facet.vertices.end());
+    facet.cell = c;
+    facet.index = i;
+    m_half_facets.push_back(facet);
+    return m_half_facets.size() - 1;
+  };
+  for (Cell_handle c : cavity.removed())
+    for (int i = 0; i < corners; ++i) {
+      const Cell_handle outside = c->neighbor(i);
+      if (outside->tds_data().is_in_conflict())
+        continue;
+      const auto known = add(c, i, [&](int k) { return c->vertex(k)->scratch_index(); });
+      m_half_facets[known].cell = outside;
+      m_half_facets[known].index = outside->index(c);
+    }
+  for (std::size_t k = 0; k < cavity.planned().size(); ++k)
+    for (int i = 0; i < corners; ++i)
+      add(cavity.created()[k], i, [&](int j) { return cavity.planned()[k].vertices[j]; });
+}
+
+// Makes the cells of equal facets neighbors.
+CGAL_DSC_TEMPLATE
+void CGAL_DSC_CLASS::sew(bool counts_interface) {
+  std::sort(m_half_facets.begin(), m_half_facets.end(),
+            [](const Half_facet& a, const Half_facet& b) { return a.vertices < b.vertices; });
+  CGAL_assertion(m_half_facets.size() % 2 == 0);
+  for (std::size_t i = 0; i + 1 < m_half_facets.size(); i += 2) {
+    const Half_facet &a = m_half_facets[i], &b = m_half_facets[i + 1];
+    CGAL_assertion(a.vertices == b.vertices);
+    m_triangulation.tds().set_adjacency(a.cell, a.index, b.cell, b.index);
+    if (counts_interface && is_interface(Facet(a.cell, a.index)))
+      count_interface_facet(Facet(a.cell, a.index), 1);
+  }
+}
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#undef CGAL_DSC_TEMPLATE
+#undef CGAL_DSC_CLASS
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_CHANGES_IMPL_H
