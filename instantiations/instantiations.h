@@ -6,12 +6,12 @@
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/manifold_interface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/manifold_interface.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_retriangulation_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/vertex_insertion_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/vertex_optimization_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/vertex_smoothing_3.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 #include <CGAL/IO/labelled_surface_3.h>
 #include <CGAL/control_detail_3.h>
 #include <CGAL/deform_interface_3.h>
@@ -74,17 +74,17 @@ DSC_EXTERN template bool CGAL::propose_manifold_relabeling(const instantiations:
                                                            instantiations::Cell, int,
                                                            instantiations::Cells&);
 
-DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Star_optimizer_3<
+DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Star_optimizer<
     instantiations::Complex, instantiations::Complex::Quality_measure>;
 DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Mesh_improver_3<
     instantiations::Complex>;
 DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Small_angle_remover_3<
     instantiations::Complex>;
-DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Topology_log_3<
+DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Topology_log<
     instantiations::Complex>;
-DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Trapped_cells_3<
+DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Trapped_cells<
     instantiations::Complex>;
-DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Interface_deformer_3<
+DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Interface_deformer<
     instantiations::Complex>;
 DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Detail_controller_3<
     instantiations::Complex>;

@@ -5,7 +5,7 @@
 #ifndef CGAL_CARRIED_VERTEX_VALUES_3_H
 #define CGAL_CARRIED_VERTEX_VALUES_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/cell_corners.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/overlap_volume_3.h>
 

@@ -5,13 +5,13 @@
 #ifndef CGAL_DEFORM_INTERFACE_3_H
 #define CGAL_DEFORM_INTERFACE_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Deformation_report.h>
-#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Interface_deformer_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/edge_unit.h>
-#include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Interface_deformer.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
-#include <CGAL/Deformable_simplicial_complex_3/topology_control.h>
+#include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 
 #include <functional>
 
@@ -159,7 +159,7 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
 
   const internal::For_each_index for_each_index(number_of_threads);
   auto any_visitor = internal::adapt_visitor<Complex>(visitor);
-  internal::Interface_deformer_3<Complex> deformer(dsc, any_visitor, options, for_each_index);
+  internal::Interface_deformer<Complex> deformer(dsc, any_visitor, options, for_each_index);
   deformer.set_destinations(destination);
   unsigned pass = 0;
   bool is_stopped = false;

@@ -6,7 +6,7 @@
 #define CGAL_EXTRACT_INTERFACE_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Vertex_numbering.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Vertex_numbering.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>

@@ -6,7 +6,7 @@
 #define CGAL_FACE_OFFSETTING_3_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complex_3/Integration_scheme.h>
+#include <CGAL/Deformable_simplicial_complexes/Integration_scheme.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Vertex_quadric_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface_paths_3.h>

@@ -5,12 +5,12 @@
 #ifndef CGAL_IMPROVE_INTERFACE_3_H
 #define CGAL_IMPROVE_INTERFACE_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Interface_improver_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/edge_unit.h>
-#include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <CGAL/number_utils.h>
 

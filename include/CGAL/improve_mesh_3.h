@@ -5,11 +5,11 @@
 #ifndef CGAL_IMPROVE_MESH_3_H
 #define CGAL_IMPROVE_MESH_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Patch_improver_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 namespace CGAL {
 

@@ -5,7 +5,7 @@
 #ifndef CGAL_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
 #define CGAL_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complex_3/Labelled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Tetrahedralization_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
@@ -14,7 +14,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/check_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/enclosing_box_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/label_tetrahedra_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -42,7 +42,7 @@ template <class Complex, class NP> void finish(Complex& dsc, const NP& np) {
   const unsigned rounds =
       choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 10u);
   if (choose_parameter(get_parameter(np, internal_np::improve), true)) {
-    Any_visitor_3<Complex> visitor;
+    Any_visitor<Complex> visitor;
     Mesh_improver_3<Complex> improver(dsc, visitor, threshold);
     improver.improve_all(threshold, rounds, 0);
   }

@@ -6,13 +6,13 @@
 #define CGAL_REMOVE_DEGENERACIES_3_H
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/degeneracy_removal_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/commit_proposal.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/edge_unit.h>
-#include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <utility>
 

@@ -5,12 +5,12 @@
 #ifndef CGAL_RESTORE_VOLUMES_3_H
 #define CGAL_RESTORE_VOLUMES_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/deform_to.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/label_volumes_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/deform_interface_3.h>
 
 #include <cmath>

@@ -5,7 +5,7 @@
 #ifndef DSC_STATISTICS_H
 #define DSC_STATISTICS_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 
 #include <array>
 #include <cstddef>

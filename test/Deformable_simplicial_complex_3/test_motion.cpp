@@ -1,7 +1,7 @@
 #include "mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/collision_order_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/collision_order.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 

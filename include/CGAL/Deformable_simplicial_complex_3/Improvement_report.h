@@ -5,34 +5,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_IMPROVEMENT_REPORT_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_IMPROVEMENT_REPORT_H
 
-#include <cstddef>
-
-namespace CGAL {
-
-/*!
-\ingroup PkgDeformableSimplicialComplex3Ref
-What was done to the mesh. Where the surroundings of a cell were replaced whole, that counts as one
-flip, and vertices that are new, gone or elsewhere as inserted, collapsed or smoothed.
-*/
-struct Improvement_report
-{
-  std::size_t split = 0;     ///< edges split
-  std::size_t collapsed = 0; ///< edges collapsed
-  std::size_t flipped = 0;   ///< edges and sets of facets removed
-  std::size_t smoothed = 0;  ///< vertices smoothed
-  std::size_t inserted = 0;  ///< vertices inserted into cells
-
-  /// What was done in both.
-  friend Improvement_report operator+(Improvement_report a, const Improvement_report& b) {
-    a.split += b.split;
-    a.collapsed += b.collapsed;
-    a.flipped += b.flipped;
-    a.smoothed += b.smoothed;
-    a.inserted += b.inserted;
-    return a;
-  }
-};
-
-} // namespace CGAL
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_IMPROVEMENT_REPORT_H

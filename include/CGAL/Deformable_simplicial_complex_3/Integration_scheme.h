@@ -5,19 +5,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTEGRATION_SCHEME_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTEGRATION_SCHEME_H
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-
-/// \ingroup PkgDeformableSimplicialComplex3Ref
-/// How `advect_interface()` gets destinations from velocities.
-enum class Integration_scheme {
-  euler,   ///< first order, one evaluation of the velocity: the paper's Algorithm 1
-  rk2,     ///< second order, the midpoint rule, two evaluations
-  rk4,     ///< fourth order, the classical rule of Runge and Kutta, four evaluations
-  adaptive ///< fifth order, the rule of Dormand and Prince in as many steps as a tolerance asks for
-};
-
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+#include <CGAL/Deformable_simplicial_complexes/Integration_scheme.h>
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTEGRATION_SCHEME_H

@@ -5,21 +5,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_TOPOLOGY_EVENT_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_TOPOLOGY_EVENT_H
 
-#include <CGAL/Deformable_simplicial_complexes/Component_event.h>
-
-namespace CGAL {
-
-/*!
-\ingroup PkgDeformableSimplicialComplex3Ref
-What became of components of a label in a pass of a deformation, and where.
-\tparam Complex an instance of `Deformable_simplicial_complex_3`
-*/
-template <class Complex> struct Topology_event : public Component_event
-{
-  typename Complex::Approximate_point_3 where; ///< where a cell changed its label; one such place
-  unsigned pass;                               ///< of the deformation, the first one being 1
-};
-
-} // namespace CGAL
+#include <CGAL/Deformable_simplicial_complexes/Topology_event.h>
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_TOPOLOGY_EVENT_H

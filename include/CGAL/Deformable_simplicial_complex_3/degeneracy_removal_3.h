@@ -8,7 +8,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Facet_normals_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/Facet_normals.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
 
 #include <algorithm>
@@ -163,7 +163,7 @@ bool propose_degenerate_tetrahedron_removal(const Complex& complex,
   if (complex.is_infinite(cell) || !(cell->quality() < threshold))
     return false;
 
-  const Facet_normals_3<Complex> normals(complex, cell);
+  const Facet_normals<Complex> normals(complex, cell);
   const int apex = normals.largest();
   // Vertices of the largest facet: the tip is opposite to an edge at or beyond which the apex
   // projects, the base is not.

@@ -7,7 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Polygon_triangulation_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/topology_of_relabeling_3.h>
+#include <CGAL/Deformable_simplicial_complexes/topology_of_relabeling.h>
 
 #include <boost/container/small_vector.hpp>
 

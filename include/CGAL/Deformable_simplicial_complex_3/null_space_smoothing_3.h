@@ -9,7 +9,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/Vertex_quadric_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface_triangles_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/triangle_quality.h>
-#include <CGAL/Deformable_simplicial_complex_3/vertex_smoothing_3.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 
 #include <algorithm>
 #include <cmath>

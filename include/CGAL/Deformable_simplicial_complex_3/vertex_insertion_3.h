@@ -7,7 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Star_optimizer_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Star_optimizer.h>
 #include <CGAL/Origin.h>
 #include <CGAL/enum.h>
 
@@ -174,7 +174,7 @@ bool fill_with_star(const Complex& complex, typename Complex::Cell_handle seed,
   if (!set.grow(seed))
     return false;
 
-  Star_optimizer_3<Complex> optimizer(complex.quality_measure(), p);
+  Star_optimizer<Complex> optimizer(complex.quality_measure(), p);
   set.for_each_facet([&](Cell_handle c, int i) {
     std::array<typename Complex::Approximate_point_3, 4> points;
     for (int k = 0; k < 4; ++k)

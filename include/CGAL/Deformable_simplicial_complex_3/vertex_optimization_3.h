@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_VERTEX_OPTIMIZATION_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_VERTEX_OPTIMIZATION_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/Star_optimizer_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Star_optimizer.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface_directions_3.h>
 
 #include <vector>
@@ -42,7 +42,7 @@ bool propose_optimal_position(const Complex& complex, typename Complex::Vertex_h
       (v->is_interface() && !internal::find_blocked_directions(complex, star, v, blocked)))
     return false;
   const auto from = complex.position(v);
-  internal::Star_optimizer_3<Complex> optimizer(complex, complex.quality_measure(), v, star);
+  internal::Star_optimizer<Complex> optimizer(complex, complex.quality_measure(), v, star);
   for (const auto& direction : blocked)
     optimizer.block(direction);
   const auto to = optimizer.run();

@@ -8,7 +8,7 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Medit_scanner.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Vertex_numbering.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Vertex_numbering.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/files.h>
 #include <CGAL/extract_interface_3.h>
 

@@ -6,7 +6,7 @@
 #define CGAL_IO_VTU_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Vertex_numbering.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Vertex_numbering.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Vtu_document.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/files.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/read_vtu_tetrahedra.h>

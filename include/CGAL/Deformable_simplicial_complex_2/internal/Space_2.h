@@ -12,6 +12,7 @@
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_2.h>
 #include <CGAL/Triangulation_data_structure_2.h>
+#include <CGAL/determinant.h>
 
 #include <array>
 #include <cmath>
@@ -61,6 +62,22 @@ public:
 
   static double facet_measure(const std::array<Approximate_point, 2>& facet) {
     return std::sqrt((facet[1] - facet[0]).squared_length());
+  }
+
+  // The outward normal of a facet, as long as it is.
+  static Approximate_vector facet_normal(const std::array<Approximate_point, 2>& facet) {
+    const Approximate_vector edge = facet[1] - facet[0];
+    return {edge.y(), -edge.x()};
+  }
+
+  // The area of a regular triangle.
+  static double regular_measure(double edge) { return edge * edge * std::sqrt(3.) / 4; }
+
+  static double length(const Approximate_vector& v) { return std::hypot(v.x(), v.y()); }
+
+  // The determinant of the matrix with these entries(row, column).
+  template <class Number, class Entry> static Number determinant(const Entry& entry) {
+    return CGAL::determinant<Number>(entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1));
   }
 
   static auto all_cells(const Triangulation& t) { return t.all_face_handles(); }

@@ -6,14 +6,14 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_DETAIL_CONTROLLER_3_H
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/commit_proposal.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/edge_unit.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
 
 #include <algorithm>
 #include <utility>
@@ -46,7 +46,7 @@ public:
   using Cell_handle = typename Complex::Cell_handle;
 
   // Interface edges are collapsed by `short_unit`, everything else is measured by `unit`.
-  Detail_controller_3(Complex& complex, Any_visitor_3<Complex>& visitor,
+  Detail_controller_3(Complex& complex, Any_visitor<Complex>& visitor,
                       const Detail_thresholds& thresholds, const Edge_unit<Complex>& unit,
                       const Edge_unit<Complex>& short_unit)
       : m_complex(complex), m_visitor(visitor), m_thresholds(thresholds), m_unit(unit),
@@ -150,7 +150,7 @@ private:
   }
 
   Complex& m_complex;
-  Any_visitor_3<Complex>& m_visitor;
+  Any_visitor<Complex>& m_visitor;
   Detail_thresholds m_thresholds;
   Edge_unit<Complex> m_unit, m_short_unit;
   Cavity_3<Complex> m_cavity;

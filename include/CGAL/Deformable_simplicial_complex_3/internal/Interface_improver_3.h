@@ -6,22 +6,22 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_IMPROVER_3_H
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Interface_edge_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Interface_fan_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/changed_facets_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/curved_midpoint_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/edge_unit.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/triangle_quality.h>
-#include <CGAL/Deformable_simplicial_complex_3/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complex_3/null_space_smoothing_3.h>
 
 #include <algorithm>
@@ -68,7 +68,7 @@ public:
   using Cell_handle = typename Complex::Cell_handle;
 
   // Lengths of edges are measured by `unit`.
-  Interface_improver_3(Complex& complex, Any_visitor_3<Complex>& visitor,
+  Interface_improver_3(Complex& complex, Any_visitor<Complex>& visitor,
                        const Interface_thresholds& thresholds, const Edge_unit<Complex>& unit)
       : m_complex(complex), m_visitor(visitor), m_thresholds(thresholds), m_unit(unit),
         m_improver(complex, visitor, thresholds.quality_threshold), m_cavity(complex) {}
@@ -309,7 +309,7 @@ private:
   }
 
   Complex& m_complex;
-  Any_visitor_3<Complex>& m_visitor;
+  Any_visitor<Complex>& m_visitor;
   Interface_thresholds m_thresholds;
   Edge_unit<Complex> m_unit;
   Mesh_improver_3<Complex> m_improver;

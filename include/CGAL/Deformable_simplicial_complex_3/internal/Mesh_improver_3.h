@@ -7,21 +7,21 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/degeneracy_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/commit_proposal.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/final_quality.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/final_quality.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_retriangulation_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/vertex_insertion_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/vertex_optimization_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/vertex_smoothing_3.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 
 #include <algorithm>
 #include <array>
@@ -54,7 +54,7 @@ public:
 
   // Where nothing else helps, one that is thorough triangulates sets of facets anew and inserts
   // vertices. Vertices of the interface may be smoothed within their plane or line.
-  Mesh_improver_3(Complex& complex, Any_visitor_3<Complex>& visitor, double threshold,
+  Mesh_improver_3(Complex& complex, Any_visitor<Complex>& visitor, double threshold,
                   bool is_thorough = false, bool smooths_interface = false)
       : m_complex(complex), m_visitor(visitor), m_threshold(threshold), m_is_thorough(is_thorough),
         m_smooths_interface(smooths_interface), m_cavity(complex) {}
@@ -284,7 +284,7 @@ private:
   static constexpr double better = 1.1; // times the quality of a cell that a collapse is to remove
 
   Complex& m_complex;
-  Any_visitor_3<Complex>& m_visitor;
+  Any_visitor<Complex>& m_visitor;
   double m_threshold;
   bool m_is_thorough, m_smooths_interface;
   Cavity_3<Complex> m_cavity;

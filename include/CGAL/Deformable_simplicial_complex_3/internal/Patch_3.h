@@ -8,7 +8,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 
 #include <array>
 #include <cstddef>

@@ -7,14 +7,14 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Patch_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/commit_proposal.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 #include <CGAL/Random.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ public:
   using Vector = typename Complex::Approximate_vector_3;
 
   // Each improvement of a copy takes a number of rounds at the most.
-  Patch_improver_3(Complex& complex, Any_visitor_3<Complex>& visitor, double threshold,
+  Patch_improver_3(Complex& complex, Any_visitor<Complex>& visitor, double threshold,
                    unsigned rounds)
       : m_complex(complex), m_visitor(visitor), m_threshold(threshold),
         m_rounds((std::min)(rounds, 5u)), m_cavity(complex),
@@ -99,7 +99,7 @@ private:
     static constexpr int tries = 10, attempts = 1;
     static constexpr double less = 1 - 1e-6; // than what rounding does
     Patch_3<Complex> patch(cells);
-    Any_visitor_3<Complex> nobody;
+    Any_visitor<Complex> nobody;
     double best = deficit(cells);
     const double worst = worst_quality(cells);
     bool is_better = false;
@@ -258,7 +258,7 @@ private:
   }
 
   Complex& m_complex;
-  Any_visitor_3<Complex>& m_visitor;
+  Any_visitor<Complex>& m_visitor;
   double m_threshold, m_emphasis = 1;
   unsigned m_rounds;
   Cavity_3<Complex> m_cavity;

@@ -6,22 +6,22 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SMALL_ANGLE_REMOVER_3_H
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Interface_edge_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Interface_fan_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Star_optimizer_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Star_optimizer.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/changed_facets_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/commit_proposal.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_retriangulation_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/vertex_insertion_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/vertex_smoothing_3.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/container/flat_map.hpp>
@@ -48,7 +48,7 @@ public:
   using Cells = Work_list<Cell_handle>;
 
   // The angle is in degrees.
-  Small_angle_remover_3(Complex& complex, Any_visitor_3<Complex>& visitor, double angle,
+  Small_angle_remover_3(Complex& complex, Any_visitor<Complex>& visitor, double angle,
                         double quality_threshold)
       : m_complex(complex), m_visitor(visitor),
         m_wanted(std::sin(angle * CGAL_PI / 180) / sine_of_regular), m_bound(m_wanted),
@@ -333,7 +333,7 @@ private:
         continue;
       m_complex.star(v, m_star);
       const Position from = m_complex.position(v);
-      Star_optimizer_3<Complex, Minimum_sine_3> optimizer(m_complex, m_sine, v, m_star);
+      Star_optimizer<Complex, Minimum_sine_3> optimizer(m_complex, m_sine, v, m_star);
       const Position to = v->is_interface() ? near_home(v, optimizer.run()) : optimizer.run();
       const double after = worst_sine(v, to);
       if (after > best && after > better_star * worst_sine(v, from) &&
@@ -386,7 +386,7 @@ private:
   static constexpr double better = 1.1; // factor that makes a change worth it
 
   Complex& m_complex;
-  Any_visitor_3<Complex>& m_visitor;
+  Any_visitor<Complex>& m_visitor;
   Minimum_sine_3 m_sine;
   double m_wanted, m_bound; // the latter may be higher around cells that stay
   double m_quality_threshold;

@@ -7,12 +7,12 @@
 
 #include <CGAL/Deformable_simplicial_complex_cell_base_3.h>
 #include <CGAL/Deformable_simplicial_complex_vertex_base_3.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_3.h>
 #include <CGAL/Triangulation_data_structure_3.h>
+#include <CGAL/determinant.h>
 
 #include <array>
 #include <cmath>
@@ -66,6 +66,23 @@ public:
 
   static double facet_measure(const std::array<Approximate_point, 3>& facet) {
     return std::sqrt(cross_product(facet[1] - facet[0], facet[2] - facet[0]).squared_length()) / 2;
+  }
+
+  // The outward normal of a facet, twice its area long.
+  static Approximate_vector facet_normal(const std::array<Approximate_point, 3>& facet) {
+    return cross_product(facet[1] - facet[0], facet[2] - facet[0]);
+  }
+
+  // The volume of a regular tetrahedron.
+  static double regular_measure(double edge) { return edge * edge * edge / (6 * std::sqrt(2.)); }
+
+  static double length(const Approximate_vector& v) { return std::hypot(v.x(), v.y(), v.z()); }
+
+  // The determinant of the matrix with these entries(row, column).
+  template <class Number, class Entry> static Number determinant(const Entry& entry) {
+    return CGAL::determinant<Number>(entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 0),
+                                     entry(1, 1), entry(1, 2), entry(2, 0), entry(2, 1),
+                                     entry(2, 2));
   }
 
   static auto all_cells(const Triangulation& t) { return t.all_cell_handles(); }

@@ -6,8 +6,8 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_DEFORM_TO_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/require_finite.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 #include <CGAL/deform_interface_3.h>
 
 #include <vector>

@@ -5,11 +5,11 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_PATHS_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_PATHS_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Integration_scheme.h>
+#include <CGAL/Deformable_simplicial_complexes/Integration_scheme.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/require_finite.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
 #include <CGAL/Origin.h>
 #include <CGAL/tags.h>
 

@@ -2,12 +2,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COMMIT_PROPOSAL_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COMMIT_PROPOSAL_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_COMMIT_PROPOSAL_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_COMMIT_PROPOSAL_H
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Any_visitor.h>
 
 #include <CGAL/assertions.h>
 
@@ -21,7 +21,7 @@ namespace internal {
 // each change before, when nothing has changed yet if it throws, and after.
 
 template <class Complex>
-void replace_cavity(Complex& complex, Cavity_3<Complex>& cavity, Any_visitor_3<Complex>& visitor) {
+void replace_cavity(Complex& complex, Cavity<Complex>& cavity, Any_visitor<Complex>& visitor) {
   visitor.before_replacement(cavity);
   complex.replace(cavity);
   visitor.after_replacement(cavity);
@@ -30,7 +30,7 @@ void replace_cavity(Complex& complex, Cavity_3<Complex>& cavity, Any_visitor_3<C
 template <class Complex>
 void smooth_vertex(Complex& complex, typename Complex::Vertex_handle v,
                    const std::vector<typename Complex::Cell_handle>& star,
-                   const typename Complex::Point_3& target, Any_visitor_3<Complex>& visitor) {
+                   const typename Complex::Point& target, Any_visitor<Complex>& visitor) {
   visitor.before_smoothing(v, star, target);
   complex.set_point(v, star, target);
   visitor.after_smoothing(v, star);
@@ -38,8 +38,8 @@ void smooth_vertex(Complex& complex, typename Complex::Vertex_handle v,
 
 // Commits the split of the edge between v and w and counts it.
 template <class Complex>
-void commit_split(Complex& complex, Cavity_3<Complex>& cavity, typename Complex::Vertex_handle v,
-                  typename Complex::Vertex_handle w, Any_visitor_3<Complex>& visitor,
+void commit_split(Complex& complex, Cavity<Complex>& cavity, typename Complex::Vertex_handle v,
+                  typename Complex::Vertex_handle w, Any_visitor<Complex>& visitor,
                   Improvement_report& report) {
   CGAL_precondition(cavity.kind() == Proposal_kind::split);
   replace_cavity(complex, cavity, visitor);
@@ -49,7 +49,7 @@ void commit_split(Complex& complex, Cavity_3<Complex>& cavity, typename Complex:
 
 // Commits a collapse, an insertion or a flip and counts it.
 template <class Complex>
-void commit_proposal(Complex& complex, Cavity_3<Complex>& cavity, Any_visitor_3<Complex>& visitor,
+void commit_proposal(Complex& complex, Cavity<Complex>& cavity, Any_visitor<Complex>& visitor,
                      Improvement_report& report) {
   switch (cavity.kind()) {
   case Proposal_kind::collapse:
@@ -77,4 +77,4 @@ void commit_proposal(Complex& complex, Cavity_3<Complex>& cavity, Any_visitor_3<
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COMMIT_PROPOSAL_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_COMMIT_PROPOSAL_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_STAR_UNION_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_STAR_UNION_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_STAR_UNION_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_STAR_UNION_H
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
@@ -34,7 +34,7 @@ std::vector<typename Complex::Vertex_handle>
 numbered_vertices_of(const std::vector<typename Complex::Cell_handle>& cells) {
   std::vector<typename Complex::Vertex_handle> result;
   for (auto c : cells)
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < Complex::corners; ++i)
       if (!is_numbered(c->vertex(i), result)) {
         c->vertex(i)->set_scratch_index(std::uint32_t(result.size()));
         result.push_back(c->vertex(i));
@@ -52,11 +52,11 @@ stars_of(const Complex& complex, const std::vector<typename Complex::Vertex_hand
   for (auto v : vertices) {
     complex.star(v, star);
     for (auto c : star) {
-      const auto is_earlier = [&](int i) {
-        return is_one_of_them(c->vertex(i)) && c->vertex(i)->scratch_index() < v->scratch_index();
-      };
-      if (!complex.is_infinite(c) && !is_earlier(0) && !is_earlier(1) && !is_earlier(2) &&
-          !is_earlier(3))
+      bool is_first = true;
+      for (int i = 0; i < Complex::corners; ++i)
+        is_first = is_first && !(is_one_of_them(c->vertex(i)) &&
+                                 c->vertex(i)->scratch_index() < v->scratch_index());
+      if (is_first && !complex.is_infinite(c))
         result.push_back(c);
     }
   }
@@ -73,10 +73,13 @@ star_union(const Complex& complex, const std::vector<typename Complex::Vertex_ha
   if (vertices.size() * many <= complex.number_of_vertices())
     return stars_of(complex, vertices, is_one_of_them);
   std::vector<typename Complex::Cell_handle> result;
-  for (auto c : complex.triangulation().finite_cell_handles())
-    if (is_one_of_them(c->vertex(0)) || is_one_of_them(c->vertex(1)) ||
-        is_one_of_them(c->vertex(2)) || is_one_of_them(c->vertex(3)))
+  for (auto c : complex.finite_cells()) {
+    bool is_around = false;
+    for (int i = 0; i < Complex::corners && !is_around; ++i)
+      is_around = is_one_of_them(c->vertex(i));
+    if (is_around)
       result.push_back(c);
+  }
   return result;
 }
 
@@ -105,4 +108,4 @@ sorted_star_union(const Complex& complex,
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_STAR_UNION_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_STAR_UNION_H

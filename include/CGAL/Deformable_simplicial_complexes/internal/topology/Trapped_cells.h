@@ -2,14 +2,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_TRAPPED_CELLS_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_TRAPPED_CELLS_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TRAPPED_CELLS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TRAPPED_CELLS_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Manifold_relabeling_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Topology_log_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/relabeling_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/topology_of_relabeling_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/topology/Manifold_relabeling.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/topology/Topology_log.h>
+#include <CGAL/Deformable_simplicial_complexes/relabeling.h>
+#include <CGAL/Deformable_simplicial_complexes/topology_of_relabeling.h>
 
 #include <boost/container/flat_map.hpp>
 
@@ -35,18 +35,18 @@ using Topology_control =
 // to do, and then again first those that keep it. So two parts that meet grow together from one
 // place, instead of touching in many. Where the interface is to be manifold, a cell takes others
 // along with it, or keeps its label.
-template <class Complex> class Trapped_cells_3
+template <class Complex> class Trapped_cells
 {
 public:
   using Cell_handle = typename Complex::Cell_handle;
   using Label = typename Complex::Label;
 
-  Trapped_cells_3(Complex& complex, Any_visitor_3<Complex>& visitor,
+  Trapped_cells(Complex& complex, Any_visitor<Complex>& visitor,
                   const Topology_control<Complex>& topology_control, bool manifold_interface)
       : m_complex(complex), m_visitor(visitor), m_topology_control(topology_control),
         m_manifold_interface(manifold_interface), m_log(complex) {}
 
-  Topology_log_3<Complex>& log() { return m_log; }
+  Topology_log<Complex>& log() { return m_log; }
   std::size_t number_of_relabeled() const { return m_relabeled; }
 
   // Relabels those of the cells, and of those around, that are trapped, below the threshold, and
@@ -108,7 +108,7 @@ private:
       sum += volume({c});
       if (component.size() > few || sum > small_volume())
         return false;
-      for (int k = 0; k < 4; ++k) {
+      for (int k = 0; k < Complex::corners; ++k) {
         const Cell_handle n = c->neighbor(k);
         if (!m_complex.is_infinite(n) && n->label() == c->label() &&
             std::find(component.begin(), component.end(), n) == component.end())
@@ -118,19 +118,15 @@ private:
     return true;
   }
 
-  // That of a regular tetrahedron whose edges are as long as those of the interface.
+  // That of a regular cell whose edges are as long as those of the interface.
   double small_volume() const {
-    const double edge = m_complex.mean_interface_edge();
-    return edge * edge * edge / (6 * std::sqrt(2.));
+    return Complex::Space::regular_measure(m_complex.mean_interface_edge());
   }
 
   double volume(const std::vector<Cell_handle>& cells) const {
-    const auto volume = m_complex.geom_traits().compute_approximate_volume_3_object();
     double sum = 0;
-    for (Cell_handle c : cells) {
-      const auto p = [&](int i) { return m_complex.position(c->vertex(i)); };
-      sum += volume(p(0), p(1), p(2), p(3));
-    }
+    for (Cell_handle c : cells)
+      sum += m_complex.measure(c);
     return sum;
   }
 
@@ -138,9 +134,9 @@ private:
   Label surrounding_label(const std::vector<Cell_handle>& component) const {
     boost::container::flat_map<Label, double> areas;
     for (Cell_handle c : component)
-      for (int i = 0; i < 4; ++i)
+      for (int i = 0; i < Complex::corners; ++i)
         if (m_complex.is_interface(std::make_pair(c, i)))
-          areas[c->neighbor(i)->label()] += m_complex.area(std::make_pair(c, i));
+          areas[c->neighbor(i)->label()] += m_complex.measure(std::make_pair(c, i));
     const auto largest =
         std::max_element(areas.begin(), areas.end(),
                          [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -176,14 +172,14 @@ private:
   // Returns whether that is possible.
   bool complete(std::vector<Cell_handle>& cells, Label label) const {
     return !m_manifold_interface ||
-           Manifold_relabeling_3<Complex>(m_complex, cells, label).complete();
+           Manifold_relabeling<Complex>(m_complex, cells, label).complete();
   }
 
   bool is_done(Cell_handle c) const { return m_done.count(c->time_stamp()) != 0; }
 
   void add_neighbors(const std::vector<Cell_handle>& cells, std::vector<Cell_handle>& front) const {
     for (Cell_handle c : cells)
-      for (int i = 0; i < 4; ++i)
+      for (int i = 0; i < Complex::corners; ++i)
         if (!m_complex.is_infinite(c->neighbor(i)))
           front.push_back(c->neighbor(i));
   }
@@ -206,10 +202,10 @@ private:
   }
 
   Complex& m_complex;
-  Any_visitor_3<Complex>& m_visitor;
+  Any_visitor<Complex>& m_visitor;
   const Topology_control<Complex>& m_topology_control;
   bool m_manifold_interface;
-  Topology_log_3<Complex> m_log;
+  Topology_log<Complex> m_log;
   std::unordered_set<std::size_t> m_done; // by time stamp
   std::size_t m_relabeled = 0;
 };
@@ -218,4 +214,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_TRAPPED_CELLS_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TRAPPED_CELLS_H

@@ -2,11 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_ANY_VISITOR_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_ANY_VISITOR_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_ANY_VISITOR_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_ANY_VISITOR_H
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complex_3/Topology_event.h>
+#include <CGAL/Deformable_simplicial_complexes/Topology_event.h>
 
 #include <vector>
 
@@ -16,7 +16,7 @@ namespace internal {
 
 // What is told of each change of the mesh, whatever its type: so the templates that change it are
 // compiled once, and not for each visitor again.
-template <class Complex> class Any_visitor_3
+template <class Complex> class Any_visitor
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
@@ -24,9 +24,9 @@ public:
   using Star = std::vector<Cell_handle>;
   using Event = Topology_event<Complex>;
 
-  virtual void before_replacement(const Cavity_3<Complex>&) {}
-  virtual void after_replacement(const Cavity_3<Complex>&) {}
-  virtual void before_smoothing(Vertex_handle, const Star&, const typename Complex::Point_3&) {}
+  virtual void before_replacement(const Cavity<Complex>&) {}
+  virtual void after_replacement(const Cavity<Complex>&) {}
+  virtual void before_smoothing(Vertex_handle, const Star&, const typename Complex::Point&) {}
   virtual void after_smoothing(Vertex_handle, const Star&) {}
   virtual void after_split(Vertex_handle, Vertex_handle, Vertex_handle) {}
   virtual void after_insertion(Vertex_handle) {}
@@ -35,32 +35,32 @@ public:
   virtual void after_relabel(Cell_handle, typename Complex::Label) {}
   virtual void after_topology_event(const Event&) {}
 
-  Any_visitor_3() = default;
-  virtual ~Any_visitor_3() = default;
-  Any_visitor_3(const Any_visitor_3&) = delete;
-  Any_visitor_3& operator=(const Any_visitor_3&) = delete;
+  Any_visitor() = default;
+  virtual ~Any_visitor() = default;
+  Any_visitor(const Any_visitor&) = delete;
+  Any_visitor& operator=(const Any_visitor&) = delete;
 };
 
 // Tells a visitor of the user.
 template <class Complex, class Visitor>
-class Visitor_adaptor_3 final : public Any_visitor_3<Complex>
+class Visitor_adaptor final : public Any_visitor<Complex>
 {
 public:
-  using typename Any_visitor_3<Complex>::Vertex_handle;
-  using typename Any_visitor_3<Complex>::Cell_handle;
-  using typename Any_visitor_3<Complex>::Star;
-  using typename Any_visitor_3<Complex>::Event;
+  using typename Any_visitor<Complex>::Vertex_handle;
+  using typename Any_visitor<Complex>::Cell_handle;
+  using typename Any_visitor<Complex>::Star;
+  using typename Any_visitor<Complex>::Event;
 
-  explicit Visitor_adaptor_3(Visitor& visitor) : m_visitor(visitor) {}
+  explicit Visitor_adaptor(Visitor& visitor) : m_visitor(visitor) {}
 
-  void before_replacement(const Cavity_3<Complex>& cavity) override {
+  void before_replacement(const Cavity<Complex>& cavity) override {
     m_visitor.before_replacement(cavity);
   }
-  void after_replacement(const Cavity_3<Complex>& cavity) override {
+  void after_replacement(const Cavity<Complex>& cavity) override {
     m_visitor.after_replacement(cavity);
   }
   void before_smoothing(Vertex_handle v, const Star& star,
-                        const typename Complex::Point_3& target) override {
+                        const typename Complex::Point& target) override {
     m_visitor.before_smoothing(v, star, target);
   }
   void after_smoothing(Vertex_handle v, const Star& star) override {
@@ -84,12 +84,12 @@ private:
 };
 
 template <class Complex, class Visitor>
-Visitor_adaptor_3<Complex, Visitor> adapt_visitor(Visitor& visitor) {
-  return Visitor_adaptor_3<Complex, Visitor>(visitor);
+Visitor_adaptor<Complex, Visitor> adapt_visitor(Visitor& visitor) {
+  return Visitor_adaptor<Complex, Visitor>(visitor);
 }
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_ANY_VISITOR_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_ANY_VISITOR_H

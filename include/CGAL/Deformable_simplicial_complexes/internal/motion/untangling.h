@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_UNTANGLING_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_UNTANGLING_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_UNTANGLING_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_UNTANGLING_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/Proposed_motion_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Proposed_motion.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 
 #include <CGAL/Origin.h>
@@ -20,23 +20,23 @@ namespace internal {
 // Proposes other points to a free vertex, and takes what is best for its star: going along with the
 // interface around, and the mean of the neighbors, each all the way and half of it.
 template <class Complex>
-void relocate(Proposed_motion_3<Complex>& motion, typename Proposed_motion_3<Complex>::Number i) {
+void relocate(Proposed_motion<Complex>& motion, typename Proposed_motion<Complex>::Number i) {
   using Cell_handle = typename Complex::Cell_handle;
   using Vertex_handle = typename Complex::Vertex_handle;
-  using Vector = typename Complex::Approximate_vector_3;
-  using Position = typename Complex::Approximate_point_3;
+  using Vector = typename Complex::Approximate_vector;
+  using Position = typename Complex::Approximate_point;
   const Complex& complex = motion.complex();
   const Vertex_handle v = motion.vertex(i);
   std::vector<Cell_handle> star;
   complex.star(v, star);
-  Vector sum_of_motions(0, 0, 0), mean(0, 0, 0);
+  Vector sum_of_motions(CGAL::NULL_VECTOR), mean(CGAL::NULL_VECTOR);
   int moving = 0;
   for (Cell_handle c : star)
-    for (int j = 0; j < 4; ++j) {
+    for (int j = 0; j < Complex::corners; ++j) {
       const Vertex_handle w = c->vertex(j);
       if (w == v)
         continue;
-      mean = mean + (motion.position(w) - CGAL::ORIGIN) / double(3 * star.size());
+      mean = mean + (motion.position(w) - CGAL::ORIGIN) / double(Complex::dimension * star.size());
       if (w->is_interface()) {
         sum_of_motions = sum_of_motions + (motion.position(w) - complex.position(w));
         ++moving;
@@ -49,7 +49,7 @@ void relocate(Proposed_motion_3<Complex>& motion, typename Proposed_motion_3<Com
     const auto before = motion.point(i);
     const Position from = motion.position(v);
     motion.set_point(
-        i, complex.geom_traits().construct_exact_point_3_object()(from + way * (target - from)));
+        i, complex.exact(from + way * (target - from)));
     const double after = motion.worst_quality(star, worst);
     if (after > worst)
       worst = after;
@@ -67,7 +67,7 @@ void relocate(Proposed_motion_3<Complex>& motion, typename Proposed_motion_3<Com
 // if that is not enough. Returns the cells that still would.
 template <class Complex>
 std::vector<typename Complex::Cell_handle>
-untangle(Proposed_motion_3<Complex>& motion, std::vector<typename Complex::Cell_handle> cells) {
+untangle(Proposed_motion<Complex>& motion, std::vector<typename Complex::Cell_handle> cells) {
   static constexpr int rounds = 4, rounds_without_neighbors = 2;
   const auto is_free = [&](auto i) { return !motion.vertex(i)->is_interface(); };
   auto suspects = cells;
@@ -88,4 +88,4 @@ untangle(Proposed_motion_3<Complex>& motion, std::vector<typename Complex::Cell_
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_UNTANGLING_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_UNTANGLING_H

@@ -2,23 +2,23 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_DEFORMER_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_DEFORMER_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_INTERFACE_DEFORMER_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_INTERFACE_DEFORMER_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Deformation_report.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/For_each_index.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/Small_angle_remover_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Trapped_cells_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Work_list.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/collision_order_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/final_quality.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/harmonic_extension_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/topology/Trapped_cells.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/collision_order.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/final_quality.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/harmonic_extension.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/require_finite.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/simultaneous_motion_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/simultaneous_motion.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/triangle_quality.h>
 #include <CGAL/number_utils.h>
 
@@ -38,8 +38,8 @@ namespace internal {
 
 // Where what is at a point goes in the deformation.
 template <class Complex>
-using Space_motion = std::function<typename Complex::Approximate_point_3(
-    const typename Complex::Approximate_point_3&)>;
+using Space_motion = std::function<typename Complex::Approximate_point(
+    const typename Complex::Approximate_point&)>;
 
 // What deform_interface() is asked for.
 template <class Complex> struct Deformation_options
@@ -52,16 +52,16 @@ template <class Complex> struct Deformation_options
 };
 
 // The steps of Algorithm 1, in the order in which deform_interface() takes them.
-template <class Complex> class Interface_deformer_3
+template <class Complex> class Interface_deformer
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
-  using Point_3 = typename Complex::Point_3;
-  using Vector = typename Complex::Approximate_vector_3;
+  using Point = typename Complex::Point;
+  using Vector = typename Complex::Approximate_vector;
   using Report = Deformation_report<Complex>;
 
-  Interface_deformer_3(Complex& complex, Any_visitor_3<Complex>& visitor,
+  Interface_deformer(Complex& complex, Any_visitor<Complex>& visitor,
                        const Deformation_options<Complex>& options,
                        const For_each_index& for_each_index)
       : m_complex(complex), m_visitor(visitor), m_options(options),
@@ -72,21 +72,21 @@ public:
         m_for_each_index(for_each_index) {}
 
   // No destination survives the deformation, even if a visitor ends it by an exception.
-  ~Interface_deformer_3() {
+  ~Interface_deformer() {
     for (const Item& item : m_unfinished)
       if (m_complex.is_alive(item.vertex, item.time_stamp))
         m_complex.clear_destination(item.vertex);
   }
 
-  Interface_deformer_3(const Interface_deformer_3&) = delete;
-  Interface_deformer_3& operator=(const Interface_deformer_3&) = delete;
+  Interface_deformer(const Interface_deformer&) = delete;
+  Interface_deformer& operator=(const Interface_deformer&) = delete;
 
   // Nothing is changed if a destination is refused.
   template <class Destination> void set_destinations(const Destination& destination) {
     const auto vertices = m_complex.interface_vertices();
     const auto approximate = m_complex.geom_traits().construct_approximate_point_3_object();
-    std::vector<Point_3> destinations;
-    std::vector<typename Complex::Approximate_point_3> positions;
+    std::vector<Point> destinations;
+    std::vector<typename Complex::Approximate_point> positions;
     for (Vertex_handle v : vertices) {
       destinations.push_back(destination(v));
       positions.push_back(approximate(destinations.back()));
@@ -111,7 +111,7 @@ public:
   // Facets of the interface that will have a small angle at their destinations, and a smaller one
   // than now: what moves as a whole keeps its facets.
   void find_degenerating_facets() {
-    using Triangle = std::array<typename Complex::Approximate_point_3, 3>;
+    using Triangle = std::array<typename Complex::Approximate_point, 3>;
     static constexpr double more = 1 + 1e-6; // than what rounding does
     m_degenerating.clear();
     const auto final = [&](Vertex_handle v) { return m_complex.final_position(v); };
@@ -119,7 +119,7 @@ public:
     const std::vector<Vertex_handle> vertices = unfinished();
     number_vertices(vertices);
     for (Cell_handle c : star_union(m_complex, vertices))
-      for (int i = 0; i < 4; ++i) {
+      for (int i = 0; i < Complex::corners; ++i) {
         const Cell_handle d = c->neighbor(i);
         if (d->label() >= c->label() || m_complex.is_infinite(d))
           continue;
@@ -147,17 +147,17 @@ public:
     const bool has_flow = pass == 1 && m_options.flow;
     const auto flow = [&](Vertex_handle v) {
       const auto p = m_complex.position(v);
-      const Vector way = has_flow ? m_options.flow(p) - p : Vector(0, 0, 0);
-      return way.squared_length() < far * far * longest * longest ? way : Vector(0, 0, 0);
+      const Vector way = has_flow ? m_options.flow(p) - p : Vector(CGAL::NULL_VECTOR);
+      return way.squared_length() < far * far * longest * longest ? way : Vector(CGAL::NULL_VECTOR);
     };
     const auto deviation = [&](Vertex_handle v) {
-      const Vector d = (v->has_destination() ? remaining(v) : Vector(0, 0, 0)) - flow(v);
+      const Vector d = (v->has_destination() ? remaining(v) : Vector(CGAL::NULL_VECTOR)) - flow(v);
       const bool follows =
           has_flow && d.squared_length() < negligible * negligible * longest * longest;
-      return follows ? Vector(0, 0, 0) : d;
+      return follows ? Vector(CGAL::NULL_VECTOR) : d;
     };
     const auto solution = harmonic_extension(m_complex, free, deviation, m_for_each_index);
-    std::vector<Point_3> targets;
+    std::vector<Point> targets;
     for (Vertex_handle v : vertices)
       targets.push_back(v->destination());
     for (std::size_t i = 0; i < free.size(); ++i) {
@@ -303,14 +303,14 @@ private:
   // Relabels trapped cells below a quality, but for those that are flat only on the way.
   void relabel(const Work_list<Cell_handle>& cells, double threshold) {
     m_trapped_cells.relabel(handles(cells), threshold, [&](Cell_handle c) {
-      return final_quality(m_complex, {c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)}) <
+      return final_quality(m_complex, c) <
              m_options.relabeling_threshold;
     });
   }
 
   // Removes one of the facets of a cell.
   bool remove_degenerate_facet(Cell_handle c, double cosine) {
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < Complex::corners; ++i)
       if (m_improver.remove_degenerate_facet(c, i, cosine, m_touched))
         return true;
     return false;
@@ -387,12 +387,12 @@ private:
   }
 
   Complex& m_complex;
-  Any_visitor_3<Complex>& m_visitor;
+  Any_visitor<Complex>& m_visitor;
   Deformation_options<Complex> m_options;
   double m_degenerate_cosine; // of the smallest angle that a facet may come to have
   Mesh_improver_3<Complex> m_improver;
   Small_angle_remover_3<Complex> m_small_angles;
-  Trapped_cells_3<Complex> m_trapped_cells;
+  Trapped_cells<Complex> m_trapped_cells;
   const For_each_index& m_for_each_index;
   std::vector<Item> m_unfinished;
   Work_list<Cell_handle> m_touched;
@@ -408,4 +408,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_DEFORMER_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_INTERFACE_DEFORMER_H

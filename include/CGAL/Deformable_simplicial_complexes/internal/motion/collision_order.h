@@ -2,13 +2,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COLLISION_ORDER_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COLLISION_ORDER_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_COLLISION_ORDER_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_COLLISION_ORDER_H
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/determinant.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -23,24 +23,26 @@ namespace internal {
 template <class Complex>
 Exact_rational first_collision(const Complex& complex, typename Complex::Vertex_handle v,
                                const std::vector<typename Complex::Cell_handle>& star) {
-  using Point = typename Complex::Approximate_point_3;
-  const auto volume = [](const Point& a, const Point& b, const Point& c, const Point& d) {
-    const auto difference = [&](const Point& p, int i) -> Exact_rational {
-      return Exact_rational(p[i]) - Exact_rational(d[i]);
-    };
-    return CGAL::determinant<Exact_rational>(difference(a, 0), difference(a, 1), difference(a, 2),
-                                             difference(b, 0), difference(b, 1), difference(b, 2),
-                                             difference(c, 0), difference(c, 1), difference(c, 2));
-  };
+  using Point = typename Complex::Approximate_point;
+  static constexpr int d = Complex::dimension;
   Exact_rational first = 1;
   for (auto c : star) {
     if (complex.is_infinite(c))
       continue;
-    const auto f = complex.facet_vertices(std::make_pair(c, c->index(v)));
-    const Point p = complex.position(f[0]), q = complex.position(f[1]), r = complex.position(f[2]);
-    // Volumes are linear along the way.
-    const Exact_rational here = volume(p, q, r, complex.position(v)),
-                         there = volume(p, q, r, complex.final_position(v));
+    const int apex = c->index(v);
+    std::array<Point, d> link;
+    for (int i = 0; i < d; ++i)
+      link[i] = complex.corner(c, Complex::Space::facet_vertices[apex][i]);
+    const auto measure_with = [&](const Point& p) {
+      const Point seen = complex.domain().seen(complex, c, apex, p);
+      return Complex::Space::template determinant<Exact_rational>(
+          [&](int row, int column) -> Exact_rational {
+            return Exact_rational(link[row][column]) - Exact_rational(seen[column]);
+          });
+    };
+    // What a cell measures is linear along the way.
+    const Exact_rational here = measure_with(complex.position(v)),
+                         there = measure_with(complex.final_position(v));
     if (CGAL::sign(there) != CGAL::sign(here))
       first = (std::min)(first, Exact_rational(here / (here - there)));
   }
@@ -68,4 +70,4 @@ void sort_by_first_collision(const Complex& complex,
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COLLISION_ORDER_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_COLLISION_ORDER_H

@@ -2,11 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_HARMONIC_EXTENSION_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_HARMONIC_EXTENSION_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_HARMONIC_EXTENSION_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_HARMONIC_EXTENSION_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/For_each_index.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 #include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
 
 #include <CGAL/Origin.h>
@@ -36,7 +36,7 @@ free_vertices_near(const Complex& complex,
     return !v->is_interface() && !complex.is_boundary(v) && !complex.is_infinite(v);
   };
   if (moving.size() * much > complex.number_of_vertices()) {
-    for (Vertex_handle v : complex.triangulation().finite_vertex_handles())
+    for (Vertex_handle v : complex.finite_vertices())
       if (is_free(v))
         found.push_back(v);
   } else {
@@ -47,7 +47,7 @@ free_vertices_near(const Complex& complex,
       for (Vertex_handle v : front) {
         complex.star(v, star);
         for (auto c : star)
-          for (int i = 0; i < 4; ++i)
+          for (int i = 0; i < Complex::corners; ++i)
             if (is_free(c->vertex(i)) && !is_numbered(c->vertex(i), found)) {
               c->vertex(i)->set_scratch_index(std::uint32_t(found.size()));
               found.push_back(c->vertex(i));
@@ -71,11 +71,11 @@ inside, so that cells there keep their shape.
 each that is next to them.
 */
 template <class Complex, class Displacement>
-std::vector<typename Complex::Approximate_vector_3>
+std::vector<typename Complex::Approximate_vector>
 harmonic_extension(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& free,
                    const Displacement& displacement, const For_each_index& for_each_index) {
-  using Vector = typename Complex::Approximate_vector_3;
-  using Point = typename Complex::Approximate_point_3;
+  using Vector = typename Complex::Approximate_vector;
+  using Point = typename Complex::Approximate_point;
   if (free.empty())
     return {};
   number_vertices(free);
@@ -84,7 +84,7 @@ harmonic_extension(const Complex& complex, const std::vector<typename Complex::V
   const auto cells = sorted_star_union(complex, free);
   auto vertices = free; // and behind them those next to them
   for (auto c : cells)
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < Complex::corners; ++i)
       if (!is_numbered(c->vertex(i), vertices)) {
         c->vertex(i)->set_scratch_index(std::uint32_t(vertices.size()));
         vertices.push_back(c->vertex(i));
@@ -104,11 +104,11 @@ harmonic_extension(const Complex& complex, const std::vector<typename Complex::V
                                      complex.position(c->vertex(2)),
                                      complex.position(c->vertex(3)));
     const auto normals = t.area_vectors();
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < Complex::corners; ++i) {
       const Index row = Index(c->vertex(i)->scratch_index());
       if (row >= n)
         continue;
-      for (int j = 0; j < 4; ++j) {
+      for (int j = 0; j < Complex::corners; ++j) {
         const Index column = Index(c->vertex(j)->scratch_index());
         const double stiffness = normals[i] * normals[j] / (6 * t.six_volumes);
         if (i == j) {
@@ -150,4 +150,4 @@ harmonic_extension(const Complex& complex, const std::vector<typename Complex::V
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_HARMONIC_EXTENSION_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_HARMONIC_EXTENSION_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_EDGE_UNIT_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_EDGE_UNIT_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_EDGE_UNIT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_EDGE_UNIT_H
 
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
@@ -21,7 +21,7 @@ namespace internal {
 template <class Complex> class Edge_unit
 {
 public:
-  using Point = typename Complex::Approximate_point_3;
+  using Point = typename Complex::Approximate_point;
 
   // The parameter size_field, or `constant` if it is not given.
   Edge_unit(const CGAL::internal_np::Param_not_found&, double constant) : m_constant(constant) {}
@@ -64,4 +64,4 @@ double length_in_units(const Complex& complex, typename Complex::Vertex_handle v
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_EDGE_UNIT_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_EDGE_UNIT_H

@@ -2,11 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SIMULTANEOUS_MOTION_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SIMULTANEOUS_MOTION_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_SIMULTANEOUS_MOTION_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_SIMULTANEOUS_MOTION_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/Proposed_motion_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/untangling_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Proposed_motion.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/untangling.h>
 
 #include <cmath>
 #include <cstddef>
@@ -23,16 +23,16 @@ So that a vertex held back does not shear the cells around it, its neighbors get
 part of the edge between them at the most, theirs again, and so on; farther away nothing is held
 back.
 */
-template <class Complex> class Holding_back_3
+template <class Complex> class Holding_back
 {
 public:
-  using Motion = Proposed_motion_3<Complex>;
+  using Motion = Proposed_motion<Complex>;
   using Number = typename Motion::Number;
   using Cell_handle = typename Complex::Cell_handle;
   using Vertex_handle = typename Complex::Vertex_handle;
-  using Point_3 = typename Complex::Point_3;
+  using Point = typename Complex::Point;
 
-  explicit Holding_back_3(Motion& motion) : m_motion(motion), m_way(motion.size(), 1.) {
+  explicit Holding_back(Motion& motion) : m_motion(motion), m_way(motion.size(), 1.) {
     m_targets.reserve(motion.size());
     for (Number i = 0; i < motion.size(); ++i)
       m_targets.push_back(motion.point(i));
@@ -60,7 +60,7 @@ private:
       const Vertex_handle v = m_motion.vertex(held[k]);
       m_motion.complex().star(v, star);
       for (Cell_handle c : star)
-        for (int j = 0; j < 4; ++j)
+        for (int j = 0; j < Complex::corners; ++j)
           if (c->vertex(j) != v && m_motion.has(c->vertex(j)) &&
               follow(Motion::number(c->vertex(j)), held[k]))
             held.push_back(Motion::number(c->vertex(j)));
@@ -81,8 +81,8 @@ private:
     return true;
   }
 
-  typename Complex::Approximate_vector_3 displacement(Number i) const {
-    return m_motion.complex().geom_traits().construct_approximate_point_3_object()(m_targets[i]) -
+  typename Complex::Approximate_vector displacement(Number i) const {
+    return m_motion.complex().approximate(m_targets[i]) -
            m_motion.complex().position(m_motion.vertex(i));
   }
 
@@ -92,12 +92,12 @@ private:
     m_way[i] = way < shortest_way || !std::isfinite(motion.squared_length()) ? 0 : way;
     m_motion.set_point(i, m_way[i] == 0
                               ? v->point()
-                              : m_motion.complex().geom_traits().construct_exact_point_3_object()(
+                              : m_motion.complex().exact(
                                     m_motion.complex().position(v) + m_way[i] * motion));
   }
 
   Motion& m_motion;
-  std::vector<Point_3> m_targets;
+  std::vector<Point> m_targets;
   std::vector<double> m_way; // the part of the way that each vertex goes
 };
 
@@ -112,11 +112,11 @@ complex is a homeomorphism: nothing was passed through on the way.
 template <class Complex>
 std::vector<typename Complex::Cell_handle>
 move_simultaneously(Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices,
-                    const std::vector<typename Complex::Point_3>& targets,
+                    const std::vector<typename Complex::Point>& targets,
                     const For_each_index& for_each_index) {
-  Proposed_motion_3<Complex> motion(complex, vertices, targets, for_each_index);
+  Proposed_motion<Complex> motion(complex, vertices, targets, for_each_index);
   auto bad = untangle(motion, motion.bad_cells(motion.cells()));
-  Holding_back_3<Complex>(motion).run(std::move(bad));
+  Holding_back<Complex>(motion).run(std::move(bad));
   motion.commit();
   return motion.cells();
 }
@@ -125,4 +125,4 @@ move_simultaneously(Complex& complex, const std::vector<typename Complex::Vertex
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SIMULTANEOUS_MOTION_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_SIMULTANEOUS_MOTION_H

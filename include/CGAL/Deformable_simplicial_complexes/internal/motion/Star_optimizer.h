@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_STAR_OPTIMIZER_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_STAR_OPTIMIZER_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_STAR_OPTIMIZER_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_STAR_OPTIMIZER_H
 
 #include <algorithm>
 #include <array>
@@ -18,23 +18,23 @@ namespace internal {
 // The worst quality of a star as a function of the position of its vertex, to be maximised
 // (Freitag, Jones and Plassmann 1995): a minimum of smooth functions, whose steepest ascent is the
 // shortest convex combination of the gradients of those that are active.
-template <class Complex, class Measure = typename Complex::Quality_measure> class Star_optimizer_3
+template <class Complex, class Measure = typename Complex::Quality_measure> class Star_optimizer
 {
 public:
-  using Point = typename Complex::Approximate_point_3;
-  using Vector = typename Complex::Approximate_vector_3;
+  using Point = typename Complex::Approximate_point;
+  using Vector = typename Complex::Approximate_vector;
 
   // A star whose vertex is at p, without cells.
-  Star_optimizer_3(const Measure& measure, const Point& p) : m_measure(measure), m_position(p) {}
+  Star_optimizer(const Measure& measure, const Point& p) : m_measure(measure), m_position(p) {}
 
   // The star of v.
-  Star_optimizer_3(const Complex& complex, const Measure& measure,
+  Star_optimizer(const Complex& complex, const Measure& measure,
                    typename Complex::Vertex_handle v,
                    const std::vector<typename Complex::Cell_handle>& star)
-      : Star_optimizer_3(measure, complex.position(v)) {
+      : Star_optimizer(measure, complex.position(v)) {
     for (auto c : star) {
       std::array<Point, 4> points;
-      for (int i = 0; i < 4; ++i)
+      for (int i = 0; i < Complex::corners; ++i)
         points[i] = complex.position(c->vertex(i));
       add(points, c->index(v));
     }
@@ -185,4 +185,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_STAR_OPTIMIZER_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_STAR_OPTIMIZER_H

@@ -2,11 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_PROPOSED_MOTION_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_PROPOSED_MOTION_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_PROPOSED_MOTION_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_PROPOSED_MOTION_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/For_each_index.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/star_union.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 
 #include <CGAL/enum.h>
 
@@ -22,17 +22,17 @@ namespace internal {
 
 // Points proposed for vertices, and what the complex would be like with them. Vertices are known by
 // their place in the list.
-template <class Complex> class Proposed_motion_3
+template <class Complex> class Proposed_motion
 {
 public:
   using Cell_handle = typename Complex::Cell_handle;
   using Vertex_handle = typename Complex::Vertex_handle;
-  using Point_3 = typename Complex::Point_3;
-  using Approximate_point_3 = typename Complex::Approximate_point_3;
+  using Point = typename Complex::Point;
+  using Approximate_point = typename Complex::Approximate_point;
   using Number = std::uint32_t;
 
-  Proposed_motion_3(Complex& complex, const std::vector<Vertex_handle>& vertices,
-                    const std::vector<Point_3>& points, const For_each_index& for_each_index)
+  Proposed_motion(Complex& complex, const std::vector<Vertex_handle>& vertices,
+                    const std::vector<Point>& points, const For_each_index& for_each_index)
       : m_complex(complex), m_for_each_index(for_each_index), m_vertices(vertices),
         m_points(points) {
     number_vertices(m_vertices);
@@ -42,8 +42,8 @@ public:
   const Complex& complex() const { return m_complex; }
   std::size_t size() const { return m_vertices.size(); }
   Vertex_handle vertex(Number i) const { return m_vertices[i]; }
-  const Point_3& point(Number i) const { return m_points[i]; }
-  void set_point(Number i, const Point_3& p) { m_points[i] = p; }
+  const Point& point(Number i) const { return m_points[i]; }
+  void set_point(Number i, const Point& p) { m_points[i] = p; }
 
   bool has(Vertex_handle v) const { return is_numbered(v, m_vertices); }
   static Number number(Vertex_handle v) { return v->scratch_index(); }
@@ -52,8 +52,8 @@ public:
   const std::vector<Cell_handle>& cells() const { return m_cells; }
 
   // Where any vertex would be.
-  Approximate_point_3 position(Vertex_handle v) const {
-    return m_complex.geom_traits().construct_approximate_point_3_object()(point_of(v));
+  Approximate_point position(Vertex_handle v) const {
+    return m_complex.approximate(point_of(v));
   }
 
   // The cells that would not be positive.
@@ -85,7 +85,7 @@ public:
                                   const Condition& condition) const {
     std::vector<Number> result;
     for (Cell_handle c : cells)
-      for (int i = 0; i < 4; ++i)
+      for (int i = 0; i < Complex::corners; ++i)
         if (has(c->vertex(i)) && condition(number(c->vertex(i))))
           result.push_back(number(c->vertex(i)));
     std::sort(result.begin(), result.end());
@@ -98,8 +98,7 @@ public:
     double worst = std::numeric_limits<double>::infinity();
     for (Cell_handle c : cells) {
       const double quality =
-          m_complex.quality_measure()(position(c->vertex(0)), position(c->vertex(1)),
-                                      position(c->vertex(2)), position(c->vertex(3)));
+          m_complex.quality(c, [&](Vertex_handle v) { return position(v); });
       if (!(quality > bound)) // or not a number
         return bound;
       worst = (std::min)(worst, quality);
@@ -112,19 +111,17 @@ public:
 
 private:
   bool is_positive(Cell_handle c) const {
-    return m_complex.geom_traits().orientation_3_object()(
-               point_of(c->vertex(0)), point_of(c->vertex(1)), point_of(c->vertex(2)),
-               point_of(c->vertex(3))) == POSITIVE;
+    return m_complex.is_positive(c, [&](Vertex_handle v) -> const Point& { return point_of(v); });
   }
 
-  const Point_3& point_of(Vertex_handle v) const {
+  const Point& point_of(Vertex_handle v) const {
     return has(v) ? m_points[number(v)] : v->point();
   }
 
   Complex& m_complex;
   const For_each_index& m_for_each_index;
   const std::vector<Vertex_handle>& m_vertices;
-  std::vector<Point_3> m_points;
+  std::vector<Point> m_points;
   std::vector<Cell_handle> m_cells;
 };
 
@@ -132,4 +129,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_PROPOSED_MOTION_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_PROPOSED_MOTION_H

@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_MANIFOLD_RELABELING_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_MANIFOLD_RELABELING_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_MANIFOLD_RELABELING_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_MANIFOLD_RELABELING_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/Labelled_star_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/topology/Labelled_star.h>
 
 #include <boost/container/flat_set.hpp>
 
@@ -21,7 +21,7 @@ namespace internal {
 // Cells of one label that are to get another one together. Where that would pinch the interface at
 // a vertex, more cells of the old label around it join them: what opens a tunnel between parts that
 // touch only there.
-template <class Complex> class Manifold_relabeling_3
+template <class Complex> class Manifold_relabeling
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
@@ -29,7 +29,7 @@ public:
   using Label = typename Complex::Label;
 
   // `cells` are finite and of one label; those that join them are appended.
-  Manifold_relabeling_3(const Complex& complex, std::vector<Cell_handle>& cells, Label label)
+  Manifold_relabeling(const Complex& complex, std::vector<Cell_handle>& cells, Label label)
       : m_complex(complex), m_cells(cells), m_old(cells.front()->label()), m_new(label) {
     for (Cell_handle c : cells)
       enlist(c);
@@ -58,12 +58,12 @@ public:
   }
 
 private:
-  using Star = Labelled_star_3<Complex>;
+  using Star = Labelled_star<Complex>;
   using Parts = typename Star::Parts;
 
   void enlist(Cell_handle c) {
     m_time_stamps.insert(c->time_stamp());
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < Complex::corners; ++i)
       m_vertices.push_back(c->vertex(i));
   }
 
@@ -145,9 +145,7 @@ private:
 
   // Not below zero, where rounding might take it.
   double volume(Cell_handle c) const {
-    const auto p = [&](int i) { return m_complex.position(c->vertex(i)); };
-    const auto volume = m_complex.geom_traits().compute_approximate_volume_3_object();
-    return (std::max)(0., double(volume(p(0), p(1), p(2), p(3))));
+    return (std::max)(0., m_complex.measure(c));
   }
 
   const Complex& m_complex;
@@ -161,4 +159,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_MANIFOLD_RELABELING_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_MANIFOLD_RELABELING_H

@@ -2,11 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_TOPOLOGY_LOG_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_TOPOLOGY_LOG_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TOPOLOGY_LOG_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TOPOLOGY_LOG_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Deformation_report.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Any_visitor_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Any_visitor.h>
 
 #include <CGAL/Origin.h>
 
@@ -20,7 +20,7 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // What a deformation does to the components of labels, and where.
-template <class Complex> class Topology_log_3
+template <class Complex> class Topology_log
 {
 public:
   using Label = typename Complex::Label;
@@ -28,27 +28,29 @@ public:
   using Event = Topology_event<Complex>;
   using Label_change = typename Deformation_report<Complex>::Label_change;
 
-  explicit Topology_log_3(Complex& complex) : m_complex(complex) {}
+  explicit Topology_log(Complex& complex) : m_complex(complex) {}
 
   void begin() {
     m_complex.take_component_events();
     for (Label label : m_complex.labels()) {
       Label_change& change = of_label(label);
-      change.volume_before = m_complex.volume(label);
+      change.volume_before = m_complex.measure(label);
       change.before = m_complex.number_of_components(label);
     }
   }
 
   // A cell is about to take another label, and the topology to change.
   void record(Cell_handle c, Label label) {
-    const auto p = [&](int i) { return m_complex.position(c->vertex(i)) - CGAL::ORIGIN; };
-    m_changes.push_back({CGAL::ORIGIN + (p(0) + p(1) + p(2) + p(3)) / 4, c, c->time_stamp(),
-                         c->label(), label, c->component()});
+    typename Complex::Approximate_vector sum(CGAL::NULL_VECTOR);
+    for (int i = 0; i < Complex::corners; ++i)
+      sum = sum + (m_complex.corner(c, i) - CGAL::ORIGIN);
+    m_changes.push_back({CGAL::ORIGIN + sum / Complex::corners, c, c->time_stamp(), c->label(),
+                         label, c->component()});
   }
 
   // Finds the events since the last look and tells the visitor. To be called before cells are
   // replaced, as those that relabeling joined carry the number of one of their components only.
-  void find_events(unsigned pass, Any_visitor_3<Complex>& visitor) {
+  void find_events(unsigned pass, Any_visitor<Complex>& visitor) {
     if (m_changes.empty())
       return;
     const std::size_t known = m_events.size();
@@ -79,7 +81,7 @@ public:
     for (Label label : m_complex.labels())
       of_label(label);
     for (Label_change& change : m_labels) {
-      change.volume_after = m_complex.volume(change.label);
+      change.volume_after = m_complex.measure(change.label);
       change.after = m_complex.number_of_components(change.label);
     }
     report.labels = m_labels;
@@ -90,7 +92,7 @@ private:
   // Of a cell's label.
   struct Change
   {
-    typename Complex::Approximate_point_3 where;
+    typename Complex::Approximate_point where;
     Cell_handle cell;
     std::size_t time_stamp;
     Label from, to;
@@ -104,7 +106,7 @@ private:
   }
 
   // Where a cell left or joined one of the components of an event.
-  typename Complex::Approximate_point_3 place(const Component_event& event) const {
+  typename Complex::Approximate_point place(const Component_event& event) const {
     const auto has = [](const std::vector<Component_event::Part>& parts, std::uint32_t component) {
       return std::any_of(parts.begin(), parts.end(), [&](const Component_event::Part& part) {
         return part.component == component;
@@ -142,4 +144,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_TOPOLOGY_LOG_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TOPOLOGY_LOG_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABELLED_STAR_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABELLED_STAR_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_LABELLED_STAR_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_LABELLED_STAR_H
 
 #include <algorithm>
 #include <array>
@@ -16,8 +16,8 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // The cells around a vertex with their labels, or with others that they might get. Each is a
-// triangle of the link, which is a sphere.
-template <class Complex> class Labelled_star_3
+// simplex of the link, which is a sphere.
+template <class Complex> class Labelled_star
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
@@ -35,13 +35,13 @@ public:
 
   // `label_of(c)` is the label of a finite cell.
   template <class LabelOf>
-  Labelled_star_3(const Complex& complex, Vertex_handle v, const LabelOf& label_of) {
+  Labelled_star(const Complex& complex, Vertex_handle v, const LabelOf& label_of) {
     complex.star(v, m_cells);
     for (Cell_handle c : m_cells) {
       m_labels.push_back(complex.is_infinite(c) ? Label() : Label(label_of(c)));
-      std::array<std::size_t, 3> neighbors = {};
+      std::array<std::size_t, Complex::dimension> neighbors = {};
       auto out = neighbors.begin();
-      for (int k = 0; k < 4; ++k)
+      for (int k = 0; k < Complex::corners; ++k)
         if (c->vertex(k) != v)
           *out++ = std::size_t(std::find(m_cells.begin(), m_cells.end(), c->neighbor(k)) -
                                m_cells.begin());
@@ -52,7 +52,7 @@ public:
   std::size_t size() const { return m_cells.size(); }
   Cell_handle cell(std::size_t i) const { return m_cells[i]; }
   const Label& label(std::size_t i) const { return m_labels[i]; }
-  const std::array<std::size_t, 3>& neighbors(std::size_t i) const { return m_neighbors[i]; }
+  const std::array<std::size_t, Complex::dimension>& neighbors(std::size_t i) const { return m_neighbors[i]; }
 
   // The parts of the cells for whose labels a condition holds, numbered in the order of the star.
   template <class Condition> Parts parts(const Condition& holds) const {
@@ -81,7 +81,7 @@ public:
   }
 
   // Whether each label has one part and leaves one part. On a sphere, both are discs then, and
-  // their common boundary is one closed curve that passes no vertex twice.
+  // their common boundary is one sphere less: in space a closed curve that passes no vertex twice.
   bool is_manifold() const {
     std::vector<Label> labels = m_labels;
     std::sort(labels.begin(), labels.end());
@@ -95,11 +95,11 @@ public:
 private:
   std::vector<Cell_handle> m_cells;
   std::vector<Label> m_labels;
-  std::vector<std::array<std::size_t, 3>> m_neighbors;
+  std::vector<std::array<std::size_t, Complex::dimension>> m_neighbors;
 };
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_LABELLED_STAR_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_LABELLED_STAR_H

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORMATION_REPORT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORMATION_REPORT_H
+
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Topology_event.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+What a deformation did: nothing is silently lost.
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+*/
+template <class Complex> struct Deformation_report
+{
+  /// A vertex that fell short of its destination.
+  struct Unfinished_vertex
+  {
+    typename Complex::Vertex_handle vertex; ///< on the interface
+    double distance;                        ///< from where it is to its destination
+  };
+
+  /// What became of a label: its components, and its volume in the coordinates of the complex.
+  struct Label_change
+  {
+    typename Complex::Label label = 0; ///< whose components these are
+    std::size_t before = 0;            ///< number of components before
+    std::size_t after = 0;             ///< number of components after
+    std::size_t merged = 0;   ///< components that others merged into: before + split + appeared =
+                              ///< after + merged + vanished
+    std::size_t split = 0;    ///< components that fell off others
+    std::size_t vanished = 0; ///< components of which no cell is left
+    std::size_t appeared = 0; ///< components that come from none
+    double volume_before = 0; ///< 0 if the label was not there
+    double volume_after = 0;  ///< 0 if the label is gone
+  };
+
+  bool complete = true;                      ///< whether `unfinished` is empty
+  std::vector<Unfinished_vertex> unfinished; ///< by time stamp
+  /// vertices that were removed or left the interface, by a merge or a collapse, before they
+  /// arrived
+  std::size_t vanished = 0;
+  unsigned passes = 0;  ///< executions of the main loop of Algorithm 1
+  bool stopped = false; ///< whether the visitor ended it: `go_further()` was false
+  /// \var split
+  /// edges split
+  /// \var collapsed
+  /// edges collapsed, on the interface or off it
+  /// \var flipped
+  /// edges, sets of facets, and edges of the interface removed
+  /// \var smoothed
+  /// vertices smoothed
+  /// \var inserted
+  /// vertices inserted into cells
+  std::size_t split = 0, collapsed = 0, flipped = 0, smoothed = 0, inserted = 0;
+  /// vertices of the interface that were moved, from where they had come, to remove small angles:
+  /// by a twentieth of a mean edge, a quarter at most
+  std::size_t relocated = 0;
+  std::size_t relabeled = 0;        ///< cells that changed their label
+  std::vector<Label_change> labels; ///< one for each label of before or after, increasing
+  std::vector<Topology_event<Complex>> events; ///< by pass
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORMATION_REPORT_H

@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TOPOLOGY_EVENT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TOPOLOGY_EVENT_H
+
+#include <CGAL/Deformable_simplicial_complexes/Component_event.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+What became of components of a label in a pass of a deformation, and where.
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+*/
+template <class Complex> struct Topology_event : public Component_event
+{
+  typename Complex::Approximate_point where; ///< where a cell changed its label; one such place
+  unsigned pass;                               ///< of the deformation, the first one being 1
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TOPOLOGY_EVENT_H

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_FACET_NORMALS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_FACET_NORMALS_H
+
+#include <array>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The outward normals of the facets of a cell, as long as d - 1 times what they measure.
+template <class Complex> class Facet_normals
+{
+public:
+  using Vector = typename Complex::Approximate_vector;
+
+  Facet_normals(const Complex& complex, typename Complex::Cell_handle cell) {
+    using Space = typename Complex::Space;
+    for (int i = 0; i < Complex::corners; ++i) {
+      std::array<typename Complex::Approximate_point, Complex::dimension> points;
+      for (int k = 0; k < Complex::dimension; ++k)
+        points[k] = complex.corner(cell, Space::facet_vertices[i][k]);
+      m_normals[i] = Space::facet_normal(points);
+      if (m_normals[i].squared_length() > m_normals[m_largest].squared_length())
+        m_largest = i;
+    }
+  }
+
+  const Vector& operator[](int i) const { return m_normals[i]; }
+
+  int largest() const { return m_largest; }
+
+  // The barycentric coordinate, for a vertex i of the largest facet, of the projection of the
+  // opposite vertex to that facet: the normals sum up to zero, so these do to one.
+  double coordinate_of_projection(int i) const {
+    return -(m_normals[i] * m_normals[m_largest]) / m_normals[m_largest].squared_length();
+  }
+
+private:
+  std::array<Vector, Complex::corners> m_normals;
+  int m_largest = 0;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_FACET_NORMALS_H

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_NAMED_PARAMETERS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_NAMED_PARAMETERS_H
+
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <functional>
+
+/// \file
+/// Named parameters of the package. They chain like CGAL's:
+/// `deform_interface(dsc, destination, parameters::maximum_number_of_passes(20).visitor(v))`
+/// with `namespace parameters = CGAL::Deformable_simplicial_complexes::parameters`.
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+namespace internal_np {
+
+/// \cond SKIP_IN_MANUAL
+#define CGAL_add_named_parameter(X, Y, Z) enum X { Y };
+#include <CGAL/Deformable_simplicial_complexes/named_parameter_list.h>
+#undef CGAL_add_named_parameter
+/// \endcond
+
+// Those of CGAL's own parameters that the package understands keep CGAL's tags.
+using CGAL::internal_np::number_of_iterations_t;
+using CGAL::internal_np::visitor_t;
+
+} // namespace internal_np
+
+/// \cond SKIP_IN_MANUAL
+#define CGAL_DSC_SHARED_PARAMETERS                                                                 \
+  CGAL_add_named_parameter(number_of_iterations_t, number_of_iterations, number_of_iterations)     \
+      CGAL_add_named_parameter(visitor_t, visitor, visitor)
+/// \endcond
+
+/// A chain of named parameters: CGAL's class with the functions of this package.
+template <class T, class Tag, class Base = CGAL::internal_np::No_property>
+struct Named_parameters : public Named_function_parameters<T, Tag, Base>
+{
+  using Named_function_parameters<T, Tag, Base>::Named_function_parameters;
+
+/// \cond SKIP_IN_MANUAL
+#define CGAL_add_named_parameter(X, Y, Z)                                                          \
+  template <class K>                                                                               \
+  Named_parameters<K, internal_np::X, Named_parameters> Z(const K& value) const {                  \
+    return {value, *this};                                                                         \
+  }
+#include <CGAL/Deformable_simplicial_complexes/named_parameter_list.h>
+  CGAL_DSC_SHARED_PARAMETERS
+#undef CGAL_add_named_parameter
+  /// \endcond
+};
+
+namespace parameters {
+
+/// The type of an empty chain.
+using Default_named_parameters = Named_parameters<bool, CGAL::internal_np::all_default_t>;
+
+/// An empty chain: every parameter has its default value.
+inline Default_named_parameters default_values() { return {}; }
+
+/// \cond SKIP_IN_MANUAL
+#define CGAL_add_named_parameter(X, Y, Z)                                                          \
+  template <class K> Named_parameters<K, internal_np::X> Z(const K& value) { return {value}; }
+#include <CGAL/Deformable_simplicial_complexes/named_parameter_list.h>
+CGAL_DSC_SHARED_PARAMETERS
+#undef CGAL_add_named_parameter
+/// \endcond
+
+} // namespace parameters
+
+namespace internal {
+
+// What a parameter given by value or by reference stands for.
+template <class T> T& unwrap(T& value) { return value; }
+template <class T> T& unwrap(std::reference_wrapper<T>& value) { return value.get(); }
+
+// A quality, as it is given for a threshold.
+inline void check_threshold(double quality) {
+  if (!(quality >= 0 && quality <= 1))
+    throw Error("a threshold of quality is out of range: use 0 to 1");
+}
+
+} // namespace internal
+
+#undef CGAL_DSC_SHARED_PARAMETERS
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_NAMED_PARAMETERS_H

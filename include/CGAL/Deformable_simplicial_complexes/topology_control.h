@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TOPOLOGY_CONTROL_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TOPOLOGY_CONTROL_H
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+/// \file
+/// Who decides whether the interface may change its topology: values of the parameter
+/// `topology_control()`.
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// Parts of a phase may merge, split, appear and vanish: the default.
+/// \cgalModels{TopologyControl_3}
+struct Allow_topology_changes
+{
+  /// Returns true.
+  template <class Complex>
+  bool operator()(const Complex& /*complex*/, typename Complex::Cell_handle /*cell*/,
+                  typename Complex::Label /*label*/) const {
+    return true;
+  }
+};
+
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// The Betti numbers of each phase and of the interface stay what they are. Vertices that would
+/// have to pass through another part of the interface do not reach their destinations.
+/// \cgalModels{TopologyControl_3}
+struct Forbid_topology_changes
+{
+  /// Returns false.
+  template <class Complex>
+  bool operator()(const Complex& /*complex*/, typename Complex::Cell_handle /*cell*/,
+                  typename Complex::Label /*label*/) const {
+    return false;
+  }
+};
+
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// The topology may change where space passes between two labels of one of the given pairs, in
+/// either direction.
+/// \cgalModels{TopologyControl_3}
+class Allow_topology_changes_between
+{
+public:
+  /// \param pairs of labels; the order in a pair does not matter
+  explicit Allow_topology_changes_between(std::vector<std::pair<int, int>> pairs)
+      : m_pairs(std::move(pairs)) {}
+
+  /// Returns whether the label of the cell and the new one are a pair.
+  template <class Complex>
+  bool operator()(const Complex& /*complex*/, typename Complex::Cell_handle cell,
+                  typename Complex::Label label) const {
+    const auto is_pair = [&](const std::pair<int, int>& pair) {
+      return pair == std::pair<int, int>(cell->label(), label) ||
+             pair == std::pair<int, int>(label, cell->label());
+    };
+    return std::any_of(m_pairs.begin(), m_pairs.end(), is_pair);
+  }
+
+private:
+  std::vector<std::pair<int, int>> m_pairs;
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TOPOLOGY_CONTROL_H

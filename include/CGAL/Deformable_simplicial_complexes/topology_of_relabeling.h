@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TOPOLOGY_OF_RELABELING_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TOPOLOGY_OF_RELABELING_H
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace CGAL {
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Where a set of cells touches a cell that is none of them: which of its faces belong to one of the
+// cells. A face is known by the set of its vertices, as bits.
+template <int corners> class Trace_on_cell
+{
+public:
+  static constexpr unsigned whole = (1u << corners) - 1; // the cell itself
+
+  void add(unsigned vertices) { m_has[vertices] = true; }
+
+  void add(const Trace_on_cell& other) {
+    for (unsigned s = 1; s < whole; ++s)
+      m_has[s] = m_has[s] || other.m_has[s];
+  }
+
+  // Whether the trace, made complete by the faces of its simplices, is contractible: connected and
+  // of Euler characteristic 1, which on a sphere excludes loops and the whole sphere.
+  bool is_contractible() const {
+    std::array<bool, whole> has = m_has;
+    for (unsigned s = whole - 1; s > 0; --s)
+      for (unsigned t = s + 1; t < whole; ++t)
+        has[s] = has[s] || (has[t] && (s & t) == s);
+    int characteristic = 0;
+    std::array<unsigned, corners> part; // of the vertices, those connected to each
+    unsigned vertices = 0;
+    for (int i = 0; i < corners; ++i) {
+      part[i] = 1u << i;
+      vertices |= has[1u << i] ? 1u << i : 0u;
+    }
+    for (unsigned s = 1; s < whole; ++s)
+      if (has[s]) {
+        characteristic += dimension(s) % 2 == 1 ? -1 : 1;
+        unsigned joined = 0;
+        for (int i = 0; i < corners; ++i)
+          joined |= (s >> i & 1) != 0 ? part[i] : 0;
+        for (int i = 0; i < corners; ++i)
+          if ((joined >> i & 1) != 0)
+            part[i] = joined;
+      }
+    if (characteristic != 1)
+      return false;
+    for (int i = 0; i < corners; ++i)
+      if ((vertices >> i & 1) != 0 && part[i] != vertices)
+        return false;
+    return true;
+  }
+
+private:
+  static int dimension(unsigned vertices) {
+    int result = -1;
+    for (int i = 0; i < corners; ++i)
+      result += int(vertices >> i & 1);
+    return result;
+  }
+
+  std::array<bool, whole> m_has = {}; // of its boundary, which the cell itself is no part of
+};
+
+// The criterion of relabeling_keeps_topology(), for labels that cells need not carry yet.
+template <class Complex, class LabelOf>
+bool keeps_topology(const Complex& complex, typename Complex::Cell_handle cell,
+                    typename Complex::Label label, const LabelOf& label_of) {
+  enum { of_old, of_new, of_all_but_old, of_all_but_new };
+  std::array<Trace_on_cell<Complex::corners>, 4> traces;
+  Trace_on_cell<Complex::corners> outside;
+  std::vector<typename Complex::Cell_handle> star;
+  for (int i = 0; i < Complex::corners; ++i) {
+    complex.star(cell->vertex(i), star);
+    for (auto c : star) {
+      if (c == cell)
+        continue;
+      unsigned common = 0;
+      for (int j = 0; j < Complex::corners; ++j)
+        common |= c->has_vertex(cell->vertex(j)) ? 1u << j : 0;
+      if (complex.is_infinite(c)) {
+        outside.add(common);
+        continue;
+      }
+      traces[label_of(c) == label_of(cell) ? of_old : of_all_but_old].add(common);
+      traces[label_of(c) == label ? of_new : of_all_but_new].add(common);
+    }
+  }
+  return std::all_of(traces.begin(), traces.end(), [&](auto& trace) {
+    if (!trace.is_contractible())
+      return false;
+    trace.add(outside);
+    return trace.is_contractible();
+  });
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Tells whether giving a cell another label keeps the topology of the two labels, both as the union of
+their closed cells and as its interior, and with them that of the interface. All their Betti numbers
+then stay what they are; no other label is concerned.
+
+The cell leaves the closed cells of its label and joins those of the new one, and it joins the
+closed complement of its old label and leaves that of the new one. Each keeps the homotopy type if
+the set, without the cell, meets the boundary of the cell in something contractible: the criterion
+for simple points of digital topology, on simplices. At the boundary of the domain the same must
+hold for the sets together with the outside.
+
+\param complex is not changed.
+\param cell a finite cell.
+\param label the new label, different from that of the cell.
+\return whether the topology stays. Only incidences decide. Changes that cancel each other, such as a
+        part that is cut off where another one joins, count as changes.
+
+Linear in the stars of the vertices of the cell.
+*/
+template <class Complex>
+bool relabeling_keeps_topology(const Complex& complex, typename Complex::Cell_handle cell,
+                               typename Complex::Label label) {
+  return Deformable_simplicial_complexes::internal::keeps_topology(
+      complex, cell, label, [](typename Complex::Cell_handle c) { return c->label(); });
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Tells whether several cells can get another label one after the other so that each of them keeps the
+topology, as the function above says.
+
+\param complex is not changed.
+\param cells finite cells, each once.
+\param label the new label, different from those of the cells.
+\return whether an order was found. It is sought cell by cell, without ever going back, so that in
+        rare cases one is missed; then a change is named that there is none.
+
+Quadratic in the number of cells if the first order tried is one, else cubic.
+*/
+template <class Complex>
+bool relabeling_keeps_topology(const Complex& complex,
+                               std::vector<typename Complex::Cell_handle> cells,
+                               typename Complex::Label label) {
+  using Cell_handle = typename Complex::Cell_handle;
+  for (auto next = cells.begin(); next != cells.end(); ++next) {
+    const auto label_of = [&](Cell_handle c) {
+      return std::find(cells.begin(), next, c) != next ? label : c->label();
+    };
+    const auto keeping = std::find_if(next, cells.end(), [&](Cell_handle c) {
+      return Deformable_simplicial_complexes::internal::keeps_topology(complex, c, label, label_of);
+    });
+    if (keeping == cells.end())
+      return false;
+    std::iter_swap(next, keeping);
+  }
+  return true;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TOPOLOGY_OF_RELABELING_H

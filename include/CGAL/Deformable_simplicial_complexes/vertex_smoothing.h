@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_SMOOTHING_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_SMOOTHING_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
+
+#include <CGAL/Origin.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Worst quality of a star, by any measure, if its vertex v were at p; stops at the first cell not
+// above `bound`.
+template <class Complex, class Measure>
+double star_quality(const Complex& complex, const Measure& measure,
+                    typename Complex::Vertex_handle v,
+                    const std::vector<typename Complex::Cell_handle>& star,
+                    const typename Complex::Approximate_point& p, double bound) {
+  double worst = std::numeric_limits<double>::infinity();
+  for (auto c : star) {
+    if (complex.is_infinite(c))
+      continue;
+    worst = (std::min)(worst, apply_to_corners<Complex::corners>(measure, [&](int i) {
+                         const auto w = c->vertex(i);
+                         return complex.domain().seen(complex, c, i,
+                                                      w == v ? p : complex.position(w));
+                       }));
+    if (!(worst > bound))
+      break;
+  }
+  return worst;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Proposes to move a vertex towards the barycenter of its neighbors (smart Laplacian smoothing,
+section 3.2 of the paper): all the way, else half of it, if that raises the worst quality of its
+star.
+
+\param complex is not changed.
+\param v a vertex that is not on the interface; on the boundary of the domain it stays within its
+       sides.
+\param star the star of v.
+\param target the proposed position.
+\return whether there is one; commit with `complex.set_point(v, star, target)`.
+
+Linear in the star.
+*/
+template <class Complex>
+bool propose_smart_laplacian(const Complex& complex, typename Complex::Vertex_handle v,
+                             const std::vector<typename Complex::Cell_handle>& star,
+                             typename Complex::Point& target) {
+  if (v->is_interface())
+    return false;
+  using Vector = typename Complex::Approximate_vector;
+  std::vector<typename Complex::Vertex_handle> neighbors;
+  Vector sum(CGAL::NULL_VECTOR);
+  double worst = std::numeric_limits<double>::infinity();
+  for (auto c : star) {
+    if (complex.is_infinite(c))
+      continue;
+    worst = (std::min)(worst, c->quality());
+    for (int i = 0; i < Complex::corners; ++i) {
+      const auto w = c->vertex(i);
+      const auto known = w->scratch_index();
+      if (w == v || (known < neighbors.size() && neighbors[known] == w))
+        continue;
+      w->set_scratch_index(std::uint32_t(neighbors.size()));
+      neighbors.push_back(w);
+      sum = sum + (complex.position(w) - CGAL::ORIGIN);
+    }
+  }
+  const auto from = complex.position(v);
+  const auto to = CGAL::ORIGIN + sum / double(neighbors.size());
+  for (double step : {1., .5}) {
+    target = complex.admissible_destination(v, complex.exact(from + step * (to - from)));
+    if (Deformable_simplicial_complexes::internal::star_quality(
+            complex, complex.quality_measure(), v, star, complex.approximate(target), worst) > worst)
+      return complex.is_positive_star(v, star, target);
+  }
+  return false;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_SMOOTHING_H
