@@ -53,7 +53,7 @@ bool propose_relabeling(const Complex& complex, typename Complex::Cell_handle ce
   if (!(cell->quality() < threshold / 2))
     return false;
   double best = 0;
-  for (int candidate = 0; candidate < 4; ++candidate) {
+  for (int candidate = 0; candidate < Complex::corners; ++candidate) {
     if (!complex.is_interface(std::make_pair(cell, candidate)))
       continue;
     double change = 0; // of the measure of the interface, up to a factor

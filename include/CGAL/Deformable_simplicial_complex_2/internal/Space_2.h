@@ -44,6 +44,8 @@ public:
 
   // The vertices of the edge opposite to each vertex, with the cell on the left.
   static constexpr int facet_vertices[3][2] = {{1, 2}, {2, 0}, {0, 1}};
+  // The vertices of a cell in an even permutation that begins with each of them.
+  static constexpr int even_permutation[3][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}};
   // The edges of a facet: itself.
   static constexpr int facet_edges[1][2] = {{0, 1}};
 

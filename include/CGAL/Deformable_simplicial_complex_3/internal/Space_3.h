@@ -30,9 +30,8 @@ public:
 
   using Geom_traits = Traits;
   using Triangulation_data_structure = typename Default::Get<
-      Tds,
-      Triangulation_data_structure_3<Deformable_simplicial_complex_vertex_base_3<Traits>,
-                                     Deformable_simplicial_complex_cell_base_3<Traits>>>::type;
+      Tds, Triangulation_data_structure_3<Deformable_simplicial_complex_vertex_base_3<Traits>,
+                                          Deformable_simplicial_complex_cell_base_3<Traits>>>::type;
   using Triangulation = Triangulation_3<Traits, Triangulation_data_structure>;
   using Vertex_handle = typename Triangulation::Vertex_handle;
   using Cell_handle = typename Triangulation::Cell_handle;
@@ -45,13 +44,14 @@ public:
   // The vertices of the facet opposite to each vertex, counterclockwise seen from outside the cell.
   static constexpr int facet_vertices[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
+  // The vertices of a cell in an even permutation that begins with each of them.
+  static constexpr int even_permutation[4][4] = {
+      {0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
   // The edges of a facet.
   static constexpr int facet_edges[3][2] = {{0, 1}, {1, 2}, {2, 0}};
 
   static auto orientation(const Traits& traits) { return traits.orientation_3_object(); }
-  static auto measure(const Traits& traits) {
-    return traits.compute_approximate_volume_3_object();
-  }
+  static auto measure(const Traits& traits) { return traits.compute_approximate_volume_3_object(); }
   static auto approximate(const Traits& traits) {
     return traits.construct_approximate_point_3_object();
   }
@@ -91,8 +91,8 @@ public:
   static Cell_handle create_cell(Triangulation_data_structure& tds) { return tds.create_cell(); }
   static void delete_cell(Triangulation_data_structure& tds, Cell_handle c) { tds.delete_cell(c); }
 
-  // Whether a closed, connected 2-manifold with so many vertices and facets is a sphere. Three edges
-  // for two facets: V - E + F = V - F / 2.
+  // Whether a closed, connected 2-manifold with so many vertices and facets is a sphere. Three
+  // edges for two facets: V - E + F = V - F / 2.
   static bool is_sphere(std::size_t vertices, std::size_t facets) {
     return 2 * vertices == facets + 4;
   }

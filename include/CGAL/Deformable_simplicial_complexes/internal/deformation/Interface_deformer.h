@@ -6,20 +6,19 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_INTERFACE_DEFORMER_H
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Any_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Small_angle_remover_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/topology/Trapped_cells.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Mesh_care.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/collision_order.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/final_quality.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/harmonic_extension.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/simultaneous_motion.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/topology/Trapped_cells.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/triangle_quality.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -36,21 +35,6 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Where what is at a point goes in the deformation.
-template <class Complex>
-using Space_motion = std::function<typename Complex::Approximate_point(
-    const typename Complex::Approximate_point&)>;
-
-// What deform_interface() is asked for.
-template <class Complex> struct Deformation_options
-{
-  double quality_threshold, relabeling_threshold;
-  double minimum_angle, minimum_facet_angle; // degrees
-  bool manifold_interface, collision_order;
-  Topology_control<Complex> topology_control;
-  Space_motion<Complex> flow; // of the space around the interface, if it is known
-};
-
 // The steps of Algorithm 1, in the order in which deform_interface() takes them.
 template <class Complex> class Interface_deformer
 {
@@ -62,12 +46,10 @@ public:
   using Report = Deformation_report<Complex>;
 
   Interface_deformer(Complex& complex, Any_visitor<Complex>& visitor,
-                       const Deformation_options<Complex>& options,
-                       const For_each_index& for_each_index)
+                     const Deformation_options<Complex>& options,
+                     const For_each_index& for_each_index)
       : m_complex(complex), m_visitor(visitor), m_options(options),
-        m_degenerate_cosine(std::cos(options.minimum_facet_angle * (CGAL_PI / 180))),
-        m_improver(complex, visitor, options.quality_threshold),
-        m_small_angles(complex, visitor, options.minimum_angle, options.quality_threshold),
+        m_mesh(complex, visitor, options),
         m_trapped_cells(complex, visitor, m_options.topology_control, options.manifold_interface),
         m_for_each_index(for_each_index) {}
 
@@ -84,12 +66,11 @@ public:
   // Nothing is changed if a destination is refused.
   template <class Destination> void set_destinations(const Destination& destination) {
     const auto vertices = m_complex.interface_vertices();
-    const auto approximate = m_complex.geom_traits().construct_approximate_point_3_object();
     std::vector<Point> destinations;
     std::vector<typename Complex::Approximate_point> positions;
     for (Vertex_handle v : vertices) {
       destinations.push_back(destination(v));
-      positions.push_back(approximate(destinations.back()));
+      positions.push_back(m_complex.approximate(destinations.back()));
     }
     require_finite(positions, "a destination");
     m_trapped_cells.log().begin();
@@ -100,7 +81,7 @@ public:
     }
     update_unfinished();
     for (const Item& item : m_unfinished)
-      m_small_angles.remember(item.vertex);
+      m_mesh.remember(item.vertex);
   }
 
   bool is_complete() const { return m_unfinished.empty(); }
@@ -108,39 +89,14 @@ public:
   // Whether the last two passes that had all means brought vertices nearer to their destinations.
   bool is_progressing() const { return m_idle_passes < 2; }
 
-  // Facets of the interface that will have a small angle at their destinations, and a smaller one
-  // than now: what moves as a whole keeps its facets.
-  void find_degenerating_facets() {
-    using Triangle = std::array<typename Complex::Approximate_point, 3>;
-    static constexpr double more = 1 + 1e-6; // than what rounding does
-    m_degenerating.clear();
-    const auto final = [&](Vertex_handle v) { return m_complex.final_position(v); };
-    const auto now = [&](Vertex_handle v) { return m_complex.position(v); };
-    const std::vector<Vertex_handle> vertices = unfinished();
-    number_vertices(vertices);
-    for (Cell_handle c : star_union(m_complex, vertices))
-      for (int i = 0; i < Complex::corners; ++i) {
-        const Cell_handle d = c->neighbor(i);
-        if (d->label() >= c->label() || m_complex.is_infinite(d))
-          continue;
-        const auto v = m_complex.facet_vertices({c, i});
-        const double after = largest_cosine(Triangle{final(v[0]), final(v[1]), final(v[2])});
-        if (after > m_degenerate_cosine &&
-            after > more * largest_cosine(Triangle{now(v[0]), now(v[1]), now(v[2])}))
-          m_degenerating.push_back({c, c->time_stamp(), i});
-      }
-    std::sort(m_degenerating.begin(), m_degenerating.end(),
-              [](const Facet_item& a, const Facet_item& b) {
-                return std::tie(a.time_stamp, a.index) < std::tie(b.time_stamp, b.index);
-              });
-  }
+  // What the mesh is like before a pass.
+  void begin_pass() { m_mesh.begin_pass(unfinished()); }
 
   // Interface and free vertices at once: most of most motions. Free vertices follow the flow of
   // space, in the first pass, and deviate from it only as interface and boundary do.
   void move_together(unsigned pass) {
     std::vector<Vertex_handle> vertices = unfinished();
     const std::vector<Vertex_handle> free = free_vertices_near(m_complex, vertices, layers());
-    const auto exact = m_complex.geom_traits().construct_exact_point_3_object();
     static constexpr double far = 100;         // times the longest way: nothing to be followed
     static constexpr double negligible = 1e-6; // of the longest way
     const double longest = longest_way();
@@ -164,7 +120,7 @@ public:
       const auto target = m_complex.position(free[i]) + flow(free[i]) + solution[i];
       if (target != m_complex.position(free[i]) && has_finite_coordinates(target)) {
         vertices.push_back(free[i]);
-        targets.push_back(exact(target));
+        targets.push_back(m_complex.exact(target));
       }
     }
     for (Cell_handle c : move_simultaneously(m_complex, vertices, targets, m_for_each_index))
@@ -206,9 +162,7 @@ public:
   // is to keep its facets does so as long as there is hope that the rest is enough.
   void remove_obstacles(unsigned pass) {
     m_may_remove_facets = m_options.minimum_facet_angle > 0 || pass > 2;
-    static constexpr double swept = .3;   // quality below which a cell in the way may be relabeled
-    static constexpr double cosine = .94; // of 20 degrees
-    const double shortest = .5 * m_complex.minimum_interface_edge();
+    static constexpr double swept = .3; // quality below which a cell in the way may be relabeled
     Work_list<Cell_handle> cells;
     for (Vertex_handle v : unfinished()) {
       m_complex.star(v, m_star);
@@ -221,26 +175,17 @@ public:
     m_trapped_cells.remove_small_components(handles(cells));
     find_events(pass);
     for (const auto& item : cells) {
-      const Cell_handle c = item.cell;
-      if (!m_complex.is_alive(c, item.time_stamp) ||
-          (m_may_remove_facets && (remove_degenerate_facet(c, cosine) ||
-                                   m_improver.remove_degenerate_edge(c, shortest, m_touched))))
-        continue;
-      if (c->quality() < m_options.relabeling_threshold)
-        m_improver.remove_trapped_vertex(c, m_touched);
+      if (m_complex.is_alive(item.cell, item.time_stamp))
+        m_mesh.remove_obstacle(item.cell, m_may_remove_facets, m_touched);
     }
   }
 
   // Facets of the interface that the motion has given small angles.
-  void remove_degenerating_facets() {
-    for (const Facet_item& item : m_degenerating)
-      if (m_complex.is_alive(item.cell, item.time_stamp))
-        m_improver.remove_degenerate_facet(item.cell, item.index, m_degenerate_cosine, m_touched);
-  }
+  void remove_degenerating_facets() { m_mesh.remove_degenerating_facets(m_touched); }
 
   // Reconnection, smoothing, collapses and splits around what moved.
   void improve() {
-    m_improver.improve(std::move(m_touched), 3);
+    m_mesh.improve(std::move(m_touched));
     m_touched.clear();
     update_unfinished();
     const double distance = remaining_distance();
@@ -252,14 +197,13 @@ public:
   // What the passes have left, but for cells that moved as a whole.
   void remove_small_angles(unsigned pass) {
     static constexpr double any_quality = 2;
-    const Work_list<Cell_handle> cells = m_small_angles.bad_cells();
+    const Work_list<Cell_handle> cells = m_mesh.cells_with_small_angles();
     if (cells.empty())
       return;
-    m_trapped_cells.relabel(handles(cells), any_quality, [&](Cell_handle c) {
-      return m_small_angles.is_bad(c) && m_small_angles.ends_bad(c);
-    });
+    m_trapped_cells.relabel(handles(cells), any_quality,
+                            [&](Cell_handle c) { return m_mesh.keeps_small_angles(c); });
     find_events(pass);
-    m_small_angles.run([&](Cell_handle c, typename Complex::Label label) {
+    m_mesh.remove_small_angles([&](Cell_handle c, typename Complex::Label label) {
       return m_trapped_cells.relabel_if_topology_stays(c, label);
     });
     update_unfinished();
@@ -272,13 +216,13 @@ public:
       report.unfinished.push_back({v, remaining_distance(v)});
     report.vanished = m_vanished;
     report.complete = report.unfinished.empty();
-    const Improvement_report done = m_improver.report() + m_small_angles.report();
+    const Improvement_report done = m_mesh.report();
     report.split = done.split;
     report.collapsed = done.collapsed;
     report.flipped = done.flipped;
     report.smoothed = done.smoothed;
     report.inserted = done.inserted;
-    report.relocated = m_small_angles.number_of_relocated();
+    report.relocated = m_mesh.number_of_relocated();
     report.relabeled = m_trapped_cells.number_of_relabeled();
     m_trapped_cells.log().report(passes, report);
     return report;
@@ -293,27 +237,11 @@ private:
     std::size_t time_stamp; // the vertex may have been removed
   };
 
-  struct Facet_item
-  {
-    Cell_handle cell;
-    std::size_t time_stamp; // the cell may have been replaced
-    int index;
-  };
-
   // Relabels trapped cells below a quality, but for those that are flat only on the way.
   void relabel(const Work_list<Cell_handle>& cells, double threshold) {
     m_trapped_cells.relabel(handles(cells), threshold, [&](Cell_handle c) {
-      return final_quality(m_complex, c) <
-             m_options.relabeling_threshold;
+      return final_quality(m_complex, c) < m_options.relabeling_threshold;
     });
-  }
-
-  // Removes one of the facets of a cell.
-  bool remove_degenerate_facet(Cell_handle c, double cosine) {
-    for (int i = 0; i < Complex::corners; ++i)
-      if (m_improver.remove_degenerate_facet(c, i, cosine, m_touched))
-        return true;
-    return false;
   }
 
   Vector remaining(Vertex_handle v) const {
@@ -342,7 +270,7 @@ private:
 
   double remaining_distance(Vertex_handle v) const {
     const Vector way = remaining(v);
-    return std::hypot(way.x(), way.y(), way.z());
+    return Complex::Space::length(way);
   }
 
   static std::vector<Cell_handle> handles(const Work_list<Cell_handle>& cells) {
@@ -353,7 +281,7 @@ private:
   }
 
   void touch(Cell_handle c) {
-    if (m_improver.is_bad(c) || c->quality() < m_options.relabeling_threshold)
+    if (m_mesh.is_bad(c) || c->quality() < m_options.relabeling_threshold)
       m_touched.push(c);
   }
 
@@ -389,14 +317,11 @@ private:
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
   Deformation_options<Complex> m_options;
-  double m_degenerate_cosine; // of the smallest angle that a facet may come to have
-  Mesh_improver_3<Complex> m_improver;
-  Small_angle_remover_3<Complex> m_small_angles;
+  Mesh_care<Complex> m_mesh;
   Trapped_cells<Complex> m_trapped_cells;
   const For_each_index& m_for_each_index;
   std::vector<Item> m_unfinished;
   Work_list<Cell_handle> m_touched;
-  std::vector<Facet_item> m_degenerating;
   std::vector<Cell_handle> m_star;
   double m_last_distance = std::numeric_limits<double>::infinity();
   unsigned m_idle_passes = 0;

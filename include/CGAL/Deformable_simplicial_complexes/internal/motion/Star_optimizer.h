@@ -5,10 +5,14 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_STAR_OPTIMIZER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_STAR_OPTIMIZER_H
 
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -28,14 +32,13 @@ public:
   Star_optimizer(const Measure& measure, const Point& p) : m_measure(measure), m_position(p) {}
 
   // The star of v.
-  Star_optimizer(const Complex& complex, const Measure& measure,
-                   typename Complex::Vertex_handle v,
-                   const std::vector<typename Complex::Cell_handle>& star)
+  Star_optimizer(const Complex& complex, const Measure& measure, typename Complex::Vertex_handle v,
+                 const std::vector<typename Complex::Cell_handle>& star)
       : Star_optimizer(measure, complex.position(v)) {
     for (auto c : star) {
-      std::array<Point, 4> points;
+      std::array<Point, Complex::corners> points;
       for (int i = 0; i < Complex::corners; ++i)
-        points[i] = complex.position(c->vertex(i));
+        points[i] = complex.corner(c, i);
       add(points, c->index(v));
     }
   }
@@ -44,13 +47,14 @@ public:
   void block(const Vector& direction) { m_blocked.push_back(direction); }
 
   // Adds a cell of the star, of which the vertex with this index moves.
-  void add(const std::array<Point, 4>& points, int vertex) {
+  void add(const std::array<Point, Complex::corners>& points, int vertex) {
     Function f;
     f.points = points;
     f.vertex = vertex;
     m_functions.push_back(f);
-    m_length =
-        (std::max)(m_length, std::sqrt((points[(vertex + 1) % 4] - m_position).squared_length()));
+    m_length = (std::max)(
+        m_length,
+        std::sqrt((points[(vertex + 1) % Complex::corners] - m_position).squared_length()));
   }
 
   // A better position, or the present one.
@@ -64,15 +68,25 @@ public:
 private:
   struct Function
   {
-    std::array<Point, 4> points;
+    std::array<Point, Complex::corners> points;
     int vertex;
     double value;
     Vector gradient;
   };
 
+  using Corner_sequence = std::make_integer_sequence<int, Complex::corners>;
+
+  template <class M, int... i>
+  static auto gradient_by_first(const M& measure, const std::array<Point, Complex::corners>& points,
+                                std::integer_sequence<int, i...>)
+      -> decltype(measure.gradient(points[i]...)) {
+    return measure.gradient(points[i]...);
+  }
+
   double value(Function& f, const Point& p) const {
     f.points[f.vertex] = p;
-    return m_measure(f.points[0], f.points[1], f.points[2], f.points[3]);
+    return apply_to_corners<Complex::corners>(m_measure,
+                                              [&](int i) -> const Point& { return f.points[i]; });
   }
 
   double worst(const Point& p, double bound) {
@@ -92,23 +106,27 @@ private:
       f.gradient = f.gradient - (f.gradient * direction) * direction;
   }
 
-  // Of a measure that knows its gradient.
+  // Of a measure that knows its gradient by the first vertex: with the moving one there.
   template <class M>
   auto gradient_of(const M& measure, const Function& f, int) const
-      -> decltype(measure.gradient(f.points[0], f.points[1], f.points[2], f.points[3])) {
-    static constexpr int even[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
-    const auto p = [&](int i) { return f.points[even[f.vertex][i]]; };
-    return measure.gradient(p(0), p(1), p(2), p(3));
+      -> decltype(gradient_by_first(measure, f.points, Corner_sequence())) {
+    std::array<Point, Complex::corners> points;
+    for (int i = 0; i < Complex::corners; ++i)
+      points[i] = f.points[Complex::Space::even_permutation[f.vertex][i]];
+    return gradient_by_first(measure, points, Corner_sequence());
   }
 
   // Of any other: by differences.
   template <class M> Vector gradient_of(const M&, const Function& f, long) const {
     const double h = 1e-6 * m_length;
     Function g = f;
-    const auto slope = [&](const Vector& axis) {
-      return (value(g, m_position + h * axis) - f.value) / h;
-    };
-    return Vector(slope(Vector(1, 0, 0)), slope(Vector(0, 1, 0)), slope(Vector(0, 0, 1)));
+    std::array<double, Complex::dimension> slopes;
+    for (int axis = 0; axis < Complex::dimension; ++axis) {
+      std::array<double, Complex::dimension> step = {};
+      step[axis] = h;
+      slopes[axis] = (value(g, m_position + vector_of<Complex>(step)) - f.value) / h;
+    }
+    return vector_of<Complex>(slopes);
   }
 
   // The point of the convex hull of the active gradients that is nearest to the origin (Gilbert).

@@ -5,9 +5,10 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_HARMONIC_EXTENSION_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_HARMONIC_EXTENSION_H
 
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/Linear_element.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
-#include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
 
 #include <CGAL/Origin.h>
 
@@ -15,6 +16,7 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -75,7 +77,7 @@ std::vector<typename Complex::Approximate_vector>
 harmonic_extension(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& free,
                    const Displacement& displacement, const For_each_index& for_each_index) {
   using Vector = typename Complex::Approximate_vector;
-  using Point = typename Complex::Approximate_point;
+  static constexpr int d = Complex::dimension;
   if (free.empty())
     return {};
   number_vertices(free);
@@ -98,26 +100,24 @@ harmonic_extension(const Complex& complex, const std::vector<typename Complex::V
 
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(n);
-  Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(n, 3);
+  using Columns = Eigen::Matrix<double, Eigen::Dynamic, d>;
+  Columns right = Columns::Zero(n, d);
   for (auto c : cells) {
-    const Tetrahedron_frame<Point> t(complex.position(c->vertex(0)), complex.position(c->vertex(1)),
-                                     complex.position(c->vertex(2)),
-                                     complex.position(c->vertex(3)));
-    const auto normals = t.area_vectors();
+    const Linear_element<Complex> element(complex, c);
     for (int i = 0; i < Complex::corners; ++i) {
       const Index row = Index(c->vertex(i)->scratch_index());
       if (row >= n)
         continue;
       for (int j = 0; j < Complex::corners; ++j) {
         const Index column = Index(c->vertex(j)->scratch_index());
-        const double stiffness = normals[i] * normals[j] / (6 * t.six_volumes);
+        const double stiffness = element.stiffness(i, j);
         if (i == j) {
           diagonal[row] += stiffness;
         } else if (column < n) {
           entries.emplace_back(row, column, stiffness);
         } else {
-          const Vector& d = known[std::size_t(column - n)];
-          right.row(row) -= stiffness * Eigen::RowVector3d(d.x(), d.y(), d.z());
+          for (int axis = 0; axis < d; ++axis)
+            right(row, axis) -= stiffness * known[std::size_t(column - n)][axis];
         }
       }
     }
@@ -129,10 +129,10 @@ harmonic_extension(const Complex& complex, const std::vector<typename Complex::V
   matrix.setFromTriplets(entries.begin(), entries.end());
 
   // The extension only guides: what it proposes is checked, so that a rough solution will do.
-  Eigen::MatrixX3d solution(n, 3);
+  Columns solution(n, d);
   const std::size_t worthwhile = n < 100 ? 4 : 1;
   for_each_index(
-      3,
+      d,
       [&](std::size_t axis) {
         Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver(matrix);
         solver.setTolerance(1e-2);
@@ -141,8 +141,12 @@ harmonic_extension(const Complex& complex, const std::vector<typename Complex::V
       },
       worthwhile);
   std::vector<Vector> result;
-  for (Index i = 0; i < n; ++i)
-    result.emplace_back(solution(i, 0), solution(i, 1), solution(i, 2));
+  for (Index i = 0; i < n; ++i) {
+    std::array<double, d> coordinates;
+    for (int axis = 0; axis < d; ++axis)
+      coordinates[axis] = solution(i, axis);
+    result.push_back(vector_of<Complex>(coordinates));
+  }
   return result;
 }
 

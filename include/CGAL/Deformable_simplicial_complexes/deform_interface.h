@@ -1,0 +1,187 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORM_INTERFACE_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORM_INTERFACE_H
+
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Interface_deformer.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+
+#include <CGAL/Deformable_simplicial_complexes/topology_control.h>
+
+#include <functional>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Moves the vertices of the interface to destinations, without ever inverting a cell, and keeps the
+mesh good on the way (Algorithm 1 of the paper). Parts of the interface that meet may merge or
+split.
+
+Each pass moves all vertices at once as far as no cell inverts, carrying the free vertices around
+along with a harmonic extension of the motion; then the vertices that were held back, one by one
+(Algorithm 2); then relabels cells flattened between two parts of the interface, removes what is in
+the way of vertices that have not arrived and facets whose angles became small, and improves what
+became bad.
+
+\param dsc the complex
+\param destination a function object: `Point destination(Vertex_handle v)`, asked once for each
+       vertex of the interface, in the coordinates of the complex. A vertex on a side of the domain
+       goes to the nearest point of that side.
+\param np named parameters:
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{maximum_number_of_passes}
+    \cgalParamDescription{bound on the passes; two passes without progress end the deformation earlier}
+    \cgalParamType{`unsigned int`} \cgalParamDefault{20}
+  \cgalParamNEnd
+  \cgalParamNBegin{quality_threshold}
+    \cgalParamDescription{cells that moved and are of lower quality are improved, in [0, 1]}
+    \cgalParamType{`double`} \cgalParamDefault{0.2}
+  \cgalParamNEnd
+  \cgalParamNBegin{relabeling_threshold}
+    \cgalParamDescription{quality below which a cell trapped by the interface may join the other
+                          phase, if it is no better with the interface at its destinations, in
+                          [0, 1]; around vertices that do not get on, only the latter counts}
+    \cgalParamType{`double`} \cgalParamDefault{0.01, the paper's}
+  \cgalParamNEnd
+  \cgalParamNBegin{minimum_angle}
+    \cgalParamDescription{cells with a dihedral angle, in degrees, below it or above its supplement
+                          are removed in the end if they are below the quality threshold, but for
+                          those at parts of the interface that stayed or moved as a whole. If
+                          trapped, they may join another phase as with `relabeling_threshold`.
+                          Else the topology stays; the interface moves by the cell or by a tenth of
+                          the cube of a mean edge at most, or one of its vertices that moved by a
+                          twentieth of a mean edge; by up to five times as much where nothing less
+                          helps. In [0, 30]; 0 leaves what has arrived in place.}
+    \cgalParamType{`double`} \cgalParamDefault{5}
+  \cgalParamNEnd
+  \cgalParamNBegin{minimum_facet_angle}
+    \cgalParamDescription{facets of the interface whose smallest angle shrinks below it, in degrees,
+                          are removed where that makes the mesh around them better; in [0, 30]. With
+                          0, none is removed for its angles, and those that keep vertices from their
+                          destinations only from the third pass on. What `minimum_angle` and
+                          `relabeling_threshold` ask for is done none the less.}
+    \cgalParamType{`double`} \cgalParamDefault{5}
+  \cgalParamNEnd
+  \cgalParamNBegin{flow}
+    \cgalParamDescription{where what is at a point goes in the deformation: free vertices go there,
+                          too, up to a harmonic function that is needed where the interface or the
+                          boundary of the domain do not. For the first pass only, in which most
+                          deformations end. Asked at vertices; where it is not finite, or more than
+                          100 times as long as the longest way of the interface, they follow the
+                          interface.}
+    \cgalParamType{function object `Approximate_point flow(Approximate_point p)`, in the
+                   coordinates of the complex}
+    \cgalParamDefault{none: free vertices follow the interface}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_threads}
+    \cgalParamDescription{threads to use where linked with TBB; the result does not depend on it}
+    \cgalParamType{`unsigned int`} \cgalParamDefault{1}
+  \cgalParamNEnd
+  \cgalParamNBegin{topology_control}
+    \cgalParamDescription{is asked before a change that alters the topology of a phase and of the
+                          interface}
+    \cgalParamType{model of `TopologyControl_3`, by value or `std::reference_wrapper`}
+    \cgalParamDefault{`Deformable_simplicial_complexes::Allow_topology_changes`}
+  \cgalParamNEnd
+  \cgalParamNBegin{manifold_interface}
+    \cgalParamDescription{whether the boundary of each phase stays a 2-manifold: cells whose new
+                          label would pinch it take others along or keep theirs, see
+                          `propose_manifold_relabeling()`. Where it is pinched to begin with, it may
+                          stay so, at no more vertices.}
+    \cgalParamType{`bool`} \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{collision_order}
+    \cgalParamDescription{whether vertices that are held back move in the order in which their stars
+                          would first have a flat cell, instead of the order of storage. Rational
+                          arithmetic takes some microseconds for each cell around them.}
+    \cgalParamType{`bool`} \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told of each change of the mesh and may end the deformation}
+    \cgalParamType{model of `DeformationVisitor_3`, by value or `std::reference_wrapper`}
+    \cgalParamDefault{`Deformation_visitor_3`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return which vertices did not arrive and how far they stayed, what happened to labels and mesh.
+\throws Deformable_simplicial_complexes::Invalid_destination_error if a destination is not finite;
+       the complex is then unchanged. An exception of the visitor leaves a valid complex.
+\throws Deformable_simplicial_complexes::Error if a threshold is out of its range, or there is an
+       interface, but no `dsc.mean_interface_edge()`; the complex is then unchanged.
+*/
+template <
+    class Complex, class Destination,
+    class NamedParameters = Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& destination,
+                                             const NamedParameters& np = NamedParameters()) {
+  namespace tags = Deformable_simplicial_complexes::internal_np;
+  namespace internal = Deformable_simplicial_complexes::internal;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  auto given_visitor =
+      choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Deformation_visitor_3());
+  auto& visitor = internal::unwrap(given_visitor);
+  auto given_control = choose_parameter(get_parameter(np, tags::topology_control),
+                                        Deformable_simplicial_complexes::Allow_topology_changes());
+  auto& topology_control = internal::unwrap(given_control);
+  const unsigned maximum_number_of_passes =
+      choose_parameter(get_parameter(np, tags::maximum_number_of_passes), 20u);
+  const internal::Deformation_options<Complex> options = {
+      double(choose_parameter(get_parameter(np, tags::quality_threshold), .2)),
+      double(choose_parameter(get_parameter(np, tags::relabeling_threshold), .01)),
+      double(choose_parameter(get_parameter(np, tags::minimum_angle), 5.)),
+      double(choose_parameter(get_parameter(np, tags::minimum_facet_angle), 5.)),
+      choose_parameter(get_parameter(np, tags::manifold_interface), false),
+      choose_parameter(get_parameter(np, tags::collision_order), false),
+      std::ref(topology_control),
+      choose_parameter(get_parameter(np, tags::flow), internal::Space_motion<Complex>())};
+  internal::check_threshold(options.quality_threshold);
+  internal::check_threshold(options.relabeling_threshold);
+  if (!(options.minimum_angle >= 0 && options.minimum_angle <= 30))
+    throw Deformable_simplicial_complexes::Error(
+        "the smallest angle is out of range: use 0 to 30 degrees");
+  if (!(options.minimum_facet_angle >= 0 && options.minimum_facet_angle <= 30))
+    throw Deformable_simplicial_complexes::Error(
+        "the smallest angle of a facet is out of range: use 0 to 30 degrees");
+  const unsigned number_of_threads =
+      choose_parameter(get_parameter(np, tags::number_of_threads), 1u);
+
+  internal::require_interface_edge(dsc);
+
+  const internal::For_each_index for_each_index(number_of_threads);
+  auto any_visitor = internal::adapt_visitor<Complex>(visitor);
+  internal::Interface_deformer<Complex> deformer(dsc, any_visitor, options, for_each_index);
+  deformer.set_destinations(destination);
+  unsigned pass = 0;
+  bool is_stopped = false;
+  const auto goes_further = [&] { return !(is_stopped = !visitor.go_further(pass + 1)); };
+  while (!deformer.is_complete() && deformer.is_progressing() && pass < maximum_number_of_passes &&
+         goes_further()) {
+    ++pass;
+    deformer.begin_pass();
+    deformer.move_together(pass);
+    deformer.move_one_by_one();
+    deformer.relabel_degenerate_cells(pass);
+    deformer.remove_obstacles(pass);
+    deformer.remove_degenerating_facets();
+    deformer.improve();
+  }
+  if (pass > 0 && !is_stopped)
+    deformer.remove_small_angles(pass);
+  Deformation_report<Complex> report = deformer.report(pass);
+  report.stopped = is_stopped;
+  return report;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORM_INTERFACE_H

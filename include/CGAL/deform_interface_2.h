@@ -1,0 +1,11 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORM_INTERFACE_2_H
+#define CGAL_DEFORM_INTERFACE_2_H
+
+#include <CGAL/Deformable_simplicial_complex_2/internal/Mesh_care_2.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+
+#endif // CGAL_DEFORM_INTERFACE_2_H
