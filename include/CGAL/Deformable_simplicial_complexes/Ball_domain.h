@@ -52,7 +52,15 @@ public:
     return p;
   }
 
-  /// The same for the points that predicates see.
+  /// Where vertex `j` of such a cell is as seen from its vertex `i`, if it is at `p`.
+  template <class Complex>
+  const typename Complex::Approximate_point&
+  seen_from(const Complex& /*complex*/, typename Complex::Cell_handle /*c*/, int /*i*/, int /*j*/,
+            const typename Complex::Approximate_point& p) const {
+    return p;
+  }
+
+  /// The same as `seen()` for the points that predicates see.
   template <class Complex>
   const typename Complex::Point& seen_exactly(const Complex& /*complex*/,
                                                      typename Complex::Cell_handle /*c*/, int /*i*/,

@@ -181,9 +181,13 @@ public:
   Approximate_point corner(Cell_handle c, int i) const {
     return m_domain.seen(*this, c, i, position(c->vertex(i)));
   }
-  /// From vertex `i` of a cell to its vertex `j`, as the cell sees them. \pre c is finite
+  /// Where vertex `j` of a cell is, seen from its vertex `i`. \pre c is finite
+  Approximate_point position_from(Cell_handle c, int i, int j) const {
+    return m_domain.seen_from(*this, c, i, j, position(c->vertex(j)));
+  }
+  /// From vertex `i` of a cell to its vertex `j`. \pre c is finite
   Approximate_vector displacement(Cell_handle c, int i, int j) const {
-    return corner(c, j) - corner(c, i);
+    return position_from(c, i, j) - position(c->vertex(i));
   }
   /// The cells around v, infinite ones included, in `star` (cleared first), v->cell() first.
   void star(Vertex_handle v, std::vector<Cell_handle>& star) const;

@@ -30,11 +30,11 @@ double star_quality(const Complex& complex, const Measure& measure,
   for (auto c : star) {
     if (complex.is_infinite(c))
       continue;
-    worst = (std::min)(worst, apply_to_corners<Complex::corners>(measure, [&](int i) {
-                         const auto w = c->vertex(i);
-                         return complex.domain().seen(complex, c, i,
-                                                      w == v ? p : complex.position(w));
-                       }));
+    worst =
+        (std::min)(worst, apply_to_corners<Complex::corners>(measure, [&](int i) {
+                     const auto w = c->vertex(i);
+                     return complex.domain().seen(complex, c, i, w == v ? p : complex.position(w));
+                   }));
     if (!(worst > bound))
       break;
   }
@@ -74,6 +74,7 @@ bool propose_smart_laplacian(const Complex& complex, typename Complex::Vertex_ha
     if (complex.is_infinite(c))
       continue;
     worst = (std::min)(worst, c->quality());
+    const int center = c->index(v);
     for (int i = 0; i < Complex::corners; ++i) {
       const auto w = c->vertex(i);
       const auto known = w->scratch_index();
@@ -81,7 +82,7 @@ bool propose_smart_laplacian(const Complex& complex, typename Complex::Vertex_ha
         continue;
       w->set_scratch_index(std::uint32_t(neighbors.size()));
       neighbors.push_back(w);
-      sum = sum + (complex.position(w) - CGAL::ORIGIN);
+      sum = sum + (complex.position_from(c, center, i) - CGAL::ORIGIN);
     }
   }
   const auto from = complex.position(v);
@@ -89,7 +90,8 @@ bool propose_smart_laplacian(const Complex& complex, typename Complex::Vertex_ha
   for (double step : {1., .5}) {
     target = complex.admissible_destination(v, complex.exact(from + step * (to - from)));
     if (Deformable_simplicial_complexes::internal::star_quality(
-            complex, complex.quality_measure(), v, star, complex.approximate(target), worst) > worst)
+            complex, complex.quality_measure(), v, star, complex.approximate(target), worst) >
+        worst)
       return complex.is_positive_star(v, star, target);
   }
   return false;

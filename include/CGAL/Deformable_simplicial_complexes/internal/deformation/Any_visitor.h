@@ -42,8 +42,7 @@ public:
 };
 
 // Tells a visitor of the user.
-template <class Complex, class Visitor>
-class Visitor_adaptor final : public Any_visitor<Complex>
+template <class Complex, class Visitor> class Visitor_adaptor final : public Any_visitor<Complex>
 {
 public:
   using typename Any_visitor<Complex>::Vertex_handle;

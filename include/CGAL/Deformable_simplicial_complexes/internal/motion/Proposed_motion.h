@@ -32,7 +32,7 @@ public:
   using Number = std::uint32_t;
 
   Proposed_motion(Complex& complex, const std::vector<Vertex_handle>& vertices,
-                    const std::vector<Point>& points, const For_each_index& for_each_index)
+                  const std::vector<Point>& points, const For_each_index& for_each_index)
       : m_complex(complex), m_for_each_index(for_each_index), m_vertices(vertices),
         m_points(points) {
     number_vertices(m_vertices);
@@ -52,9 +52,7 @@ public:
   const std::vector<Cell_handle>& cells() const { return m_cells; }
 
   // Where any vertex would be.
-  Approximate_point position(Vertex_handle v) const {
-    return m_complex.approximate(point_of(v));
-  }
+  Approximate_point position(Vertex_handle v) const { return m_complex.approximate(point_of(v)); }
 
   // The cells that would not be positive.
   std::vector<Cell_handle> bad_cells(const std::vector<Cell_handle>& cells) const {
@@ -97,8 +95,7 @@ public:
   double worst_quality(const std::vector<Cell_handle>& cells, double bound) const {
     double worst = std::numeric_limits<double>::infinity();
     for (Cell_handle c : cells) {
-      const double quality =
-          m_complex.quality(c, [&](Vertex_handle v) { return position(v); });
+      const double quality = m_complex.quality(c, [&](Vertex_handle v) { return position(v); });
       if (!(quality > bound)) // or not a number
         return bound;
       worst = (std::min)(worst, quality);
@@ -114,9 +111,7 @@ private:
     return m_complex.is_positive(c, [&](Vertex_handle v) -> const Point& { return point_of(v); });
   }
 
-  const Point& point_of(Vertex_handle v) const {
-    return has(v) ? m_points[number(v)] : v->point();
-  }
+  const Point& point_of(Vertex_handle v) const { return has(v) ? m_points[number(v)] : v->point(); }
 
   Complex& m_complex;
   const For_each_index& m_for_each_index;

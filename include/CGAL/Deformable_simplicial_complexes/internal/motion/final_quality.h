@@ -15,8 +15,9 @@ namespace internal {
 
 // The quality of a cell when the vertices on the way have arrived at their destinations.
 template <class Complex>
-double final_quality(const Complex& complex,
-                     const std::array<typename Complex::Vertex_handle, Complex::corners>& vertices) {
+double
+final_quality(const Complex& complex,
+              const std::array<typename Complex::Vertex_handle, Complex::corners>& vertices) {
   return apply_to_corners<Complex::corners>(
       complex.quality_measure(), [&](int i) { return complex.final_position(vertices[i]); });
 }

@@ -62,17 +62,16 @@ private:
       for (Cell_handle c : star)
         for (int j = 0; j < Complex::corners; ++j)
           if (c->vertex(j) != v && m_motion.has(c->vertex(j)) &&
-              follow(Motion::number(c->vertex(j)), held[k]))
+              follow(Motion::number(c->vertex(j)), held[k],
+                     m_motion.complex().displacement(c, c->index(v), j)))
             held.push_back(Motion::number(c->vertex(j)));
     }
     return held;
   }
 
   // Bounds the way of a vertex by that of its neighbor. Returns whether it got shorter.
-  bool follow(Number i, Number neighbor) {
-    const double length = std::sqrt((m_motion.complex().position(m_motion.vertex(i)) -
-                                     m_motion.complex().position(m_motion.vertex(neighbor)))
-                                        .squared_length());
+  bool follow(Number i, Number neighbor, const typename Complex::Approximate_vector& edge) {
+    const double length = std::sqrt(edge.squared_length());
     const double distance = std::sqrt(displacement(i).squared_length());
     const double bound = m_way[neighbor] + lead * length / distance;
     if (!(m_way[i] > bound))
@@ -90,10 +89,9 @@ private:
     const Vertex_handle v = m_motion.vertex(i);
     const auto motion = displacement(i);
     m_way[i] = way < shortest_way || !std::isfinite(motion.squared_length()) ? 0 : way;
-    m_motion.set_point(i, m_way[i] == 0
-                              ? v->point()
-                              : m_motion.complex().exact(
-                                    m_motion.complex().position(v) + m_way[i] * motion));
+    m_motion.set_point(i, m_way[i] == 0 ? v->point()
+                                        : m_motion.complex().exact(m_motion.complex().position(v) +
+                                                                   m_way[i] * motion));
   }
 
   Motion& m_motion;

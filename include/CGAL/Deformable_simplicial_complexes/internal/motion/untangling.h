@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_UNTANGLING_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_UNTANGLING_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/motion/Proposed_motion.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Proposed_motion.h>
 
 #include <CGAL/Origin.h>
 
@@ -31,25 +31,27 @@ void relocate(Proposed_motion<Complex>& motion, typename Proposed_motion<Complex
   complex.star(v, star);
   Vector sum_of_motions(CGAL::NULL_VECTOR), mean(CGAL::NULL_VECTOR);
   int moving = 0;
-  for (Cell_handle c : star)
+  for (Cell_handle c : star) {
+    const int center = c->index(v);
     for (int j = 0; j < Complex::corners; ++j) {
       const Vertex_handle w = c->vertex(j);
       if (w == v)
         continue;
-      mean = mean + (motion.position(w) - CGAL::ORIGIN) / double(Complex::dimension * star.size());
+      const Position seen = complex.domain().seen_from(complex, c, center, j, motion.position(w));
+      mean = mean + (seen - CGAL::ORIGIN) / double(Complex::dimension * star.size());
       if (w->is_interface()) {
         sum_of_motions = sum_of_motions + (motion.position(w) - complex.position(w));
         ++moving;
       }
     }
+  }
   double worst = motion.worst_quality(star, -std::numeric_limits<double>::infinity());
   const auto propose = [&](double way, const Position& target) {
     if (!has_finite_coordinates(target))
       return;
     const auto before = motion.point(i);
     const Position from = motion.position(v);
-    motion.set_point(
-        i, complex.exact(from + way * (target - from)));
+    motion.set_point(i, complex.exact(from + way * (target - from)));
     const double after = motion.worst_quality(star, worst);
     if (after > worst)
       worst = after;
