@@ -9,7 +9,7 @@
 #include "interface_at_start.h"
 #include "measures.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/triangle_quality.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/triangle_quality.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/improve_interface_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>

@@ -6,8 +6,8 @@
 #define CGAL_CARRIED_CELL_AVERAGES_3_H
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/cell_corners.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/redistribute_contents_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/cell_corners.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/values/redistribute_contents_3.h>
 
 #include <CGAL/property_map.h>
 

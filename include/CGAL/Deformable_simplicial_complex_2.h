@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_H
 
-#include <CGAL/Deformable_simplicial_complex_2/internal/Space_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/complex/Space_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/quality_measures_2.h>
 #include <CGAL/Deformable_simplicial_complex_traits_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Ball_domain.h>

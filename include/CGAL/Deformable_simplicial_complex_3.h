@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/Space_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/complex/Space_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
 #include <CGAL/Deformable_simplicial_complex_traits_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Ball_domain.h>

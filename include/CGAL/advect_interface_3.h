@@ -8,9 +8,8 @@
 #include <CGAL/Deformable_simplicial_complexes/Integration_scheme.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/deform_to.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/interface_paths_3.h>
 #include <CGAL/deform_interface_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface/interface_paths_3.h>
 
 namespace CGAL {
 
@@ -95,9 +94,9 @@ Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& veloc
     const Deformable_simplicial_complexes::Named_parameters<decltype(flow), tags::flow_t,
                                                             NamedParameters>
         with_flow(flow, np);
-    return internal::deform_to(dsc, interface_, destinations, with_flow);
+    return deform_interface_to(dsc, interface_, destinations, with_flow);
   } else {
-    return internal::deform_to(dsc, interface_, destinations, np);
+    return deform_interface_to(dsc, interface_, destinations, np);
   }
 }
 

@@ -7,7 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Detail_controller_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Detail_controller_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 

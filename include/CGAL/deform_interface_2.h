@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORM_INTERFACE_2_H
 #define CGAL_DEFORM_INTERFACE_2_H
 
-#include <CGAL/Deformable_simplicial_complex_2/internal/Mesh_care_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/improvement/Mesh_care_2.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 
 #endif // CGAL_DEFORM_INTERFACE_2_H

@@ -8,7 +8,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Interface_improver_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Interface_improver_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 

@@ -7,8 +7,8 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Patch_improver_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_improver_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Patch_improver_3.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 namespace CGAL {

@@ -9,11 +9,11 @@
 #include <CGAL/Deformable_simplicial_complex_3/Labelled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Tetrahedralization_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Mesh_improver_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/check_surfaces_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/check_tetrahedra_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/enclosing_box_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/label_tetrahedra_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_improver_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/building/check_surfaces_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/building/check_tetrahedra_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/building/enclosing_box_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/building/label_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>

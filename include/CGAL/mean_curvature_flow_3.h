@@ -8,9 +8,9 @@
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/cotangent_weights_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/interface_triangles_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/label_volumes_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/cotangent_weights_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface/interface_triangles_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface/label_volumes_3.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

@@ -8,10 +8,9 @@
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/deform_to.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/label_volumes_3.h>
-#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/deform_interface_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface/label_volumes_3.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <cmath>
 #include <cstddef>
@@ -118,7 +117,7 @@ Volume_report<Complex> restore_volumes(Complex& dsc,
     const Interface_snapshot_3<Complex> interface_(dsc);
     auto positions = interface_.positions(dsc);
     internal::Volume_changer_3<Complex>(interface_).change_by(missing, positions);
-    report.deformations.push_back(internal::deform_to(dsc, interface_, positions, np));
+    report.deformations.push_back(deform_interface_to(dsc, interface_, positions, np));
   }
 }
 

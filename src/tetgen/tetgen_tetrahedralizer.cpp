@@ -5,7 +5,7 @@
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Triangle_soup_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/building/Triangle_soup_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/enum.h>

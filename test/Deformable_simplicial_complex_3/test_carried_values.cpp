@@ -6,8 +6,8 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_pair_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/cell_corners.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/overlap_volume_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/cell_corners.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/overlap_volume_3.h>
 #include <CGAL/control_detail_3.h>
 #include <CGAL/deform_interface_3.h>
 #include <CGAL/improve_interface_3.h>

@@ -2,7 +2,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/label_volumes_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface/label_volumes_3.h>
 #include <CGAL/advect_interface_3.h>
 #include <CGAL/face_offsetting_3.h>
 #include <CGAL/improve_interface_3.h>

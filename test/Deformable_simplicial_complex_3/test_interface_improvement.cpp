@@ -3,7 +3,7 @@
 
 #include <CGAL/Curvature_size_field_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/triangle_quality.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/triangle_quality.h>
 #include <CGAL/Deformable_simplicial_complex_3/null_space_smoothing_3.h>
 #include <CGAL/improve_interface_3.h>
 

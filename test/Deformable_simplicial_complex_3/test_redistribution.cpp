@@ -1,9 +1,9 @@
 // The overlap of tetrahedra, and contents that are handed on by it.
 #include "mesh_helpers.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/cell_corners.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/overlap_volume_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/redistribute_contents_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/cell_corners.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/overlap_volume_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/values/redistribute_contents_3.h>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include "temporary_folder.h"
 
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/base64.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/little_endian.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/base64.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/little_endian.h>
 #include <CGAL/IO/MEDIT_3.h>
 #include <CGAL/IO/VTU_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>

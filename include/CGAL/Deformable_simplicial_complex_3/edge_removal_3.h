@@ -6,7 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_EDGE_REMOVAL_3_H
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Polygon_triangulation_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/operations/Polygon_triangulation_3.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_of_relabeling.h>
 
 #include <boost/container/small_vector.hpp>

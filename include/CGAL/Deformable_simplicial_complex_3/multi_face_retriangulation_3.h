@@ -6,8 +6,8 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_MULTI_FACE_RETRIANGULATION_3_H
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Polygon_triangulation_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Sandwich_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/operations/Polygon_triangulation_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/operations/Sandwich_3.h>
 
 #include <boost/container/small_vector.hpp>
 

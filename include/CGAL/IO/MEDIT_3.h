@@ -7,9 +7,9 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/Medit_scanner.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/Medit_scanner.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Vertex_numbering.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
 #include <CGAL/extract_interface_3.h>
 
 #include <algorithm>

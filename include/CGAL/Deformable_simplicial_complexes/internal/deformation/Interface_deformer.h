@@ -7,9 +7,9 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Any_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Deformation_options.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Mesh_care.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_care.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/collision_order.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/final_quality.h>

@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_GEOMETRY_CELL_CORNERS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_GEOMETRY_CELL_CORNERS_H
+
+#include <array>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Where the vertices of a finite cell are.
+template <class Complex>
+std::array<typename Complex::Approximate_point_3, 4> cell_corners(const Complex& complex,
+                                                                  typename Complex::Cell_handle c) {
+  return {complex.position(c->vertex(0)), complex.position(c->vertex(1)),
+          complex.position(c->vertex(2)), complex.position(c->vertex(3))};
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_GEOMETRY_CELL_CORNERS_H

@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_IMPROVEMENT_DETAIL_CONTROLLER_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_IMPROVEMENT_DETAIL_CONTROLLER_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Lengths from which edges are split and up to which they are collapsed, in edge units.
+struct Detail_thresholds
+{
+  double split, collapse, collapse_quality;
+  bool change_interface;
+  double interface_split, interface_collapse;
+};
+
+inline void check_detail_thresholds(const Detail_thresholds& t) {
+  if (!(t.split > 0 && t.interface_split > 0))
+    throw Error("a length from which edges are split is out of range: use more than 0");
+  if (!(t.collapse >= 0 && t.interface_collapse >= 0))
+    throw Error("a length up to which edges are collapsed is out of range: use 0 or more");
+}
+
+// Splits long edges and collapses short ones, cell by cell. No collapse makes an edge that would be
+// split.
+template <class Complex> class Detail_controller_3
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+
+  // Interface edges are collapsed by `short_unit`, everything else is measured by `unit`.
+  Detail_controller_3(Complex& complex, Any_visitor<Complex>& visitor,
+                      const Detail_thresholds& thresholds, const Edge_unit<Complex>& unit,
+                      const Edge_unit<Complex>& short_unit)
+      : m_complex(complex), m_visitor(visitor), m_thresholds(thresholds), m_unit(unit),
+        m_short_unit(short_unit), m_cavity(complex) {}
+
+  const Improvement_report& report() const { return m_report; }
+
+  // Works on all cells, then on those that arose from them, and so on.
+  void run(unsigned rounds) {
+    Work_list<Cell_handle> cells;
+    for (Cell_handle c : m_complex.triangulation().finite_cell_handles())
+      cells.push(c);
+    work_in_rounds(m_complex, std::move(cells), rounds,
+                   [&](Cell_handle c, Work_list<Cell_handle>& touched) {
+                     if (split(c) || collapse(c))
+                       push_finite(m_complex, m_cavity.created(), touched);
+                   });
+  }
+
+private:
+  // Splits the edge of the cell that exceeds its threshold most.
+  bool split(Cell_handle c) {
+    int a = 0, b = 0;
+    double longest = 1;
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j) {
+        const double length = length_by_split_threshold(c, i, j);
+        if (length > longest) {
+          longest = length;
+          a = i;
+          b = j;
+        }
+      }
+    if (a == b || !propose_edge_split(m_complex, c, a, b, .5, m_cavity))
+      return false;
+    commit_split(m_complex, m_cavity, c->vertex(a), c->vertex(b), m_visitor, m_report);
+    return true;
+  }
+
+  bool collapse(Cell_handle c) {
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j)
+        if (is_short(c, i, j) && (collapse(c, i, j) || collapse(c, j, i)))
+          return true;
+    return false;
+  }
+
+  bool collapse(Cell_handle c, int i, int j) {
+    if (!propose_edge_collapse(m_complex, c, i, j, m_thresholds.collapse_quality, m_cavity) ||
+        makes_long_edge())
+      return false;
+    commit_proposal(m_complex, m_cavity, m_visitor, m_report);
+    return true;
+  }
+
+  // 0 for an edge that is never split.
+  double length_by_split_threshold(Cell_handle c, int i, int j) const {
+    const Vertex_handle v = c->vertex(i), w = c->vertex(j);
+    const bool is_interface = v->is_interface() && w->is_interface() &&
+                              m_complex.is_interface(typename Complex::Edge(c, i, j));
+    return length_by_split_threshold(v, w, is_interface);
+  }
+
+  double length_by_split_threshold(Vertex_handle v, Vertex_handle w, bool is_interface) const {
+    if (is_interface)
+      return m_thresholds.change_interface ? length(v, w, m_unit) / m_thresholds.interface_split
+                                           : 0;
+    // Far from the interface, the input has no length that an edge could be long by.
+    const bool is_wanted = m_unit.is_size_field() || (v->is_interface() && is_tied(w)) ||
+                           (w->is_interface() && is_tied(v));
+    return is_wanted ? length(v, w, m_unit) / m_thresholds.split : 0;
+  }
+
+  bool is_short(Cell_handle c, int i, int j) const {
+    const Vertex_handle v = c->vertex(i), w = c->vertex(j);
+    if (!is_tied(v) && !is_tied(w))
+      return length(v, w, m_unit) < m_thresholds.collapse;
+    return m_thresholds.change_interface && v->is_interface() && w->is_interface() &&
+           length(v, w, m_short_unit) < m_thresholds.interface_collapse &&
+           m_complex.is_interface(typename Complex::Edge(c, i, j));
+  }
+
+  // All vertices around the vanishing vertex become neighbors of the other one. Between vertices of
+  // the interface the edge may be on it.
+  bool makes_long_edge() const {
+    const Vertex_handle kept = m_cavity.kept_vertex();
+    return std::any_of(m_cavity.vertices().begin(), m_cavity.vertices().end(), [&](const auto& u) {
+      const Vertex_handle v = u.handle;
+      return v != kept && v != m_cavity.vanishing_vertex() && !m_complex.is_infinite(v) &&
+             (length_by_split_threshold(v, kept, false) > 1 ||
+              (v->is_interface() && kept->is_interface() &&
+               length_by_split_threshold(v, kept, true) > 1));
+    });
+  }
+
+  // Whether a vertex is on the interface or on the boundary of the domain.
+  bool is_tied(Vertex_handle v) const { return v->is_interface() || m_complex.is_boundary(v); }
+
+  double length(Vertex_handle v, Vertex_handle w, const Edge_unit<Complex>& unit) const {
+    return length_in_units(m_complex, v, w, unit);
+  }
+
+  Complex& m_complex;
+  Any_visitor<Complex>& m_visitor;
+  Detail_thresholds m_thresholds;
+  Edge_unit<Complex> m_unit, m_short_unit;
+  Cavity_3<Complex> m_cavity;
+  Improvement_report m_report;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_IMPROVEMENT_DETAIL_CONTROLLER_3_H

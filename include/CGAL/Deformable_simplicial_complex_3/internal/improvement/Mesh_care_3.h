@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_IMPROVEMENT_MESH_CARE_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_IMPROVEMENT_MESH_CARE_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_improver_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Small_angle_remover_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/triangle_quality.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_care.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// In space: Algorithm 3, and the removal of small angles.
+template <class Complex> class Mesh_care<Complex, 3>
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Cells = Work_list<Cell_handle>;
+
+  Mesh_care(Complex& complex, Any_visitor<Complex>& visitor,
+            const Deformation_options<Complex>& options)
+      : m_complex(complex), m_relabeling_threshold(options.relabeling_threshold),
+        m_degenerate_cosine(std::cos(options.minimum_facet_angle * (CGAL_PI / 180))),
+        m_improver(complex, visitor, options.quality_threshold),
+        m_small_angles(complex, visitor, options.minimum_angle, options.quality_threshold) {}
+
+  void remember(Vertex_handle v) { m_small_angles.remember(v); }
+
+  // Facets of the interface that will have a small angle at their destinations, and a smaller one
+  // than now: what moves as a whole keeps its facets.
+  void begin_pass(const std::vector<Vertex_handle>& unfinished) {
+    using Triangle = std::array<typename Complex::Approximate_point, 3>;
+    static constexpr double more = 1 + 1e-6; // than what rounding does
+    m_degenerating.clear();
+    const auto final = [&](Vertex_handle v) { return m_complex.final_position(v); };
+    const auto now = [&](Vertex_handle v) { return m_complex.position(v); };
+    number_vertices(unfinished);
+    for (Cell_handle c : star_union(m_complex, unfinished))
+      for (int i = 0; i < Complex::corners; ++i) {
+        const Cell_handle d = c->neighbor(i);
+        if (d->label() >= c->label() || m_complex.is_infinite(d))
+          continue;
+        const auto v = m_complex.facet_vertices({c, i});
+        const double after = largest_cosine(Triangle{final(v[0]), final(v[1]), final(v[2])});
+        if (after > m_degenerate_cosine &&
+            after > more * largest_cosine(Triangle{now(v[0]), now(v[1]), now(v[2])}))
+          m_degenerating.push_back({c, c->time_stamp(), i});
+      }
+    std::sort(m_degenerating.begin(), m_degenerating.end(),
+              [](const Facet_item& a, const Facet_item& b) {
+                return std::tie(a.time_stamp, a.index) < std::tie(b.time_stamp, b.index);
+              });
+  }
+
+  bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
+
+  void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {
+    static constexpr double cosine = .94; // of 20 degrees
+    const double shortest = .5 * m_complex.minimum_interface_edge();
+    if (may_remove_facets && (remove_degenerate_facet(c, cosine, touched) ||
+                              m_improver.remove_degenerate_edge(c, shortest, touched)))
+      return;
+    if (c->quality() < m_relabeling_threshold)
+      m_improver.remove_trapped_vertex(c, touched);
+  }
+
+  void remove_degenerating_facets(Cells& touched) {
+    for (const Facet_item& item : m_degenerating)
+      if (m_complex.is_alive(item.cell, item.time_stamp))
+        m_improver.remove_degenerate_facet(item.cell, item.index, m_degenerate_cosine, touched);
+  }
+
+  void improve(Cells cells) {
+    static constexpr unsigned rounds = 3;
+    m_improver.improve(std::move(cells), rounds);
+  }
+
+  Cells cells_with_small_angles() const { return m_small_angles.bad_cells(); }
+
+  // Whether a cell has small angles now and in the end.
+  bool keeps_small_angles(Cell_handle c) const {
+    return m_small_angles.is_bad(c) && m_small_angles.ends_bad(c);
+  }
+
+  template <class Relabel> void remove_small_angles(const Relabel& relabel) {
+    m_small_angles.run(relabel);
+  }
+
+  Improvement_report report() const { return m_improver.report() + m_small_angles.report(); }
+  std::size_t number_of_relocated() const { return m_small_angles.number_of_relocated(); }
+
+private:
+  struct Facet_item
+  {
+    Cell_handle cell;
+    std::size_t time_stamp; // the cell may have been replaced
+    int index;
+  };
+
+  // Removes one of the facets of a cell.
+  bool remove_degenerate_facet(Cell_handle c, double cosine, Cells& touched) {
+    for (int i = 0; i < 4; ++i)
+      if (m_improver.remove_degenerate_facet(c, i, cosine, touched))
+        return true;
+    return false;
+  }
+
+  Complex& m_complex;
+  double m_relabeling_threshold;
+  double m_degenerate_cosine; // of the smallest angle that a facet may come to have
+  Mesh_improver_3<Complex> m_improver;
+  Small_angle_remover_3<Complex> m_small_angles;
+  std::vector<Facet_item> m_degenerating;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_IMPROVEMENT_MESH_CARE_3_H

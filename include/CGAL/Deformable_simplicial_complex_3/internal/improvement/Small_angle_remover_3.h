@@ -1,0 +1,406 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_IMPROVEMENT_SMALL_ANGLE_REMOVER_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_IMPROVEMENT_SMALL_ANGLE_REMOVER_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface/Interface_edge_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface/Interface_fan_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface/changed_facets_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
+#include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/multi_face_retriangulation_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/vertex_insertion_3.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/container/flat_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Removes cells with a dihedral angle below a bound or above its supplement, by whatever raises the
+// smallest sine of an angle most. What changes the interface comes last, and changes it by little.
+template <class Complex> class Small_angle_remover_3
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Label = typename Complex::Label;
+  using Cells = Work_list<Cell_handle>;
+
+  // The angle is in degrees.
+  Small_angle_remover_3(Complex& complex, Any_visitor<Complex>& visitor, double angle,
+                        double quality_threshold)
+      : m_complex(complex), m_visitor(visitor),
+        m_wanted(std::sin(angle * CGAL_PI / 180) / sine_of_regular), m_bound(m_wanted),
+        m_quality_threshold(quality_threshold), m_cavity(complex), m_best(complex) {}
+
+  const Improvement_report& report() const { return m_report; }
+  std::size_t number_of_relocated() const { return m_homes.size(); }
+
+  // Remembers where a vertex of the interface is before it moves; by increasing time stamp.
+  void remember(Vertex_handle v) { m_before.push_back({v->time_stamp(), m_complex.position(v)}); }
+
+  // Whether a cell has small angles and did not move as a whole.
+  bool is_bad(Cell_handle c) const { return sine(c) < m_bound && !is_rigid(c, 4); }
+
+  // Whether it still has them with all vertices at their destinations.
+  bool ends_bad(Cell_handle c) const {
+    return sine(c, [&](Vertex_handle v) { return m_complex.final_position(v); }) < m_bound;
+  }
+
+  // Those below the quality threshold, but for those at parts of the interface that stayed; by
+  // creation.
+  Cells bad_cells() const {
+    Cells result;
+    for (Cell_handle c : m_complex.triangulation().finite_cell_handles())
+      if (c->quality() < m_quality_threshold && !has_stayed(c) && is_bad(c))
+        result.push(c);
+    result.sort();
+    return result;
+  }
+
+  // relabel(c, label) gives a cell another label if that keeps the topology, and says whether it
+  // did.
+  template <class Relabel> void run(const Relabel& relabel) {
+    static constexpr unsigned rounds = 10;
+    static constexpr int attempts = 6;
+    static constexpr double higher = 1.3;
+    const auto work = [&](Cell_handle c, Cells& touched) {
+      if (is_bad(c))
+        improve(c, relabel, touched);
+    };
+    Cells cells = bad_cells();
+    m_handled = cells;
+    work_in_rounds(m_complex, std::move(cells), rounds, work);
+    // Those that stay are often held by neighbors that are but a little better.
+    for (int i = 1; i <= attempts; ++i) {
+      cells = stars_of_stuck();
+      if (cells.empty())
+        break;
+      m_bound = m_wanted * std::pow(higher, i);
+      work_in_rounds(m_complex, std::move(cells), rounds, work);
+      m_bound = m_wanted;
+    }
+  }
+
+private:
+  using Position = typename Complex::Approximate_point_3;
+
+  struct Placed_vertex
+  {
+    std::size_t time_stamp;
+    Position position;
+  };
+
+  // The smallest sine of a dihedral angle, over that of the regular tetrahedron.
+  double sine(const Position& p, const Position& q, const Position& r, const Position& s) const {
+    return (std::max)(0., m_sine(p, q, r, s)); // less by rounding only
+  }
+
+  template <class Position_of> double sine(Cell_handle c, const Position_of& position) const {
+    return sine(position(c->vertex(0)), position(c->vertex(1)), position(c->vertex(2)),
+                position(c->vertex(3)));
+  }
+
+  double sine(Cell_handle c) const {
+    return sine(c, [&](Vertex_handle v) { return m_complex.position(v); });
+  }
+
+  // Whether a cell has at least so many vertices on the interface, all as far from each other as
+  // before the motion: what moves as a whole keeps its interface.
+  bool is_rigid(Cell_handle c, int at_least) const {
+    static constexpr double same = 1e-6;
+    int number = 0;
+    for (int i = 0; i < 4; ++i) {
+      const Vertex_handle v = c->vertex(i);
+      if (!v->is_interface())
+        continue;
+      ++number;
+      for (int j = 0; j < i; ++j) {
+        const Vertex_handle w = c->vertex(j);
+        if (!w->is_interface())
+          continue;
+        const double before = (position_before(v) - position_before(w)).squared_length(),
+                     now = (m_complex.position(v) - m_complex.position(w)).squared_length();
+        if (std::abs(now - before) > same * before)
+          return false;
+      }
+    }
+    return number >= at_least;
+  }
+
+  // Whether it is for this cell that the interface may change.
+  bool may_change_interface(Cell_handle c) const {
+    return sine(c) < m_bound && !has_stayed(c) && !is_rigid(c, 2);
+  }
+
+  typename std::vector<Placed_vertex>::const_iterator find_before(Vertex_handle v) const {
+    const auto it = std::lower_bound(
+        m_before.begin(), m_before.end(), v->time_stamp(),
+        [](const Placed_vertex& p, std::size_t time_stamp) { return p.time_stamp < time_stamp; });
+    return it != m_before.end() && it->time_stamp == v->time_stamp() ? it : m_before.end();
+  }
+
+  Position position_before(Vertex_handle v) const {
+    const auto it = find_before(v);
+    return it == m_before.end() ? m_complex.position(v) : it->position;
+  }
+
+  bool has_moved(Vertex_handle v) const {
+    return v->is_interface() && find_before(v) != m_before.end();
+  }
+
+  // Whether a cell has vertices on the interface, none of which moved.
+  bool has_stayed(Cell_handle c) const {
+    bool result = false;
+    for (int i = 0; i < 4; ++i) {
+      if (has_moved(c->vertex(i)))
+        return false;
+      result = result || c->vertex(i)->is_interface();
+    }
+    return result;
+  }
+
+  // The cells around those that were worked on and for which the interface might still change.
+  Cells stars_of_stuck() {
+    std::vector<Cell_handle> stuck;
+    m_handled.sort();
+    for (const auto& item : m_handled)
+      if (m_complex.is_alive(item.cell, item.time_stamp) && may_change_interface(item.cell))
+        stuck.push_back(item.cell);
+    Cells result;
+    for (Cell_handle c : star_union(m_complex, numbered_vertices_of<Complex>(stuck)))
+      result.push(c);
+    return result;
+  }
+
+  template <class Relabel> void improve(Cell_handle c, const Relabel& relabel, Cells& touched) {
+    const auto is_free = [](Vertex_handle v) { return !v->is_interface(); };
+    const bool may_change = may_change_interface(c);
+    find_best_proposal(c);
+    if (!is_enough() && move_vertex(c, is_free, m_bound, touched))
+      return;
+    if (!is_enough() && may_change) {
+      consider_interface_flips(c);
+      consider_collapses(c, true);
+      if (!is_enough() && relabel_fold(c, relabel, touched))
+        return;
+    }
+    if (!m_best.removed().empty()) {
+      commit_proposal(m_complex, m_best, m_visitor, m_report);
+      touch(m_best.created(), touched);
+      return;
+    }
+    if (!move_vertex(c, is_free, 0, touched) && may_change)
+      move_vertex(
+          c, [&](Vertex_handle v) { return has_moved(v); }, 0, touched);
+  }
+
+  // Whether the best proposal leaves no angle below the bound.
+  bool is_enough() const { return m_best_sine >= m_bound; }
+
+  // Leaves the best proposal that keeps the interface in m_best, which is empty if there is none.
+  void find_best_proposal(Cell_handle c) {
+    m_best.clear();
+    m_best_sine = 0;
+    m_least_sine = better * sine(c);
+    for (int i = 0; i < 4; ++i)
+      consider(propose_multi_face_removal(m_complex, c, i, m_cavity));
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j)
+        consider(propose_edge_removal(m_complex, c, i, j, m_cavity));
+    for (int i = 0; i < 4 && !is_enough(); ++i)
+      consider(propose_multi_face_retriangulation(m_complex, c, i, m_cavity));
+    if (!is_enough())
+      consider_collapses(c, false);
+    if (!is_enough())
+      consider(propose_vertex_insertion(m_complex, c, m_cavity));
+  }
+
+  void consider_interface_flips(Cell_handle c) {
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j)
+        consider(m_complex.is_interface(typename Complex::Edge(c, i, j)) &&
+                 propose_interface_edge_flip(m_complex, c, i, j, m_cavity) &&
+                 is_little(facets_changed_by_flip(Interface_edge_3<Complex>(m_complex, c, i, j))));
+  }
+
+  // Of vertices of the interface that have moved, or of those off it.
+  void consider_collapses(Cell_handle c, bool of_interface) {
+    for (int i = 0; i < 4; ++i) {
+      const Vertex_handle v = c->vertex(i);
+      if (v->is_interface() != of_interface || (of_interface && !has_moved(v)))
+        continue;
+      for (int j = 0; j < 4; ++j)
+        consider(j != i && propose_edge_collapse(m_complex, c, i, j, 0, m_cavity) &&
+                 (!of_interface ||
+                  is_little(facets_changed_by_collapse(m_complex, fan(v), c->vertex(j)))));
+    }
+  }
+
+  Interface_fan_3<Complex> fan(Vertex_handle v) {
+    m_complex.star(v, m_star);
+    return Interface_fan_3<Complex>(m_complex, v, m_star);
+  }
+
+  // Whether the interface may change as much.
+  bool is_little(const Changed_facets_3& change) const {
+    static constexpr double little = .1; // of the cube of a mean edge
+    const double edge = m_complex.mean_interface_edge();
+    return change.swept_volume < slack() * little * edge * edge * edge;
+  }
+
+  // Where cells stay, the interface may move farther.
+  double slack() const { return m_bound / m_wanted; }
+
+  // Keeps the proposal in m_cavity, if there is one, if it is the best so far.
+  void consider(bool is_proposed) {
+    if (!is_proposed)
+      return;
+    double before = std::numeric_limits<double>::infinity(), after = before;
+    for (Cell_handle c : m_cavity.removed())
+      if (!m_complex.is_infinite(c))
+        before = (std::min)(before, sine(c));
+    for (const auto& t : m_cavity.tetrahedra()) {
+      const auto p = [&](int i) { return m_cavity.vertices()[t.vertices[i]].position; };
+      if (t.quality < std::numeric_limits<double>::infinity()) // all vertices are finite
+        after = (std::min)(after, sine(p(0), p(1), p(2), p(3)));
+    }
+    if (after > better * before && after > m_least_sine && after > m_best_sine) {
+      m_best_sine = after;
+      std::swap(m_best, m_cavity);
+    }
+  }
+
+  // Gives a cell that lies in a fold of the interface to the phase beyond, if the area hardly
+  // grows.
+  template <class Relabel>
+  bool relabel_fold(Cell_handle c, const Relabel& relabel, Cells& touched) {
+    static constexpr double growth = 1.05;
+    for (int i = 0; i < 4; ++i) {
+      if (!m_complex.is_interface(std::make_pair(c, i)))
+        continue;
+      const Label label = c->neighbor(i)->label();
+      double before = 0, after = 0;
+      bool is_inside = true;
+      for (int k = 0; k < 4; ++k) {
+        is_inside = is_inside && !m_complex.is_infinite(c->neighbor(k));
+        const Label other = c->neighbor(k)->label();
+        const double area = m_complex.area(std::make_pair(c, k));
+        before += other == label ? area : 0;
+        after += other == c->label() ? area : 0;
+      }
+      if (!is_inside || !(after < growth * before) || !relabel(c, label))
+        continue;
+      touch({c, c->neighbor(0), c->neighbor(1), c->neighbor(2), c->neighbor(3)}, touched);
+      return true;
+    }
+    return false;
+  }
+
+  // Moves one of the vertices for which may_move(v) to where the angles around it are best: the one
+  // for which they become best, if no angle is below a bound then. A vertex of the interface goes a
+  // short way at the most, all in all.
+  template <class MayMove>
+  bool move_vertex(Cell_handle c, const MayMove& may_move, double bound, Cells& touched) {
+    static constexpr double better_star = 1.05;
+    double best = (std::max)(bound, better_star * sine(c));
+    Vertex_handle moving;
+    Position target = m_complex.position(c->vertex(0));
+    for (int i = 0; i < 4; ++i) {
+      const Vertex_handle v = c->vertex(i);
+      if (m_complex.is_boundary(v) || !may_move(v))
+        continue;
+      m_complex.star(v, m_star);
+      const Position from = m_complex.position(v);
+      Star_optimizer<Complex, Minimum_sine_3> optimizer(m_complex, m_sine, v, m_star);
+      const Position to = v->is_interface() ? near_home(v, optimizer.run()) : optimizer.run();
+      const double after = worst_sine(v, to);
+      if (after > best && after > better_star * worst_sine(v, from) &&
+          m_complex.is_positive_star(v, m_star, exact(to))) {
+        best = after;
+        moving = v;
+        target = to;
+      }
+    }
+    if (moving == Vertex_handle())
+      return false;
+    if (moving->is_interface())
+      m_homes.emplace(moving->time_stamp(), m_complex.position(moving));
+    else
+      ++m_report.smoothed;
+    m_complex.star(moving, m_star);
+    smooth_vertex(m_complex, moving, m_star, exact(target), m_visitor);
+    touch(m_star, touched);
+    return true;
+  }
+
+  // The point on the way to p that is not too far from where the vertex had arrived.
+  Position near_home(Vertex_handle v, const Position& p) const {
+    static constexpr double longest_way = .05; // of a mean edge
+    const auto known = m_homes.find(v->time_stamp());
+    const Position home = known == m_homes.end() ? m_complex.position(v) : known->second;
+    const auto way = p - home;
+    const double length = std::sqrt(way.squared_length()),
+                 bound = slack() * longest_way * m_complex.mean_interface_edge();
+    return length > bound ? home + bound / length * way : p;
+  }
+
+  typename Complex::Point_3 exact(const Position& p) const {
+    return m_complex.geom_traits().construct_exact_point_3_object()(p);
+  }
+
+  // Of the star m_star if its vertex were at p.
+  double worst_sine(Vertex_handle v, const Position& p) const {
+    return (std::max)(0., star_quality(m_complex, m_sine, v, m_star, p, 0));
+  }
+
+  void touch(const std::vector<Cell_handle>& cells, Cells& touched) {
+    for (Cell_handle c : cells)
+      if (!m_complex.is_infinite(c) && is_bad(c)) {
+        touched.push(c);
+        m_handled.push(c);
+      }
+  }
+
+  static constexpr double better = 1.1; // factor that makes a change worth it
+
+  Complex& m_complex;
+  Any_visitor<Complex>& m_visitor;
+  Minimum_sine_3 m_sine;
+  double m_wanted, m_bound; // the latter may be higher around cells that stay
+  double m_quality_threshold;
+  Cavity_3<Complex> m_cavity, m_best;
+  double m_best_sine = 0, m_least_sine = 0;
+  std::vector<Placed_vertex> m_before;                       // vertices that move, by time stamp
+  boost::container::flat_map<std::size_t, Position> m_homes; // of those relocated, by time stamp
+  Cells m_handled;
+  std::vector<Cell_handle> m_star;
+  Improvement_report m_report;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_IMPROVEMENT_SMALL_ANGLE_REMOVER_3_H

@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTU_DOCUMENT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTU_DOCUMENT_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/little_endian.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// A VTK unstructured grid of simplices of one kind, as XML with raw appended data: an array is an
+// element that holds the offset of a block of data, which is its size in bytes and its values.
+class Vtu_document
+{
+public:
+  enum Cell_type : std::uint8_t { triangle = 5, tetrahedron = 10 }; // as VTK numbers them
+
+  Vtu_document(std::size_t number_of_points, std::size_t number_of_cells)
+      : m_number_of_points(number_of_points), m_number_of_cells(number_of_cells) {}
+
+  void begin(const std::string& section) { m_xml += "      <" + section + ">\n"; }
+  void end(const std::string& section) { m_xml += "      </" + section + ">\n"; }
+
+  template <class Number>
+  void array(const std::string& name, const std::vector<Number>& values, int components = 1) {
+    m_xml += "        <DataArray type=\"" + type_name<Number>() + "\" Name=\"" + name +
+             "\" NumberOfComponents=\"" + std::to_string(components) +
+             "\" format=\"appended\" offset=\"" + std::to_string(m_data.size()) + "\"/>\n";
+    append_little_endian(m_data, std::uint64_t(values.size() * sizeof(Number)));
+    for (Number value : values)
+      append_little_endian(m_data, value);
+  }
+
+  // The section with the coordinates.
+  template <class Point> void points(const std::vector<Point>& points) {
+    std::vector<double> coordinates;
+    coordinates.reserve(3 * points.size());
+    for (const Point& p : points)
+      coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+    begin("Points");
+    array("points", coordinates, 3);
+    end("Points");
+  }
+
+  // The section with the vertices of the cells.
+  void cells(const std::vector<std::int64_t>& connectivity, Cell_type type) {
+    std::vector<std::int64_t> offsets(m_number_of_cells);
+    for (std::size_t i = 0; i < offsets.size(); ++i)
+      offsets[i] = std::int64_t((i + 1) * (connectivity.size() / m_number_of_cells));
+    begin("Cells");
+    array("connectivity", connectivity);
+    array("offsets", offsets);
+    array("types", std::vector<std::uint8_t>(m_number_of_cells, type));
+    end("Cells");
+  }
+
+  void write(std::ostream& out) const {
+    out << "<?xml version=\"1.0\"?>\n"
+           "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+           "header_type=\"UInt64\">\n"
+           "  <UnstructuredGrid>\n"
+        << "    <Piece NumberOfPoints=\"" << m_number_of_points << "\" NumberOfCells=\""
+        << m_number_of_cells << "\">\n"
+        << m_xml
+        << "    </Piece>\n"
+           "  </UnstructuredGrid>\n"
+           "  <AppendedData encoding=\"raw\">\n"
+           "_"
+        << m_data
+        << "\n"
+           "  </AppendedData>\n"
+           "</VTKFile>\n";
+  }
+
+private:
+  template <class Number> static std::string type_name() {
+    const char* kind = std::is_floating_point<Number>::value ? "Float"
+                       : std::is_signed<Number>::value       ? "Int"
+                                                             : "UInt";
+    return kind + std::to_string(8 * sizeof(Number));
+  }
+
+  std::size_t m_number_of_points, m_number_of_cells;
+  std::string m_xml;
+  std::string m_data;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTU_DOCUMENT_H

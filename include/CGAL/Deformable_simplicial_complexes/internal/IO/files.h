@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_FILES_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_FILES_H
+
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <ios>
+#include <locale>
+#include <string>
+#include <system_error>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Removes a file that was not renamed before the end of the scope.
+struct Temporary_file
+{
+  std::filesystem::path path;
+
+  ~Temporary_file() {
+    std::error_code nothing_to_remove;
+    std::filesystem::remove(path, nothing_to_remove);
+  }
+};
+
+// The name of a file that does not exist, in the folder of another one and with its extension.
+inline std::filesystem::path unused_name(const std::filesystem::path& path) {
+  std::string stem = path.stem().string() + ".partial";
+  std::filesystem::path result;
+  std::error_code error;
+  do {
+    result = path.parent_path() / (stem + path.extension().string());
+    stem += '~';
+  } while (std::filesystem::exists(result, error));
+  return result;
+}
+
+// Makes `write(temporary_path)` fill a file beside `path` and renames it if `true` is returned, so
+// that an older file stays whole until the new one is. The extension is kept: formats depend on it.
+template <class Write> void replace_file(const std::string& path, Write write) {
+  const std::filesystem::path target(path);
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(target, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw File_error(path + " is not a regular file: choose another name", path);
+  const Temporary_file temporary{unused_name(target)};
+  if (!write(temporary.path.string()))
+    throw File_error("cannot write " + path +
+                         ": check that the folder exists, may be written to and has space left",
+                     path);
+  std::filesystem::rename(temporary.path, target, error);
+  if (error)
+    throw File_error("cannot replace " + path + " by the file just written: " + error.message(),
+                     path);
+}
+
+// The same with a binary stream, whose numbers do not depend on the global locale.
+template <class Write> void replace_file_by_stream(const std::string& path, Write write) {
+  replace_file(path, [&](const std::string& temporary) {
+    std::ofstream out(temporary, std::ios::binary);
+    out.imbue(std::locale::classic());
+    write(out);
+    out.close();
+    return out.good();
+  });
+}
+
+// The whole file. Takes no more memory than the file has bytes.
+inline std::string file_contents(const std::string& path) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  std::ifstream in(path, std::ios::binary);
+  if (error || !in)
+    throw File_error("cannot open " + path + ": check that it exists and may be read", path);
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  if (!in.read(&bytes[0], static_cast<std::streamsize>(size)))
+    throw File_error("cannot read " + path + " to its end", path);
+  return bytes;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_FILES_H

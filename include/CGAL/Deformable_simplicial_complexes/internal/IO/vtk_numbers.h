@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTK_NUMBERS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTK_NUMBERS_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/little_endian.h>
+
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Numbers of all of VTK's types become `double`: those that have more digits than that are larger
+// than any index or label that can be used.
+
+// pre: the bytes are a whole number of numbers
+template <class Number> std::vector<double> numbers_of_bytes(std::string_view bytes) {
+  std::vector<double> numbers;
+  numbers.reserve(bytes.size() / sizeof(Number));
+  for (std::size_t i = 0; i < bytes.size(); i += sizeof(Number))
+    numbers.push_back(static_cast<double>(little_endian<Number>(bytes.data() + i)));
+  return numbers;
+}
+
+// A type of numbers in a VTK file.
+struct Vtk_number_type
+{
+  const char* name;
+  std::size_t size;
+  std::vector<double> (*numbers)(std::string_view bytes);
+};
+
+// Nothing if there is no type of that name.
+inline const Vtk_number_type* find_vtk_number_type(std::string_view name) {
+  static constexpr Vtk_number_type types[] = {
+      {"Int8", 1, numbers_of_bytes<std::int8_t>},   {"UInt8", 1, numbers_of_bytes<std::uint8_t>},
+      {"Int16", 2, numbers_of_bytes<std::int16_t>}, {"UInt16", 2, numbers_of_bytes<std::uint16_t>},
+      {"Int32", 4, numbers_of_bytes<std::int32_t>}, {"UInt32", 4, numbers_of_bytes<std::uint32_t>},
+      {"Int64", 8, numbers_of_bytes<std::int64_t>}, {"UInt64", 8, numbers_of_bytes<std::uint64_t>},
+      {"Float32", 4, numbers_of_bytes<float>},      {"Float64", 8, numbers_of_bytes<double>}};
+  for (const Vtk_number_type& type : types)
+    if (type.name == name)
+      return &type;
+  return nullptr;
+}
+
+// Numbers with white space between them; nothing if there is anything else.
+inline std::optional<std::vector<double>> numbers_of_text(std::string_view text) {
+  constexpr char white_space[] = " \t\r\n";
+  std::vector<double> numbers;
+  for (std::size_t begin; (begin = text.find_first_not_of(white_space)) != text.npos;) {
+    text.remove_prefix(begin);
+    const std::string_view word = text.substr(0, text.find_first_of(white_space));
+    const char* end = word.data() + word.size();
+    double number;
+    const auto [rest, error] = std::from_chars(word.data(), end, number);
+    if (error != std::errc() || rest != end)
+      return std::nullopt;
+    numbers.push_back(number);
+    text.remove_prefix(word.size());
+  }
+  return numbers;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTK_NUMBERS_H

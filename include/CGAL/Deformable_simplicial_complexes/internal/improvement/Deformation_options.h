@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_DEFORMATION_OPTIONS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_DEFORMATION_OPTIONS_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/topology/Trapped_cells.h>
+
+#include <functional>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Where what is at a point goes in the deformation.
+template <class Complex>
+using Space_motion =
+    std::function<typename Complex::Approximate_point(const typename Complex::Approximate_point&)>;
+
+// What deform_interface() is asked for.
+template <class Complex> struct Deformation_options
+{
+  double quality_threshold, relabeling_threshold;
+  double minimum_angle, minimum_facet_angle; // degrees
+  bool manifold_interface, collision_order;
+  Topology_control<Complex> topology_control;
+  Space_motion<Complex> flow; // of the space around the interface, if it is known
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_DEFORMATION_OPTIONS_H

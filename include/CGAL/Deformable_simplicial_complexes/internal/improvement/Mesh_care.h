@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_MESH_CARE_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_MESH_CARE_H
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+/*
+What a deformation does to the mesh, made of the operations of one dimension:
+
+- `remember(v)`: a vertex of the interface is about to move; by increasing time stamp
+- `begin_pass(vertices)`: these have not arrived
+- `is_bad(c)`: a cell is worth being improved
+- `remove_obstacle(c, may_remove_facets, touched)`: a cell keeps a vertex from its destination
+- `remove_degenerating_facets(touched)`: those of the interface that the pass made bad
+- `improve(cells)`: cells that the pass touched
+- `cells_with_small_angles()`, `keeps_small_angles(c)`, `remove_small_angles(relabel)`: in the end
+- `report()`, `number_of_relocated()`
+
+Cells that an operation makes or touches go into `touched`.
+*/
+template <class Complex, int dimension = Complex::dimension> class Mesh_care;
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_MESH_CARE_H

@@ -1,0 +1,206 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_OPERATIONS_STAR_OPTIMIZER_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_OPERATIONS_STAR_OPTIMIZER_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The worst quality of a star as a function of the position of its vertex, to be maximised
+// (Freitag, Jones and Plassmann 1995): a minimum of smooth functions, whose steepest ascent is the
+// shortest convex combination of the gradients of those that are active.
+template <class Complex, class Measure = typename Complex::Quality_measure> class Star_optimizer
+{
+public:
+  using Point = typename Complex::Approximate_point;
+  using Vector = typename Complex::Approximate_vector;
+
+  // A star whose vertex is at p, without cells.
+  Star_optimizer(const Measure& measure, const Point& p) : m_measure(measure), m_position(p) {}
+
+  // The star of v.
+  Star_optimizer(const Complex& complex, const Measure& measure, typename Complex::Vertex_handle v,
+                 const std::vector<typename Complex::Cell_handle>& star)
+      : Star_optimizer(measure, complex.position(v)) {
+    for (auto c : star) {
+      std::array<Point, Complex::corners> points;
+      for (int i = 0; i < Complex::corners; ++i)
+        points[i] = complex.position_from(c, c->index(v), i);
+      add(points, c->index(v));
+    }
+  }
+
+  // The vertex shall not move in a direction, of unit length. Several are orthogonal.
+  void block(const Vector& direction) { m_blocked.push_back(direction); }
+
+  // Adds a cell of the star, of which the vertex with this index moves.
+  void add(const std::array<Point, Complex::corners>& points, int vertex) {
+    Function f;
+    f.points = points;
+    f.vertex = vertex;
+    m_functions.push_back(f);
+    m_length = (std::max)(
+        m_length,
+        std::sqrt((points[(vertex + 1) % Complex::corners] - m_position).squared_length()));
+  }
+
+  // A better position, or the present one.
+  Point run() {
+    static constexpr int maximum_number_of_steps = 8;
+    for (int i = 0; i < maximum_number_of_steps && step(); ++i) {
+    }
+    return m_position;
+  }
+
+private:
+  struct Function
+  {
+    std::array<Point, Complex::corners> points;
+    int vertex;
+    double value;
+    Vector gradient;
+  };
+
+  using Corner_sequence = std::make_integer_sequence<int, Complex::corners>;
+
+  template <class M, int... i>
+  static auto gradient_by_first(const M& measure, const std::array<Point, Complex::corners>& points,
+                                std::integer_sequence<int, i...>)
+      -> decltype(measure.gradient(points[i]...)) {
+    return measure.gradient(points[i]...);
+  }
+
+  double value(Function& f, const Point& p) const {
+    f.points[f.vertex] = p;
+    return apply_to_corners<Complex::corners>(m_measure,
+                                              [&](int i) -> const Point& { return f.points[i]; });
+  }
+
+  double worst(const Point& p, double bound) {
+    double result = std::numeric_limits<double>::infinity();
+    for (Function& f : m_functions) {
+      result = (std::min)(result, value(f, p));
+      if (!(result > bound))
+        break;
+    }
+    return result;
+  }
+
+  void differentiate(Function& f) const {
+    f.points[f.vertex] = m_position;
+    f.gradient = gradient_of(m_measure, f, 0);
+    for (const Vector& direction : m_blocked)
+      f.gradient = f.gradient - (f.gradient * direction) * direction;
+  }
+
+  // Of a measure that knows its gradient by the first vertex: with the moving one there.
+  template <class M>
+  auto gradient_of(const M& measure, const Function& f, int) const
+      -> decltype(gradient_by_first(measure, f.points, Corner_sequence())) {
+    std::array<Point, Complex::corners> points;
+    for (int i = 0; i < Complex::corners; ++i)
+      points[i] = f.points[Complex::Space::even_permutation[f.vertex][i]];
+    return gradient_by_first(measure, points, Corner_sequence());
+  }
+
+  // Of any other: by differences.
+  template <class M> Vector gradient_of(const M&, const Function& f, long) const {
+    const double h = 1e-6 * m_length;
+    Function g = f;
+    std::array<double, Complex::dimension> slopes;
+    for (int axis = 0; axis < Complex::dimension; ++axis) {
+      std::array<double, Complex::dimension> step = {};
+      step[axis] = h;
+      slopes[axis] = (value(g, m_position + vector_of<Complex>(step)) - f.value) / h;
+    }
+    return vector_of<Complex>(slopes);
+  }
+
+  // The point of the convex hull of the active gradients that is nearest to the origin (Gilbert).
+  Vector steepest_ascent(double bound) const {
+    static constexpr int maximum_number_of_iterations = 30;
+    static constexpr double tolerance = 1e-2;
+    const auto extreme = [&](const Vector& d) {
+      const Function* least = nullptr;
+      for (const Function& f : m_functions)
+        if (f.value <= bound && (!least || f.gradient * d < least->gradient * d))
+          least = &f;
+      return least->gradient;
+    };
+    Vector d =
+        std::min_element(m_functions.begin(), m_functions.end(),
+                         [](const Function& a, const Function& b) { return a.value < b.value; })
+            ->gradient;
+    for (int i = 0; i < maximum_number_of_iterations; ++i) {
+      const Vector g = extreme(d), side = d - g;
+      if (d * side <= tolerance * d.squared_length())
+        break;
+      d = d - (std::min)(1., d * side / side.squared_length()) * side;
+    }
+    return d;
+  }
+
+  // One step of steepest ascent with a line search. Returns whether it was worth it.
+  bool step() {
+    double before = std::numeric_limits<double>::infinity();
+    for (Function& f : m_functions) {
+      f.value = value(f, m_position);
+      before = (std::min)(before, f.value);
+    }
+    if (!std::isfinite(before)) // a measure that gives no number
+      return false;
+    // Those that are much better than the worst will not become the worst in one step. The worst
+    // may be zero or less by rounding.
+    const double relevant = before + std::abs(before), active = before + .05 * std::abs(before);
+    for (Function& f : m_functions)
+      if (f.value <= relevant)
+        differentiate(f);
+    const Vector d = steepest_ascent(active);
+    const double rate = d.squared_length();
+    if (!(std::sqrt(rate) * m_length > 1e-3))
+      return false;
+    // As far as another function becomes the worst, by linear prediction.
+    double way = .5 * m_length / std::sqrt(rate);
+    for (const Function& f : m_functions) {
+      if (!(f.value <= relevant))
+        continue;
+      const double slope = f.gradient * d;
+      if (slope < rate && f.value > before)
+        way = (std::min)(way, (std::max)(1e-3 * way, (f.value - before) / (rate - slope)));
+    }
+    for (int halvings = 0; halvings < 6; ++halvings, way /= 2) {
+      const Point p = m_position + way * d;
+      const double after = worst(p, before);
+      if (after > before) {
+        m_position = p;
+        return after > before + .02 * std::abs(before);
+      }
+    }
+    return false;
+  }
+
+  const Measure& m_measure;
+  Point m_position;
+  std::vector<Vector> m_blocked;
+  std::vector<Function> m_functions;
+  double m_length = 0;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_OPERATIONS_STAR_OPTIMIZER_H
