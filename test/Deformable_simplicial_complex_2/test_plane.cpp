@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -60,6 +64,68 @@ TEST(Plane, disks_that_meet_merge) {
   EXPECT_EQ(complex.number_of_components(1), 1u);
   EXPECT_EQ(merged, 1u);
   EXPECT_EQ(others, 0u);
+}
+
+// Free vertices outside a disk, nearer to it than half its radius, and where they were.
+std::map<Complex::Vertex_handle, Point> vertices_around(const Complex& complex, double radius) {
+  std::map<Complex::Vertex_handle, Point> result;
+  for (auto v : complex.vertices())
+    if (!v->is_interface()) {
+      const double distance = std::hypot(v->point().x(), v->point().y());
+      if (distance > radius && distance < 1.5 * radius)
+        result[v] = v->point();
+    }
+  return result;
+}
+
+TEST(Plane, space_without_flow_follows_the_interface) {
+  Complex complex = plane::disks_in_a_square({{0, 0, .5, 1}}, 40, 2, 20);
+  const auto around = vertices_around(complex, .5);
+  ASSERT_GT(around.size(), 10u);
+  const double way = .05;
+  const auto flow = [&](Complex::Vertex_handle v) {
+    const auto p = complex.position(v);
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    return p.x() * p.x() + p.y() * p.y() < .26 ? p + Complex::Approximate_vector_2(way, 0)
+                                               : Complex::Approximate_point_2(unknown, unknown);
+  };
+  const Report report = CGAL::deform_interface(
+      complex,
+      [&](Complex::Vertex_handle v) { return Point(v->point().x() + way, v->point().y()); },
+      CGAL::Deformable_simplicial_complexes::parameters::flow(flow));
+  EXPECT_TRUE(report.complete);
+  double least = way;
+  for (const auto& v : around)
+    least = std::min(least, v.first->point().x() - v.second.x());
+  EXPECT_GT(least, .2 * way);
+}
+
+// A band across the square, whose lines of contact move along two of its sides.
+TEST(Plane, free_vertices_on_the_boundary_go_along_with_lines_of_contact) {
+  const int n = 12;
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<int> labels;
+  const auto index = [&](int i, int j) { return std::size_t(i * (n + 1) + j); };
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j)
+      points.emplace_back(j, i);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      triangles.push_back({index(i, j), index(i, j + 1), index(i + 1, j + 1)});
+      triangles.push_back({index(i, j), index(i + 1, j + 1), index(i + 1, j)});
+      labels.insert(labels.end(), 2, j >= 5 && j < 7 ? 1 : 0);
+    }
+  Complex complex;
+  const auto vertices = complex.assign(points, triangles, labels);
+  const Report report = CGAL::deform_interface(
+      complex, [](Complex::Vertex_handle v) { return Point(v->point().x() + .6, v->point().y()); });
+  EXPECT_TRUE(report.complete);
+  EXPECT_TRUE(complex.is_valid(true));
+  const Point beside = vertices[index(0, 8)]->point(), corner = vertices[index(0, 0)]->point();
+  EXPECT_GT(beside.x(), 8.1);
+  EXPECT_EQ(beside.y(), 0);
+  EXPECT_EQ(corner, Point(0, 0));
 }
 
 } // namespace

@@ -71,14 +71,14 @@ became bad.
     \cgalParamType{`double`} \cgalParamDefault{5}
   \cgalParamNEnd
   \cgalParamNBegin{flow}
-    \cgalParamDescription{where what is at a point goes in the deformation: free vertices go there,
-                          too, up to a harmonic function that is needed where the interface or the
-                          boundary of the domain do not. For the first pass only, in which most
-                          deformations end. Asked at vertices; where it is not finite, or more than
-                          100 times as long as the longest way of the interface, they follow the
-                          interface.}
-    \cgalParamType{function object `Approximate_point flow(Approximate_point p)`, in the
-                   coordinates of the complex}
+    \cgalParamDescription{where what is at a point, or a vertex, goes in the deformation: free
+                          vertices go there, too, up to a harmonic function that is needed where the
+                          interface or the boundary of the domain do not. For the first pass only, in
+                          which most deformations end. Where it is not finite, or more than 100
+                          times as long as the longest way of the interface, it counts as unknown:
+                          free vertices follow the interface there, and those whose flow is known.}
+    \cgalParamType{function object `Approximate_point flow(Approximate_point p)` or
+                   `Approximate_point flow(Vertex_handle v)`, in the coordinates of the complex}
     \cgalParamDefault{none: free vertices follow the interface}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_threads}
@@ -143,7 +143,7 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
       choose_parameter(get_parameter(np, tags::manifold_interface), false),
       choose_parameter(get_parameter(np, tags::collision_order), false),
       std::ref(topology_control),
-      choose_parameter(get_parameter(np, tags::flow), internal::Space_motion<Complex>())};
+      internal::space_motion(dsc, get_parameter(np, tags::flow))};
   internal::check_threshold(options.quality_threshold);
   internal::check_threshold(options.relabeling_threshold);
   if (!(options.minimum_angle >= 0 && options.minimum_angle <= 30))

@@ -7,14 +7,14 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_care.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/collision_order.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/final_quality.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/motion/harmonic_extension.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/motion_of_space.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/simultaneous_motion.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Trapped_cells.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -93,34 +94,35 @@ public:
   void begin_pass() { m_mesh.begin_pass(unfinished()); }
 
   // Interface and free vertices at once: most of most motions. Free vertices follow the flow of
-  // space, in the first pass, and deviate from it only as interface and boundary do.
+  // space in the first pass, where it is known.
   void move_together(unsigned pass) {
-    std::vector<Vertex_handle> vertices = unfinished();
-    const std::vector<Vertex_handle> free = free_vertices_near(m_complex, vertices, layers());
     static constexpr double far = 100;         // times the longest way: nothing to be followed
     static constexpr double negligible = 1e-6; // of the longest way
+    std::vector<Vertex_handle> vertices = unfinished();
     const double longest = longest_way();
-    const bool has_flow = pass == 1 && m_options.flow;
-    const auto flow = [&](Vertex_handle v) {
-      const auto p = m_complex.position(v);
-      const Vector way = has_flow ? m_options.flow(p) - p : Vector(CGAL::NULL_VECTOR);
-      return way.squared_length() < far * far * longest * longest ? way : Vector(CGAL::NULL_VECTOR);
+    const std::vector<Vertex_handle> free =
+        free_vertices_near(m_complex, vertices, layers(longest));
+    const auto flow = [&](Vertex_handle v) -> std::optional<Vector> {
+      if (pass > 1 || !m_options.flow)
+        return {};
+      const Vector way = m_options.flow(v) - m_complex.position(v);
+      if (way.squared_length() < far * far * longest * longest)
+        return way;
+      return {};
     };
-    const auto deviation = [&](Vertex_handle v) {
-      const Vector d = (v->has_destination() ? remaining(v) : Vector(CGAL::NULL_VECTOR)) - flow(v);
-      const bool follows =
-          has_flow && d.squared_length() < negligible * negligible * longest * longest;
-      return follows ? Vector(CGAL::NULL_VECTOR) : d;
+    const auto way = [&](Vertex_handle v) {
+      return v->has_destination() ? remaining(v) : Vector(CGAL::NULL_VECTOR);
     };
-    const auto solution = harmonic_extension(m_complex, free, deviation, m_for_each_index);
+    const std::vector<Vector> ways =
+        motion_of_space(m_complex, free, way, flow, negligible * longest, m_for_each_index);
     std::vector<Point> targets;
     for (Vertex_handle v : vertices)
       targets.push_back(v->destination());
     for (std::size_t i = 0; i < free.size(); ++i) {
-      const auto target = m_complex.position(free[i]) + flow(free[i]) + solution[i];
+      const auto target = m_complex.position(free[i]) + ways[i];
       if (target != m_complex.position(free[i]) && has_finite_coordinates(target)) {
         vertices.push_back(free[i]);
-        targets.push_back(m_complex.exact(target));
+        targets.push_back(m_complex.admissible_destination(free[i], m_complex.exact(target)));
       }
     }
     for (Cell_handle c : move_simultaneously(m_complex, vertices, targets, m_for_each_index))
@@ -249,8 +251,8 @@ private:
   }
 
   // How far around its source a motion is felt: the farther it goes, the more space must give way.
-  unsigned layers() const {
-    const double edges = longest_way() / m_complex.mean_interface_edge();
+  unsigned layers(double longest) const {
+    const double edges = longest / m_complex.mean_interface_edge();
     return unsigned((std::min)(6., 1 + std::ceil(2 * edges)));
   }
 

@@ -7,16 +7,31 @@
 
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Trapped_cells.h>
 
+#include <CGAL/Named_function_parameters.h>
+
 #include <functional>
+#include <type_traits>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Where what is at a point goes in the deformation.
+// Where the flow of space takes a vertex.
 template <class Complex>
 using Space_motion =
-    std::function<typename Complex::Approximate_point(const typename Complex::Approximate_point&)>;
+    std::function<typename Complex::Approximate_point(typename Complex::Vertex_handle)>;
+
+// Of a function of points or of vertices.
+template <class Complex, class Flow>
+Space_motion<Complex> space_motion(const Complex& complex, const Flow& flow) {
+  if constexpr (std::is_same<Flow, CGAL::internal_np::Param_not_found>::value)
+    return {};
+  else if constexpr (std::is_invocable<const Flow&, typename Complex::Approximate_point>::value)
+    return
+        [&complex, flow](typename Complex::Vertex_handle v) { return flow(complex.position(v)); };
+  else
+    return flow;
+}
 
 // What deform_interface() is asked for.
 template <class Complex> struct Deformation_options

@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_HARMONIC_EXTENSION_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_HARMONIC_EXTENSION_H
 
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/Linear_element.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
@@ -25,8 +26,16 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Free vertices, neither on the interface nor on the boundary of the domain, near moving ones:
-// those within a number of layers of edges, or all of them if much of the interface moves.
+template <class Complex> bool is_held_on_all_axes(typename Complex::Vertex_handle v) {
+  bool result = true;
+  for (int axis = 0; axis < Complex::dimension; ++axis)
+    result = result && Boundary_class::fixes(v->boundary_class(), axis);
+  return result;
+}
+
+// Free vertices near moving ones: those within a number of layers of edges, or all of them if much
+// of the interface moves. Those on the boundary of the domain are free if their sides permit and
+// one of these has a moving vertex, too: a line of contact takes its surroundings along.
 template <class Complex>
 std::vector<typename Complex::Vertex_handle>
 free_vertices_near(const Complex& complex,
@@ -34,8 +43,14 @@ free_vertices_near(const Complex& complex,
   using Vertex_handle = typename Complex::Vertex_handle;
   static constexpr std::size_t much = 16;
   std::vector<Vertex_handle> found;
+  unsigned moving_sides = 0;
+  for (Vertex_handle v : moving)
+    moving_sides |= v->boundary_class();
   const auto is_free = [&](Vertex_handle v) {
-    return !v->is_interface() && !complex.is_boundary(v) && !complex.is_infinite(v);
+    if (v->is_interface() || complex.is_infinite(v))
+      return false;
+    return !complex.is_boundary(v) ||
+           ((v->boundary_class() & moving_sides) != 0 && !is_held_on_all_axes<Complex>(v));
   };
   if (moving.size() * much > complex.number_of_vertices()) {
     for (Vertex_handle v : complex.finite_vertices())
@@ -64,13 +79,25 @@ free_vertices_near(const Complex& complex,
   return found;
 }
 
+// Makes unknowns of a linear system zero, which keeps it symmetric.
+template <class Matrix, class Vector, class IsHeld>
+void hold(Matrix& matrix, Vector& right, const IsHeld& is_held) {
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+    if (is_held(row))
+      right[row] = 0;
+    for (typename Matrix::InnerIterator entry(matrix, row); entry; ++entry)
+      if (entry.col() != row && (is_held(row) || is_held(entry.col())))
+        entry.valueRef() = 0;
+  }
+}
+
 /*
 Extends displacements from the interface into the space around: each component solves the Laplace
 equation by linear finite elements. A rigid or affine motion of a closed interface is reproduced
 inside, so that cells there keep their shape.
 
 `displacement(v)` tells the displacement of a vertex that is not in `free`. It is asked once for
-each that is next to them.
+each that is next to them. Vertices on the boundary of the domain go within their sides.
 */
 template <class Complex, class Displacement>
 std::vector<typename Complex::Approximate_vector>
@@ -128,16 +155,29 @@ harmonic_extension(const Complex& complex, const std::vector<typename Complex::V
   Matrix matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
 
+  const bool has_held =
+      std::any_of(free.begin(), free.end(), [&](auto v) { return complex.is_boundary(v); });
+
   // The extension only guides: what it proposes is checked, so that a rough solution will do.
   Columns solution(n, d);
   const std::size_t worthwhile = n < 100 ? 4 : 1;
   for_each_index(
       d,
       [&](std::size_t axis) {
-        Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver(matrix);
+        const auto is_held = [&](Index i) {
+          return Boundary_class::fixes(free[std::size_t(i)]->boundary_class(), int(axis));
+        };
+        Matrix held;
+        Eigen::VectorXd b = right.col(Index(axis));
+        if (has_held) {
+          held = matrix;
+          hold(held, b, is_held);
+        }
+        Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver(has_held ? held
+                                                                                      : matrix);
         solver.setTolerance(1e-2);
         solver.setMaxIterations(200);
-        solution.col(axis) = solver.solve(right.col(axis));
+        solution.col(Index(axis)) = solver.solve(b);
       },
       worthwhile);
   std::vector<Vector> result;

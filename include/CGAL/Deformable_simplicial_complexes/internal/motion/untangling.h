@@ -10,6 +10,7 @@
 
 #include <CGAL/Origin.h>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -29,6 +30,9 @@ void relocate(Proposed_motion<Complex>& motion, typename Proposed_motion<Complex
   const Vertex_handle v = motion.vertex(i);
   std::vector<Cell_handle> star;
   complex.star(v, star);
+  star.erase(std::remove_if(star.begin(), star.end(),
+                            [&](Cell_handle c) { return complex.is_infinite(c); }),
+             star.end());
   Vector sum_of_motions(CGAL::NULL_VECTOR), mean(CGAL::NULL_VECTOR);
   int moving = 0;
   for (Cell_handle c : star) {
@@ -51,7 +55,8 @@ void relocate(Proposed_motion<Complex>& motion, typename Proposed_motion<Complex
       return;
     const auto before = motion.point(i);
     const Position from = motion.position(v);
-    motion.set_point(i, complex.exact(from + way * (target - from)));
+    motion.set_point(
+        i, complex.admissible_destination(v, complex.exact(from + way * (target - from))));
     const double after = motion.worst_quality(star, worst);
     if (after > worst)
       worst = after;
