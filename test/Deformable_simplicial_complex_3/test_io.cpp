@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iomanip>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -208,6 +209,16 @@ TEST(Pvd_series, is_valid_after_each_file) {
     EXPECT_EQ(i, n);
   }
   EXPECT_EQ(folder.number_of_files(), 1);
+}
+
+TEST(Pvd_series, refuses_a_time_that_is_not_finite) {
+  const Temporary_folder folder;
+  CGAL::IO::PVD_series series(folder / "run.pvd");
+  series.append(0, folder / "0.vtu");
+  const std::string before = file_bytes(series.path());
+  for (const double time : {std::numeric_limits<double>::infinity(), std::nan("")})
+    EXPECT_THROW(series.append(time, folder / "1.vtu"), File_error);
+  EXPECT_EQ(file_bytes(series.path()), before);
 }
 
 // MEDIT

@@ -1,9 +1,9 @@
 #include "small_meshes.h"
 #include "temporary_folder.h"
+#include "vtu_grid.h"
 
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/base64.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/little_endian.h>
 #include <CGAL/IO/MEDIT_3.h>
 #include <CGAL/IO/VTU_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
@@ -13,10 +13,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iomanip>
-#include <limits>
-#include <map>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +28,9 @@ using small_meshes::make_complex;
 using small_meshes::Point;
 namespace internal = CGAL::Deformable_simplicial_complexes::internal;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+using vtu_grid::base64;
+using vtu_grid::Encoding;
+using vtu_grid::Grid;
 
 Labelled_mesh read_vtu(const std::string& path) {
   Labelled_mesh mesh;
@@ -50,99 +49,6 @@ void expect_equal(const Labelled_mesh& a, const Labelled_mesh& b) {
   EXPECT_EQ(a.tetrahedra, b.tetrahedra);
   EXPECT_EQ(a.labels, b.labels);
 }
-
-std::string base64(const std::string& bytes) {
-  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t bits = 0;
-    for (std::size_t j = 0; j < 3; ++j)
-      bits = bits << 8 | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0);
-    for (std::size_t j = 0; j < 4; ++j)
-      text += i + j <= bytes.size() ? digits[bits >> (18 - 6 * j) & 63] : '=';
-  }
-  return text;
-}
-
-// How numbers are written into a grid.
-struct Encoding
-{
-  std::string format = "ascii"; // or binary, raw, base64: the last two are appended
-  std::string header_type = "UInt32";
-  bool separates_header = false; // in base64, from what it is the size of
-  std::string line_end = "\n";
-};
-
-// A grid as other programs write it, array by array.
-class Grid
-{
-public:
-  explicit Grid(Encoding encoding = {}) : m_encoding(std::move(encoding)) {}
-
-  template <class Number>
-  Grid& array(const std::string& section, const std::string& type, const std::string& name,
-              const std::vector<Number>& values) {
-    const std::string& end = m_encoding.line_end;
-    const bool is_appended = m_encoding.format == "raw" || m_encoding.format == "base64";
-    std::string& xml = m_sections[section];
-    xml += "<DataArray type=\"" + type + "\" Name=\"" + name + "\" format=\"" +
-           (is_appended ? "appended" : m_encoding.format) + "\"";
-    if (is_appended)
-      xml += " offset=\"" + std::to_string(m_data.size()) + "\"";
-    xml += ">" + end;
-    if (is_appended)
-      m_data += block(values);
-    else
-      xml += (m_encoding.format == "ascii" ? text(values) : block(values)) + end;
-    // as VTK writes them
-    xml += "<InformationKey name=\"L2_NORM_RANGE\" location=\"vtkDataArray\" length=\"1\">" + end +
-           "<Value index=\"0\">1.5</Value></InformationKey>" + end;
-    xml += "</DataArray>" + end;
-    return *this;
-  }
-
-  std::string text(const std::string& numbers_of_elements,
-                   const std::string& more_attributes = "") const {
-    const std::string& end = m_encoding.line_end;
-    std::string result =
-        "<?xml version=\"1.0\"?>" + end + "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" " +
-        "header_type=\"" + m_encoding.header_type + "\" " + more_attributes + ">" + end +
-        "<!-- a comment --><UnstructuredGrid>" + end + "<Piece " + numbers_of_elements + ">" + end;
-    for (const auto& [section, xml] : m_sections)
-      result += "<" + section + ">" + end + xml + "</" + section + ">" + end;
-    result += "</Piece></UnstructuredGrid>" + end;
-    if (!m_data.empty())
-      result += "<AppendedData encoding=\"" + m_encoding.format + "\">" + end + "   _" + m_data +
-                end + "</AppendedData>" + end;
-    return result + "</VTKFile>" + end;
-  }
-
-private:
-  template <class Number> static std::string text(const std::vector<Number>& values) {
-    std::ostringstream out;
-    out << std::setprecision(std::numeric_limits<double>::max_digits10);
-    for (const Number value : values)
-      out << ' ' << +value;
-    return out.str();
-  }
-
-  template <class Number> std::string block(const std::vector<Number>& values) const {
-    std::string header, bytes;
-    for (const Number value : values)
-      internal::append_little_endian(bytes, value);
-    if (m_encoding.header_type == "UInt64")
-      internal::append_little_endian(header, std::uint64_t(bytes.size()));
-    else
-      internal::append_little_endian(header, std::uint32_t(bytes.size()));
-    return m_encoding.format == "raw"    ? header + bytes
-           : m_encoding.separates_header ? base64(header) + base64(bytes)
-                                         : base64(header + bytes);
-  }
-
-  Encoding m_encoding;
-  std::map<std::string, std::string> m_sections;
-  std::string m_data;
-};
 
 const std::vector<double> coordinates = {0, 0, 0, 1, 0, 0, 0, 1. / 3, 0, 0, 0, 1e-7, 1, 1, 1};
 const std::vector<std::int64_t> connectivity = {0, 1, 2, 3, 1, 2, 3, 4};
@@ -311,6 +217,37 @@ TEST(Read_vtu, other_files_are_refused) {
                  "there are 0 pieces");
   expect_refusal(two_cells().text("NumberOfPoints=\"5\" NumberOfCells=\"0\""),
                  "there are no cells");
+}
+
+// Without recursion.
+TEST(Read_vtu, elements_nested_without_end_are_refused) {
+  std::string text;
+  for (int i = 0; i < 30000; ++i)
+    text += "<a>";
+  expect_refusal(text, "line 1: elements are nested in more than 64 others");
+  for (int i = 0; i < 30000; ++i)
+    text += "</a>";
+  expect_refusal(text, "elements are nested");
+}
+
+TEST(Read_vtu, xml_may_be_written_in_any_way) {
+  const Temporary_folder folder;
+  std::string text = labelled_cells().text(sizes);
+  text = replaced(text, "<Points>", "<!-- > <Points> \" --><?a <b> ?><Points\n>");
+  text = replaced(text, "</Points>", "<![CDATA[</Points>]]></Points >");
+  text = replaced(text, "NumberOfPoints=\"5\"", "Name=\"a>b='c'\"\n\tNumberOfPoints =\r\n '5'");
+  text = replaced(text, " 3 -7", " 3<!-- 5 --> <Note/>-7");
+  write_bytes(folder / "a.vtu", text);
+  expect_equal(read_vtu(folder / "a.vtu"), two_tetrahedra({3, -7}));
+}
+
+TEST(Read_vtu, what_is_no_xml_is_refused_with_its_line) {
+  expect_refusal("\n<a><b></a></b>", "line 2: a tag closes another element than the last one");
+  expect_refusal("</a>", "line 1: a tag closes another element");
+  expect_refusal("\n\n<>", "line 3: a tag has no name");
+  expect_refusal("<a", "a tag does not end");
+  expect_refusal("<a b='>", "a tag does not end");
+  expect_refusal("<!-- ", "<!-- does not end");
 }
 
 TEST(Read_vtu, arrays_must_be_complete) {

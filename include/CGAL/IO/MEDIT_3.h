@@ -7,7 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/Medit_scanner.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/File_scanner.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Vertex_numbering.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
 #include <CGAL/extract_interface_3.h>
@@ -129,7 +129,7 @@ template <class Point>
 void read_MEDIT(std::istream& in, std::vector<Point>& points,
                 std::vector<std::array<std::size_t, 4>>& tetrahedra, std::vector<int>& labels,
                 const std::string& path = "MEDIT text") {
-  Deformable_simplicial_complexes::internal::Medit_scanner scanner(in, path);
+  Deformable_simplicial_complexes::internal::File_scanner scanner(in, path);
   std::vector<Point> new_points;
   std::vector<std::array<std::size_t, 4>> new_tetrahedra;
   std::vector<int> new_labels;
@@ -175,8 +175,8 @@ void read_MEDIT(std::istream& in, std::vector<Point>& points,
   scanner.number<int>();
   for (bool is_in_file = scanner.next(); is_in_file && scanner.word() != "End";) {
     if (!scanner.is_keyword())
-      scanner.fail("'" + std::string(scanner.word()) +
-                   "' is not expected; is the number of elements above it right?");
+      scanner.fail(Deformable_simplicial_complexes::internal::in_quotes(scanner.word()) +
+                   " is not expected; is the number of elements above it right?");
     if (scanner.word() == "Dimension") {
       if (scanner.number<int>() != 3)
         scanner.fail("the dimension must be 3; choose a mesh of tetrahedra");

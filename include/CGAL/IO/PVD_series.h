@@ -8,8 +8,6 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
 
-#include <CGAL/assertions.h>
-
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -41,13 +39,13 @@ public:
   /// \brief adds a data file and writes the collection, which is complete and valid after each
   /// call.
   ///
-  /// \param time is finite and should be larger than those added before.
+  /// \param time should be larger than those added before.
   /// \param file is the name of the data file, as a program in the same working directory would
   /// open it. The collection refers to it relative to its own folder, so that both can move
   /// together.
   ///
-  /// \throws Deformable_simplicial_complexes::File_error if the collection cannot be written; an
-  /// older one, as well as the series itself, is unchanged then.
+  /// \throws Deformable_simplicial_complexes::File_error if the time is not finite or the collection
+  /// cannot be written; an older one, as well as the series itself, is unchanged then.
   ///
   /// Linear in the number of data files.
   void append(double time, const std::string& file) { append({{time, file}}); }
@@ -57,7 +55,11 @@ public:
   void append(const std::vector<std::pair<double, std::string>>& files) {
     std::vector<Entry> entries = m_entries;
     for (const auto& [time, file] : files) {
-      CGAL_precondition(std::isfinite(time));
+      if (!std::isfinite(time))
+        throw Deformable_simplicial_complexes::File_error(
+            "the time of " + file + " is not a finite number and cannot be written to " + m_path +
+                ": correct it",
+            m_path);
       entries.push_back({time, relative_to_collection(file)});
     }
     Deformable_simplicial_complexes::internal::replace_file_by_stream(

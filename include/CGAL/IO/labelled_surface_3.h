@@ -9,6 +9,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/Labelled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/read_polygons.h>
 #include <CGAL/extract_interface_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -16,29 +17,53 @@
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <exception>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <ios>
-#include <istream>
 #include <limits>
-#include <locale>
+#include <numeric>
 #include <ostream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The triangles of a polygon as places in it; empty if it cannot be triangulated.
+// Whether the polygon does not meet itself where it is seen along its normal.
+template <class Mesh> bool is_simple_polygon(typename Mesh::Face_index polygon, const Mesh& mesh) {
+  using Kernel = typename Kernel_traits<typename Mesh::Point>::Kernel;
+  using Vector = typename Kernel::Vector_3;
+  const Vector normal = Polygon_mesh_processing::compute_face_normal(polygon, mesh);
+  const double length = normal.squared_length();
+  if (!(0.5 < length && length < 2)) // no unit vector: there is no area, or next to none
+    return false;
+  const double x = std::abs(normal.x()), y = std::abs(normal.y()), z = std::abs(normal.z());
+  const Vector far_from_normal(x <= y && x <= z, y < x && y <= z, z < x && z < y);
+  const Vector a = cross_product(normal, far_from_normal), b = cross_product(normal, a);
+  std::vector<typename Kernel::Point_2> corners;
+  for (const auto v : mesh.vertices_around_face(mesh.halfedge(polygon))) {
+    const Vector p = mesh.point(v) - ORIGIN;
+    corners.emplace_back(a * p, b * p);
+  }
+  return is_simple_2(corners.begin(), corners.end());
+}
+
+// The triangles of a polygon as places in it; empty if it cannot be triangulated. One of more than
+// four corners must be simple, as CGAL would cut it in all places, maybe millions, where it is not.
 template <class Point>
 std::vector<std::array<std::size_t, 3>> triangulated_polygon(const std::vector<Point>& corners) {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
@@ -67,7 +92,8 @@ std::vector<std::array<std::size_t, 3>> triangulated_polygon(const std::vector<P
   for (const Point& p : corners)
     vertices.push_back(mesh.add_vertex(ORIGIN + from_first_corner(p) / size));
   const auto polygon = mesh.add_face(vertices);
-  if (!Polygon_mesh_processing::triangulate_face(polygon, mesh))
+  if ((corners.size() > 4 && !is_simple_polygon(polygon, mesh)) ||
+      !Polygon_mesh_processing::triangulate_face(polygon, mesh))
     return triangles;
   for (const auto face : mesh.faces()) {
     std::array<std::size_t, 3> triangle;
@@ -78,8 +104,6 @@ std::vector<std::array<std::size_t, 3>> triangulated_polygon(const std::vector<P
   }
   return triangles;
 }
-
-enum class Surface_format { none, off, obj, ply, stl };
 
 // By the extension of the file.
 inline Surface_format surface_format(const std::string& path) {
@@ -93,27 +117,90 @@ inline Surface_format surface_format(const std::string& path) {
                                : Surface_format::none;
 }
 
-// CGAL reads lines with streams of its own.
-inline bool has_classic_numbers(const std::locale& locale) {
-  const auto& numbers = std::use_facet<std::numpunct<char>>(locale);
-  return numbers.decimal_point() == '.' && numbers.grouping().empty();
-}
+// Takes the points of a file and counts what its polygons become.
+template <class Point> struct Point_sink
+{
+  const std::string& path;
+  std::size_t most_points; // that the file has space for
+  std::vector<Point> points;
+  std::size_t number_of_polygons = 0, number_of_triangles = 0;
 
-template <class Points, class Polygons>
-bool read_soup(std::istream& in, Surface_format format, Points& points, Polygons& polygons) {
-  switch (format) {
-  case Surface_format::off:
-    return IO::read_OFF(in, points, polygons);
-  case Surface_format::obj:
-    return IO::read_OBJ(in, points, polygons);
-  case Surface_format::ply:
-    return IO::read_PLY(in, points, polygons);
-  case Surface_format::stl:
-    return IO::read_STL(in, points, polygons);
-  case Surface_format::none:
-    break;
+  void expect_points(std::size_t n) {
+    if (points.empty())
+      points.reserve((std::min)(n, most_points));
   }
-  return false;
+
+  void point(double x, double y, double z) {
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
+      throw File_error(path + ": a coordinate of point " + std::to_string(points.size()) +
+                           " is not a finite number; correct it",
+                       path);
+    points.emplace_back(x, y, z);
+  }
+
+  void polygon(const std::vector<std::size_t>& corners) {
+    ++number_of_polygons;
+    number_of_triangles += corners.size() < 3 ? 0 : corners.size() - 2;
+  }
+};
+
+// Takes the triangles of polygons, whose points are known.
+template <class Point> struct Triangle_sink
+{
+  const std::string& path;
+  Labelled_surface_3<Point>& surface;
+  std::vector<Point> points_of_polygon;
+  std::size_t number_of_polygons = 0;
+
+  void expect_points(std::size_t) {}
+  void point(double, double, double) {}
+
+  void polygon(const std::vector<std::size_t>& corners) {
+    points_of_polygon.clear();
+    for (const std::size_t corner : corners) {
+      if (corner >= surface.points.size())
+        fail("refers to a point that is not there; repair the file");
+      points_of_polygon.push_back(surface.points[corner]);
+    }
+    const auto triangles = triangulated_polygon(points_of_polygon);
+    if (triangles.empty())
+      fail("cannot be triangulated; replace it by triangles");
+    for (const auto& triangle : triangles)
+      surface.triangles.push_back(
+          {corners[triangle[0]], corners[triangle[1]], corners[triangle[2]]});
+    ++number_of_polygons;
+  }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw File_error(path + ": polygon " + std::to_string(number_of_polygons) + " " + what, path);
+  }
+};
+
+// Makes points with the same coordinates one, in the order in which they come first.
+template <class Point> void merge_equal_points(Labelled_surface_3<Point>& surface) {
+  std::vector<Point>& points = surface.points;
+  std::vector<std::size_t> order(points.size()), place(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return points[a] == points[b] ? a < b : points[a] < points[b];
+  });
+  for (std::size_t i = 0, first = 0; i < order.size(); ++i) {
+    if (points[order[i]] != points[order[first]])
+      first = i;
+    place[order[i]] = order[first];
+  }
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (place[i] == i) {
+      points[n] = points[i];
+      place[i] = n++;
+    } else
+      place[i] = place[place[i]];
+  points.resize(n);
+  points.shrink_to_fit();
+  for (auto& triangle : surface.triangles)
+    for (auto& corner : triangle)
+      corner = place[corner];
 }
 
 template <class Points, class Polygons>
@@ -167,10 +254,11 @@ points with the same coordinates become one. What the surface looks like is not 
 \param label is the label of the solid that the surface bounds.
 
 \throws Deformable_simplicial_complexes::File_error if the file cannot be opened or understood, has
-no polygons, or has a polygon that refers to a point that is not there or cannot be triangulated;
-also if the global locale does not write numbers as the classic one does.
+no polygons, has a coordinate that is not finite, or has a polygon that refers to a point that is
+not there or cannot be triangulated, as it meets itself.
 
-Linear in the size of the file, for STL n log n.
+Linear in the size of the file, for STL n log n. Memory is never taken for more points and triangles
+than there are, however many the file announces.
 */
 template <class Point = Exact_predicates_inexact_constructions_kernel::Point_3>
 Labelled_surface_3<Point> read_labelled_surface(const std::string& path, int label = 1) {
@@ -182,41 +270,25 @@ Labelled_surface_3<Point> read_labelled_surface(const std::string& path, int lab
   const internal::Surface_format format = internal::surface_format(path);
   require(format != internal::Surface_format::none,
           "this is no format for surfaces; choose a file .off, .obj, .ply or .stl");
-  require(internal::has_classic_numbers(std::locale()),
-          "the global locale writes numbers in another way than the file; set it to "
-          "std::locale::classic()");
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
   std::ifstream in(path, std::ios::binary);
-  require(in.good(), "cannot open the file; check that it exists and may be read");
+  require(!error && in.good(), "cannot open the file; check that it exists and may be read");
 
+  // Polygons may come before their points: first all of these, then all of those.
+  constexpr std::size_t least_bytes_of_point = 3;
+  internal::Point_sink<Point> points{
+      path, static_cast<std::size_t>(size) / least_bytes_of_point, {}};
+  internal::read_polygons(in, format, path, points);
+  require(points.number_of_polygons != 0, "there are no polygons; choose a surface that has some");
   Labelled_surface_3<Point> surface;
   surface.label = label;
-  std::vector<std::vector<std::size_t>> polygons;
-  bool is_read = false;
-  try {
-    is_read = internal::read_soup(in, format, surface.points, polygons);
-  } catch (const std::exception&) { // sizes that no memory suffices for
-  }
-  require(is_read && !polygons.empty(),
-          "cannot find a surface; check that the file is whole and in the format of its extension");
-
-  std::vector<Point> corners;
-  for (const auto& polygon : polygons) {
-    corners.clear();
-    for (const std::size_t index : polygon) {
-      require(index < surface.points.size(),
-              "a polygon refers to a point that is not there; repair the file");
-      corners.push_back(surface.points[index]);
-    }
-    const auto triangles = internal::triangulated_polygon(corners);
-    if (triangles.empty())
-      throw Deformable_simplicial_complexes::File_error(
-          path + ": polygon " + std::to_string(&polygon - polygons.data()) +
-              " cannot be triangulated; replace it by triangles",
-          path);
-    for (const auto& triangle : triangles)
-      surface.triangles.push_back(
-          {polygon[triangle[0]], polygon[triangle[1]], polygon[triangle[2]]});
-  }
+  surface.points.swap(points.points);
+  surface.triangles.reserve(points.number_of_triangles);
+  internal::Triangle_sink<Point> triangles{path, surface, {}};
+  internal::read_polygons(in, format, path, triangles);
+  if (format == internal::Surface_format::stl)
+    internal::merge_equal_points(surface);
   return surface;
 }
 

@@ -6,22 +6,19 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTU_READER_H
 
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/Xml_element.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/base64.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/little_endian.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/number_of_word.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/vtk_numbers.h>
 
-#include <boost/property_tree/ptree.hpp>
-#include <boost/property_tree/xml_parser.hpp>
-
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
-#include <system_error>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -34,49 +31,47 @@ namespace internal {
 class Vtu_reader
 {
 public:
-  explicit Vtu_reader(const std::string& path) : m_path(path) {
-    std::string text = file_contents(path);
-    cut_out_appended_data(text);
-    std::istringstream xml(text);
-    try {
-      boost::property_tree::read_xml(xml, m_tree);
-    } catch (const boost::property_tree::xml_parser_error& error) {
-      fail("line " + std::to_string(error.line()) + ": " + error.message() +
-           "; is it a VTK XML file, and whole?");
-    }
-    m_file = child(m_tree, "VTKFile");
-    if (!m_file)
+  explicit Vtu_reader(const std::string& path) : m_path(path), m_bytes(file_contents(path)) {
+    cut_out_appended_data();
+    const std::optional<Xml_element> file = child({"", "", m_xml}, "VTKFile");
+    if (!file)
       fail("there is no element VTKFile; is it a VTK XML file?");
-    const std::string type = attribute(*m_file, "type");
+    m_file = *file;
+    const std::string type = m_file.attribute("type");
     if (type != "UnstructuredGrid")
-      fail("the data set is of type '" + type + "'; write an UnstructuredGrid");
-    const Tree* grid = child(*m_file, "UnstructuredGrid");
+      fail("the data set is of type " + in_quotes(type) + "; write an UnstructuredGrid");
+    const std::optional<Xml_element> grid = child(m_file, "UnstructuredGrid");
     if (!grid)
       fail("there is no element UnstructuredGrid; write the file again");
-    if (grid->count("Piece") != 1)
-      fail("there are " + std::to_string(grid->count("Piece")) +
+    std::size_t number_of_pieces = 0;
+    for_each_child(*grid, "Piece", [&](const Xml_element& piece) {
+      m_piece = piece;
+      ++number_of_pieces;
+    });
+    if (number_of_pieces != 1)
+      fail("there are " + std::to_string(number_of_pieces) +
            " pieces; write the grid as a single one");
-    m_piece = child(*grid, "Piece");
   }
   Vtu_reader(const Vtu_reader&) = delete;
   Vtu_reader& operator=(const Vtu_reader&) = delete;
 
-  std::size_t number_of_points() const { return number(*m_piece, "NumberOfPoints"); }
-  std::size_t number_of_cells() const { return number(*m_piece, "NumberOfCells"); }
+  std::size_t number_of_points() const { return number(m_piece, "NumberOfPoints"); }
+  std::size_t number_of_cells() const { return number(m_piece, "NumberOfCells"); }
 
   bool has_array(const std::string& section, const std::string& name) const {
-    return find(section, name) != nullptr;
+    return find(section, name).has_value();
   }
 
   // The numbers of an array, which must be `components` for each of `size` elements. An empty name
   // stands for the first array of the section.
   std::vector<double> array(const std::string& section, const std::string& name, std::size_t size,
                             std::size_t components = 1) const {
-    const Tree* element = find(section, name);
+    const std::optional<Xml_element> element = find(section, name);
     if (!element)
-      fail("the section " + section + " has no array" + (name.empty() ? "" : " '" + name + "'") +
-           "; write the grid again");
-    const std::string known_as = "the array '" + attribute(*element, "Name") + "' of " + section;
+      fail("the section " + section + " has no array" +
+           (name.empty() ? "" : " " + in_quotes(name)) + "; write the grid again");
+    const std::string known_as =
+        "the array " + in_quotes(element->attribute("Name")) + " of " + section;
     std::vector<double> result = numbers(*element, known_as);
     if (result.size() % components != 0 || result.size() / components != size)
       fail(known_as + " has " + std::to_string(result.size()) + " numbers and not " +
@@ -90,90 +85,109 @@ public:
   }
 
 private:
-  using Tree = boost::property_tree::ptree;
-
-  static const Tree* child(const Tree& element, const std::string& name) {
-    const auto found = element.find(name);
-    return found == element.not_found() ? nullptr : &found->second;
+  template <class Visit>
+  void for_each_child(const Xml_element& element, std::string_view name, const Visit& visit) const {
+    visit_xml(
+        element.content, m_path,
+        [&](const Xml_element& child) {
+          if (child.name == name)
+            visit(child);
+        },
+        [](std::string_view) {});
   }
 
-  static std::string attribute(const Tree& element, const std::string& name) {
-    const Tree* attributes = child(element, "<xmlattr>");
-    const Tree* found = attributes ? child(*attributes, name) : nullptr;
-    return found ? found->data() : std::string();
-  }
-
-  // An attribute that must be a number.
-  std::size_t number(const Tree& element, const std::string& name) const {
-    const std::string text = attribute(element, name);
-    const char* end = text.data() + text.size();
-    std::size_t result = 0;
-    const auto [rest, error] = std::from_chars(text.data(), end, result);
-    if (error != std::errc() || rest != end)
-      fail("the attribute " + name + " should be a number, not '" + text + "'; correct it");
+  // The first of that name.
+  std::optional<Xml_element> child(const Xml_element& element, std::string_view name) const {
+    std::optional<Xml_element> result;
+    for_each_child(element, name, [&](const Xml_element& child) {
+      if (!result)
+        result = child;
+    });
     return result;
   }
 
-  const Tree* find(const std::string& section, const std::string& name) const {
-    if (const Tree* arrays = child(*m_piece, section))
-      for (const auto& [kind, element] : *arrays)
-        if (kind == "DataArray" && (name.empty() || attribute(element, "Name") == name))
-          return &element;
-    return nullptr;
+  // All of it but that of elements within.
+  std::string text(const Xml_element& element) const {
+    std::string result;
+    visit_xml(
+        element.content, m_path, [](const Xml_element&) {},
+        [&](std::string_view part) { result += part; });
+    return result;
   }
 
-  // Leaves the start and the end of the section, between which there may be any bytes.
-  void cut_out_appended_data(std::string& text) {
-    const std::size_t start = text.find("<AppendedData");
+  // An attribute that must be a number.
+  std::size_t number(const Xml_element& element, const std::string& name) const {
+    const std::string text = element.attribute(name);
+    const std::optional<std::size_t> result = number_of_word<std::size_t>(text);
+    if (!result)
+      fail("the attribute " + name + " should be a number, not " + in_quotes(text) +
+           "; correct it");
+    return *result;
+  }
+
+  std::optional<Xml_element> find(const std::string& section, const std::string& name) const {
+    std::optional<Xml_element> result;
+    if (const std::optional<Xml_element> arrays = child(m_piece, section))
+      for_each_child(*arrays, "DataArray", [&](const Xml_element& array) {
+        if (!result && (name.empty() || array.attribute("Name") == name))
+          result = array;
+      });
+    return result;
+  }
+
+  // Leaves the start and the end of the section, between which there may be any bytes, as XML.
+  void cut_out_appended_data() {
+    const std::size_t start = m_bytes.find("<AppendedData");
     if (start == std::string::npos)
-      return;
-    const std::size_t begin = text.find('>', start), end = text.rfind("</AppendedData>");
+      return m_xml.swap(m_bytes);
+    const std::size_t begin = m_bytes.find('>', start), end = m_bytes.rfind("</AppendedData>");
     if (begin == std::string::npos || end == std::string::npos || end <= begin)
       fail("the section AppendedData does not end; is the file truncated?");
-    const std::size_t mark = text.find_first_not_of(" \t\r\n", begin + 1);
-    if (text[mark] != '_')
+    const std::size_t mark = m_bytes.find_first_not_of(" \t\r\n", begin + 1);
+    if (m_bytes[mark] != '_')
       fail("the section AppendedData does not begin with '_'; write the file again");
-    m_appended = text.substr(mark + 1, end - (mark + 1));
-    text.erase(begin + 1, end - (begin + 1));
+    m_appended = std::string_view(m_bytes).substr(mark + 1, end - (mark + 1));
+    m_xml = m_bytes.substr(0, begin + 1) + m_bytes.substr(end);
   }
 
-  std::vector<double> numbers(const Tree& element, const std::string& known_as) const {
-    const std::string format = attribute(element, "format");
+  std::vector<double> numbers(const Xml_element& element, const std::string& known_as) const {
+    const std::string format = element.attribute("format");
     if (format == "ascii") {
-      const std::optional<std::vector<double>> result = numbers_of_text(element.data());
+      std::optional<std::vector<double>> result = numbers_of_text(text(element));
       if (!result)
         fail(known_as + " has something that is no number; correct it");
-      return *result;
+      return std::move(*result);
     }
     if (format != "binary" && format != "appended")
-      fail(known_as + " has the format '" + format + "'; write it as ascii, binary or appended");
+      fail(known_as + " has the format " + in_quotes(format) +
+           "; write it as ascii, binary or appended");
     // Where numbers are text, compressor and byte order may be named but do not matter.
-    if (!attribute(*m_file, "compressor").empty())
+    if (!m_file.attribute("compressor").empty())
       fail("the numbers are compressed; write them as text or without compression, which is "
            "compressor type None in ParaView, SetCompressorTypeToNone() in VTK and "
            "compression=None in meshio");
-    if (attribute(*m_file, "byte_order") == "BigEndian")
+    if (m_file.attribute("byte_order") == "BigEndian")
       fail("the numbers are big-endian; write them as text or as LittleEndian");
 
-    const std::string type_name = attribute(element, "type");
+    const std::string type_name = element.attribute("type");
     const Vtk_number_type* type = find_vtk_number_type(type_name);
     if (!type)
-      fail(known_as + " has numbers of the unknown type '" + type_name +
-           "'; write Int32 or Float64");
-    const std::string bytes = format == "binary" ? block(element.data(), true, known_as)
+      fail(known_as + " has numbers of the unknown type " + in_quotes(type_name) +
+           "; write Int32 or Float64");
+    const std::string bytes = format == "binary" ? block(text(element), true, known_as)
                                                  : appended_block(element, known_as);
     if (bytes.size() % type->size != 0)
       fail(known_as + " ends within a number; write the file again");
     return type->numbers(bytes);
   }
 
-  std::string appended_block(const Tree& element, const std::string& known_as) const {
+  std::string appended_block(const Xml_element& element, const std::string& known_as) const {
     const std::size_t offset = number(element, "offset");
     if (offset > m_appended.size())
       fail(known_as + " begins behind the end of the data; is the file truncated?");
-    const Tree* section = child(*m_file, "AppendedData");
-    return block(std::string_view(m_appended).substr(offset),
-                 !section || attribute(*section, "encoding") != "raw", known_as);
+    const std::optional<Xml_element> section = child(m_file, "AppendedData");
+    return block(m_appended.substr(offset), !section || section->attribute("encoding") != "raw",
+                 known_as);
   }
 
   // What comes after its size in bytes.
@@ -181,9 +195,9 @@ private:
     const auto first_bytes = [&](std::size_t n) {
       return is_base64 ? bytes_of_base64(text, n) : std::string(text.substr(0, n));
     };
-    const std::string header_type = attribute(*m_file, "header_type");
+    const std::string header_type = m_file.attribute("header_type");
     if (header_type != "" && header_type != "UInt32" && header_type != "UInt64")
-      fail("the header_type '" + header_type + "' is unknown; write UInt32 or UInt64");
+      fail("the header_type " + in_quotes(header_type) + " is unknown; write UInt32 or UInt64");
     const std::size_t header_size = header_type == "UInt64" ? 8 : 4;
     const std::string header = first_bytes(header_size);
     if (header.size() == header_size) {
@@ -199,10 +213,9 @@ private:
   }
 
   std::string m_path;
-  Tree m_tree;
-  const Tree* m_file = nullptr;
-  const Tree* m_piece = nullptr;
-  std::string m_appended;
+  std::string m_bytes, m_xml; // all views are of these
+  Xml_element m_file, m_piece;
+  std::string_view m_appended;
 };
 
 } // namespace internal

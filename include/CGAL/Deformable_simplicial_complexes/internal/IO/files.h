@@ -7,17 +7,28 @@
 
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <ios>
 #include <locale>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
+
+// What stands in a file, as part of a message of one line.
+inline std::string in_quotes(std::string_view text) {
+  constexpr std::size_t longest = 40; // characters that still tell what is wrong
+  std::string result(text.substr(0, longest));
+  for (char& c : result)
+    c = static_cast<unsigned char>(c) < ' ' || c == '\177' ? '?' : c;
+  return "'" + result + "'";
+}
 
 // Removes a file that was not renamed before the end of the scope.
 struct Temporary_file

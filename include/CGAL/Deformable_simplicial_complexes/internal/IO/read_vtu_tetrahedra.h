@@ -107,6 +107,7 @@ inline Vtu_tetrahedra read_vtu_tetrahedra(const std::string& path) {
                   " is not a finite number; correct it");
 
   const std::vector<double> indices = reader.array("Cells", "connectivity", number_of_cells, 4);
+  result.tetrahedra.reserve(number_of_cells);
   for (std::size_t i = 0; i < indices.size(); ++i) {
     const double index = indices[i];
     if (!(0 <= index && index < static_cast<double>(number_of_points)) ||

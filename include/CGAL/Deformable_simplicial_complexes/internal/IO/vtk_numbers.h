@@ -6,14 +6,13 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTK_NUMBERS_H
 
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/little_endian.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/number_of_word.h>
 
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 namespace CGAL {
@@ -58,15 +57,14 @@ inline const Vtk_number_type* find_vtk_number_type(std::string_view name) {
 inline std::optional<std::vector<double>> numbers_of_text(std::string_view text) {
   constexpr char white_space[] = " \t\r\n";
   std::vector<double> numbers;
+  numbers.reserve(text.size() / 2); // a digit and a space each
   for (std::size_t begin; (begin = text.find_first_not_of(white_space)) != text.npos;) {
     text.remove_prefix(begin);
     const std::string_view word = text.substr(0, text.find_first_of(white_space));
-    const char* end = word.data() + word.size();
-    double number;
-    const auto [rest, error] = std::from_chars(word.data(), end, number);
-    if (error != std::errc() || rest != end)
+    const std::optional<double> number = number_of_word<double>(word);
+    if (!number)
       return std::nullopt;
-    numbers.push_back(number);
+    numbers.push_back(*number);
     text.remove_prefix(word.size());
   }
   return numbers;

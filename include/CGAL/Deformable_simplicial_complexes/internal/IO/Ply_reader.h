@@ -1,0 +1,218 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_PLY_READER_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_PLY_READER_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/File_scanner.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// A type of numbers, with its two names. All of its numbers are `double` as well.
+struct Ply_type
+{
+  const char* name;
+  const char* sized_name;
+  double (*read)(File_scanner&, Encoding);
+};
+
+template <class Number> double read_ply_number(File_scanner& scanner, Encoding encoding) {
+  return static_cast<double>(scanner.number<Number>(encoding));
+}
+
+// Nothing if there is no type of that name.
+inline const Ply_type* find_ply_type(std::string_view name) {
+  static constexpr Ply_type types[] = {{"char", "int8", read_ply_number<std::int8_t>},
+                                       {"uchar", "uint8", read_ply_number<std::uint8_t>},
+                                       {"short", "int16", read_ply_number<std::int16_t>},
+                                       {"ushort", "uint16", read_ply_number<std::uint16_t>},
+                                       {"int", "int32", read_ply_number<std::int32_t>},
+                                       {"uint", "uint32", read_ply_number<std::uint32_t>},
+                                       {"float", "float32", read_ply_number<float>},
+                                       {"double", "float64", read_ply_number<double>}};
+  for (const Ply_type& type : types)
+    if (name == type.name || name == type.sized_name)
+      return &type;
+  return nullptr;
+}
+
+struct Ply_property
+{
+  enum Meaning { x, y, z, corners, nothing };
+
+  const Ply_type* size_type; // of a list, null otherwise
+  const Ply_type* type;
+  Meaning meaning;
+};
+
+struct Ply_element
+{
+  enum Kind { point, polygon, other };
+
+  Kind kind;
+  std::size_t number;
+  std::vector<Ply_property> properties;
+
+  bool has(Ply_property::Meaning meaning) const {
+    for (const Ply_property& property : properties)
+      if (property.meaning == meaning)
+        return true;
+    return false;
+  }
+};
+
+// Reads a PLY file, as text or binary. All types of numbers are known, and elements and properties
+// other than points and polygons are skipped.
+class Ply_reader
+{
+public:
+  explicit Ply_reader(File_scanner& scanner) : m_scanner(scanner) { read_header(); }
+
+  // Hands the points and the polygons to a sink; see read_polygons.h.
+  template <class Sink> void read(Sink& sink) {
+    double coordinates[3] = {};
+    std::vector<std::size_t> corners;
+    for (const Ply_element& element : m_elements) {
+      if (element.kind == Ply_element::point)
+        sink.expect_points(element.number);
+      // Elements that have no properties take no place in the file.
+      const std::size_t number = element.properties.empty() ? 0 : element.number;
+      for (std::size_t i = 0; i < number; ++i) {
+        for (const Ply_property& property : element.properties)
+          if (property.meaning == Ply_property::corners)
+            read_corners(property, corners);
+          else if (property.meaning != Ply_property::nothing)
+            coordinates[property.meaning] = property.type->read(m_scanner, m_encoding);
+          else
+            skip(property);
+        if (element.kind == Ply_element::point)
+          sink.point(coordinates[0], coordinates[1], coordinates[2]);
+        else if (element.kind == Ply_element::polygon)
+          sink.polygon(corners);
+      }
+    }
+  }
+
+private:
+  // The next word of the line.
+  std::string_view word() {
+    if (!m_scanner.next_on_line())
+      m_scanner.fail("a word is missing in the header; repair the file");
+    return m_scanner.word();
+  }
+
+  const Ply_type* type() {
+    const Ply_type* result = find_ply_type(word());
+    if (!result)
+      m_scanner.fail(in_quotes(m_scanner.word()) + " is no type of numbers; write int or double");
+    return result;
+  }
+
+  void read_header() {
+    if (!m_scanner.next() || m_scanner.word() != "ply")
+      m_scanner.fail("the file does not begin with ply; is it a PLY file?");
+    for (;;) {
+      m_scanner.skip_line();
+      if (!m_scanner.next())
+        m_scanner.fail("the header does not end; is the file truncated?");
+      if (m_scanner.word() == "format")
+        read_format();
+      else if (m_scanner.word() == "element")
+        read_element();
+      else if (m_scanner.word() == "property")
+        read_property();
+      else if (m_scanner.word() == "end_header")
+        break;
+    }
+    m_scanner.skip_line();
+    check_elements();
+  }
+
+  void read_format() {
+    const std::string_view format = word();
+    if (format == "binary_little_endian")
+      m_encoding = Encoding::little_endian;
+    else if (format == "binary_big_endian")
+      m_encoding = Encoding::big_endian;
+    else if (format != "ascii")
+      m_scanner.fail(in_quotes(m_scanner.word()) + " is no format of PLY files; write ascii");
+  }
+
+  void read_element() {
+    const std::string_view name = word();
+    const Ply_element::Kind kind = name == "vertex" || name == "vertices" ? Ply_element::point
+                                   : name == "face" || name == "faces"    ? Ply_element::polygon
+                                                                          : Ply_element::other;
+    m_elements.push_back({kind, m_scanner.number<std::size_t>(), {}});
+  }
+
+  void read_property() {
+    if (m_elements.empty())
+      m_scanner.fail("there is no element for this property; repair the file");
+    Ply_element& element = m_elements.back();
+    const bool is_list = m_scanner.next_is("list");
+    const Ply_type* const size_type = is_list ? type() : nullptr;
+    const Ply_type* const number_type = type();
+    const std::string_view name = word();
+    Ply_property::Meaning meaning = Ply_property::nothing;
+    if (element.kind == Ply_element::point && !is_list)
+      meaning = name == "x"   ? Ply_property::x
+                : name == "y" ? Ply_property::y
+                : name == "z" ? Ply_property::z
+                              : Ply_property::nothing;
+    if (element.kind == Ply_element::polygon && is_list &&
+        (name == "vertex_indices" || name == "vertex_index"))
+      meaning = Ply_property::corners;
+    element.properties.push_back({size_type, number_type, meaning});
+  }
+
+  void check_elements() const {
+    for (const Ply_element& element : m_elements) {
+      if (element.kind == Ply_element::point &&
+          !(element.has(Ply_property::x) && element.has(Ply_property::y) &&
+            element.has(Ply_property::z)))
+        m_scanner.fail("points do not have the properties x, y and z; add them");
+      if (element.kind == Ply_element::polygon && !element.has(Ply_property::corners))
+        m_scanner.fail("polygons do not have the list vertex_indices; add it");
+    }
+  }
+
+  std::size_t index(const Ply_type& type) {
+    const double number = type.read(m_scanner, m_encoding);
+    if (!(number >= 0) || number != std::trunc(number) || number > 4294967295.)
+      m_scanner.fail("the size of a list or an index is not a number from 0 to 4294967295");
+    return static_cast<std::size_t>(number);
+  }
+
+  void read_corners(const Ply_property& property, std::vector<std::size_t>& corners) {
+    corners.clear();
+    for (std::size_t n = index(*property.size_type); n > 0; --n)
+      corners.push_back(index(*property.type));
+  }
+
+  void skip(const Ply_property& property) {
+    for (std::size_t n = property.size_type ? index(*property.size_type) : 1; n > 0; --n)
+      property.type->read(m_scanner, m_encoding);
+  }
+
+  File_scanner& m_scanner;
+  Encoding m_encoding = Encoding::text;
+  std::vector<Ply_element> m_elements;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_PLY_READER_H

@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_POLYGONS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_POLYGONS_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/File_scanner.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/Ply_reader.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/read_obj.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/read_off.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/read_stl.h>
+
+#include <istream>
+#include <string>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+enum class Surface_format { none, off, obj, ply, stl };
+
+// Goes through a file of that format and hands to `sink`, in the order of the file, what it finds:
+// - `expect_points(n)`: as many points should follow, if the number is told; it may be wrong;
+// - `point(x, y, z)`: a point;
+// - `polygon(corners)`: places of points as a `std::vector<std::size_t>`, which may come before the
+//   points or be wrong.
+// Nothing is stored but the polygon. Throws File_error with the line if the file has another form.
+// pre: the format is not none, and `in` can go back to its begin
+template <class Sink>
+void read_polygons(std::istream& in, Surface_format format, const std::string& path, Sink& sink) {
+  in.clear();
+  in.seekg(0);
+  File_scanner scanner(in, path);
+  switch (format) {
+  case Surface_format::off:
+    return read_off(scanner, sink);
+  case Surface_format::obj:
+    return read_obj(scanner, sink);
+  case Surface_format::ply:
+    return Ply_reader(scanner).read(sink);
+  case Surface_format::stl:
+    return is_binary_stl(in) ? read_binary_stl(scanner, sink) : read_text_stl(scanner, sink);
+  case Surface_format::none:
+    break;
+  }
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_POLYGONS_H
