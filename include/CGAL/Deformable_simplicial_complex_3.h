@@ -14,6 +14,7 @@
 #include <CGAL/Default.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -81,6 +82,16 @@ public:
   double area(Label a, Label b) const; ///< of the interface between two labels
   /// V - E + F of the label's interface: 2 for a ball.
   int euler_characteristic(Label label) const;
+
+  /// Measures of the interface of a label.
+  struct Label_interface
+  {
+    Label label;              ///< one of `labels()`
+    double area;              ///< `area(label)`, to the same bits
+    int euler_characteristic; ///< `euler_characteristic(label)`
+  };
+  /// The measures for all labels, increasing, in the time of one label: n log n in the interface.
+  std::vector<Label_interface> label_interfaces() const;
 };
 
 template <class Tr, class Tds, class Qm>
@@ -131,6 +142,36 @@ int Deformable_simplicial_complex_3<Tr, Tds, Qm>::euler_characteristic(Label lab
     return int(std::unique(items.begin(), items.end()) - items.begin());
   };
   return count_distinct(vertices) - count_distinct(edges) + facets;
+}
+
+template <class Tr, class Tds, class Qm>
+auto Deformable_simplicial_complex_3<Tr, Tds, Qm>::label_interfaces() const -> std::vector<Label_interface> {
+  std::vector<Label_interface> result;
+  for (Label label : this->labels())
+    result.push_back({label, 0, 0});
+  // Each vertex and edge once for each label that has it; a vertex is an edge from it to itself.
+  std::vector<std::array<std::size_t, 3>> edges;
+  for (const Facet& f : interface_facets()) {
+    const auto v = this->facet_vertices(f);
+    for (const auto c : {f.first, f.first->neighbor(f.second)}) {
+      const auto own = std::lower_bound(
+          result.begin(), result.end(), c->label(),
+          [](const Label_interface& measures, Label label) { return measures.label < label; });
+      own->area += area(f);
+      ++own->euler_characteristic;
+      for (int i = 0; i < 3; ++i) {
+        const std::size_t a = v[i]->time_stamp(), b = v[(i + 1) % 3]->time_stamp();
+        const std::size_t index = std::size_t(own - result.begin());
+        edges.push_back({index, a, a});
+        edges.push_back({index, (std::min)(a, b), (std::max)(a, b)});
+      }
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  for (const auto& [index, a, b] : edges)
+    result[index].euler_characteristic += a == b ? 1 : -1;
+  return result;
 }
 
 } // namespace CGAL

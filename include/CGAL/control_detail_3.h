@@ -113,8 +113,8 @@ Improvement_report control_detail(Complex& dsc, const NamedParameters& np = Name
       choose_parameter(get_parameter(np, tags::interface_collapse_length), .5);
   internal::check_threshold(thresholds.collapse_quality);
   internal::check_detail_thresholds(thresholds);
-  const unsigned rounds =
-      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 10u);
+  const unsigned rounds = internal::count_parameter(np, CGAL::internal_np::number_of_iterations,
+                                                    "number_of_iterations", 10u);
   const internal::Edge_unit<Complex> unit(get_parameter(np, tags::size_field),
                                           dsc.mean_interface_edge());
   const internal::Edge_unit<Complex> short_unit(get_parameter(np, tags::size_field),

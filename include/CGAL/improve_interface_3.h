@@ -139,8 +139,8 @@ Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = N
       double(choose_parameter(get_parameter(np, tags::quality_threshold), .2)),
       choose_parameter(get_parameter(np, tags::curved_splits), false)};
   internal::check_interface_thresholds(thresholds);
-  const unsigned iterations =
-      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 1u);
+  const unsigned iterations = internal::count_parameter(np, CGAL::internal_np::number_of_iterations,
+                                                        "number_of_iterations", 1u);
   const internal::Edge_unit<Complex> unit(get_parameter(np, tags::size_field),
                                           dsc.mean_interface_edge());
 

@@ -59,7 +59,7 @@ What is improved is the measure of the complex. Where dihedral angles count,
 \cgalNamedParamsEnd
 
 \return what was done.
-\throws Deformable_simplicial_complexes::Error if the threshold is out of its range; the complex is
+\throws Deformable_simplicial_complexes::Error if a parameter is out of its range; the complex is
        then unchanged. An exception of the visitor leaves a valid complex.
 
 Some passes over the cells, then n log n in the number of cells below the threshold. Random numbers are
@@ -79,8 +79,8 @@ Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedP
   const double threshold =
       choose_parameter(get_parameter(np, tags::quality_threshold), aggressive ? .46 : .25);
   Deformable_simplicial_complexes::internal::check_threshold(threshold);
-  const unsigned rounds =
-      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 10u);
+  const unsigned rounds = Deformable_simplicial_complexes::internal::count_parameter(
+      np, CGAL::internal_np::number_of_iterations, "number_of_iterations", 10u);
 
   const bool smooth_interface = choose_parameter(get_parameter(np, tags::smooth_interface), false);
 

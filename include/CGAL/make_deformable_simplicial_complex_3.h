@@ -40,7 +40,7 @@ template <class Complex, class NP> void finish(Complex& dsc, const NP& np) {
   const double threshold = choose_parameter(get_parameter(np, internal_np::quality_threshold), .3);
   check_threshold(threshold);
   const unsigned rounds =
-      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 10u);
+      count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations", 10u);
   if (choose_parameter(get_parameter(np, internal_np::improve), true)) {
     Any_visitor<Complex> visitor;
     Mesh_improver_3<Complex> improver(dsc, visitor, threshold);
@@ -58,7 +58,7 @@ Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
   using CGAL::parameters::get_parameter;
   const bool normalize = choose_parameter(get_parameter(np, internal_np::normalize), false);
   const unsigned subdivision =
-      choose_parameter(get_parameter(np, internal_np::box_subdivision), 4u);
+      count_parameter(np, internal_np::box_subdivision, "box_subdivision", 4u);
 
   std::vector<Merged_soup_3> merged = check_surfaces(surfaces);
   const Building_frame_3 frame(merged, normalize);

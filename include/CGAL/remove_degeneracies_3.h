@@ -92,8 +92,8 @@ Improvement_report remove_degeneracies(Complex& dsc,
   if (!(length >= 0))
     throw Deformable_simplicial_complexes::Error(
         "the length of a degenerate edge is out of range: use 0 or more");
-  const unsigned rounds =
-      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 10u);
+  const unsigned rounds = internal::count_parameter(np, CGAL::internal_np::number_of_iterations,
+                                                    "number_of_iterations", 10u);
   const internal::Edge_unit<Complex> unit(get_parameter(np, tags::size_field),
                                           dsc.minimum_interface_edge());
 

@@ -61,7 +61,7 @@ may change the mesh on the way.
         keeps the interface from where it should go, a visitor has ended it, or there were too few
         iterations.
 \throws Deformable_simplicial_complexes::Error if a label does not occur, a volume or the tolerance
-       is not positive, all labels are given and their volumes do not fill the domain, or some are
+       is not positive, the number of iterations is negative, all labels are given and their volumes do not fill the domain, or some are
        and leave nothing for the others; the complex is then unchanged.
 
 Linear in the size of the interface, plus the deformations.
@@ -77,8 +77,8 @@ Volume_report<Complex> restore_volumes(Complex& dsc,
   using parameters::choose_parameter;
   using parameters::get_parameter;
   const double tolerance = choose_parameter(get_parameter(np, tags::volume_tolerance), 1e-10);
-  const unsigned iterations =
-      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 5u);
+  const unsigned iterations = internal::count_parameter(np, CGAL::internal_np::number_of_iterations,
+                                                        "number_of_iterations", 5u);
   if (!(tolerance > 0))
     throw Error("the tolerance of volumes is out of range: use more than 0");
   double domain = 0, wanted = 0;

@@ -8,6 +8,7 @@
 #include "tracked_complex.h"
 
 #include <iostream>
+#include <optional>
 
 namespace dsc {
 namespace {
@@ -50,8 +51,9 @@ int execute(const Info_options& options) {
   else if (format == "dsc") {
     std::string metadata;
     const Tracked_complex complex = Tracked_complex::from_checkpoint(options.file, metadata);
-    const Run_position position = from_metadata(metadata);
-    std::cout << "step                 " << position.step << ", time " << position.time << '\n';
+    if (const std::optional<Saved_run> run = from_metadata(metadata))
+      std::cout << "step                 " << run->position.step << ", time " << run->position.time
+                << '\n';
     print(complex.statistics());
   } else
     print(surface_statistics(options.file));

@@ -8,28 +8,33 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
+#include <string>
 
 namespace dsc {
 namespace {
+
+const std::array<const char*, 3> commands_of_fields = {"enright", "vortex", "advect"};
 
 Json json_of(const Rotation& rotation) {
   return {{"command", "rotate"}, {"axis", rotation.axis}, {"angle", rotation.degrees}};
 }
 
+const char* const mean_edge = "mean interface edge";
+
 Json json_of(const Offset& offset) {
   return {{"command", "offset"},
           {"distance", offset.distance.value},
-          {"unit", offset.distance.in_mean_edges ? "mean interface edge" : "input"},
+          {"unit", offset.distance.in_mean_edges ? mean_edge : "input"},
           {"move_faces", offset.moves_faces}};
 }
 
 Json json_of(const Advection& advection) {
-  static const std::array<const char*, 3> commands = {"enright", "vortex", "advect"};
   const auto& schemes = integration_schemes();
   const auto scheme = std::find_if(schemes.begin(), schemes.end(), [&](const auto& named) {
     return named.second == advection.scheme;
   });
-  return {{"command", commands[static_cast<std::size_t>(advection.field)]},
+  return {{"command", commands_of_fields[static_cast<std::size_t>(advection.field)]},
           {"velocity", value_or_null(advection.expressions)},
           {"period", value_or_null(advection.period)},
           {"dt", advection.dt},
@@ -46,6 +51,22 @@ Json json_of(const Curvature_flow& flow) {
 
 Json motion_json(const Motion& motion) {
   return std::visit([](const auto& m) { return json_of(m); }, motion);
+}
+
+Motion motion_from_json(const Json& json) {
+  const std::string command = json.at("command");
+  if (command == "rotate")
+    return Rotation{json.at("axis"), json.at("angle")};
+  if (command == "offset")
+    return Offset{{json.at("distance"), json.at("unit") == mean_edge}, json.at("move_faces")};
+  if (command == "mean-curvature")
+    return Curvature_flow{value_of<double>(json.at("dt")), json.at("keep_volumes")};
+  const auto field = std::find(commands_of_fields.begin(), commands_of_fields.end(), command);
+  if (field == commands_of_fields.end())
+    throw std::out_of_range("unknown command " + command);
+  return Advection{static_cast<Advection::Field>(field - commands_of_fields.begin()),
+                   value_of<std::string>(json.at("velocity")), value_of<double>(json.at("period")),
+                   json.at("dt"), integration_schemes().at(json.at("scheme"))};
 }
 
 } // namespace dsc

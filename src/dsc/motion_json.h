@@ -13,6 +13,9 @@ namespace dsc {
 /// The subcommand and its own options.
 Json motion_json(const Motion& motion);
 
+/// The inverse. \throws Json::exception or std::out_of_range if there is no motion in `json`
+Motion motion_from_json(const Json& json);
+
 } // namespace dsc
 
 #endif // DSC_MOTION_JSON_H

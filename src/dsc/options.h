@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -28,6 +29,9 @@ struct Distance
   double value;
   bool in_mean_edges; ///< the unit: mean interface edges of the input, or that of the input's
                       ///< coordinates
+  bool operator==(const Distance& other) const {
+    return value == other.value && in_mean_edges == other.in_mean_edges;
+  }
 };
 
 /// Move along the outward normals.
@@ -59,6 +63,14 @@ struct Curvature_flow
 
 using Motion = std::variant<Rotation, Offset, Advection, Curvature_flow>;
 
+/// What each step of a run does.
+struct Step_options
+{
+  Motion motion;
+  bool improves_interface = false;      ///< before the motion
+  std::optional<double> aggressiveness; ///< of that; the library's if not set
+};
+
 /// A ball in the coordinates of the input.
 struct Ball
 {
@@ -78,13 +90,12 @@ struct Run_start
 /// What the commands that move an interface are asked to do.
 struct Run_options
 {
-  Motion motion;
+  Step_options step;
+  std::set<std::string> given;                 ///< names of the options in the command line
   Run_start start;                             ///< empty if `resume` is set
   std::string resume;                          ///< a checkpoint
   std::optional<std::array<double, 6>> domain; ///< of the input's coordinates: least, largest ones
   unsigned steps = 10;                         ///< to do in this run
-  bool improves_interface = false;             ///< before each step
-  std::optional<double> aggressiveness;        ///< of that; the library's if not set
   unsigned threads = 1;
   std::string output; ///< folder; empty for no files
   unsigned every = 1;

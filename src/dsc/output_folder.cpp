@@ -81,7 +81,7 @@ void Output_folder::write(const Tracked_complex& complex, const Run_position& po
     m_interface.append(position.time, interface);
     m_last_time = position.time;
   }
-  if (position.time > m_checkpoint_time) {
+  if (!holds(position)) {
     complex.write_checkpoint(checkpoint(), metadata);
     m_checkpoint_time = position.time;
   }

@@ -27,6 +27,9 @@ public:
   /// Goes on with the collections of an earlier run in this folder, up to a moment.
   void keep_until(double time);
 
+  /// Whether the checkpoint is that of a moment, or of a later one.
+  bool holds(const Run_position& position) const { return position.time <= m_checkpoint_time; }
+
   /// Writes a state, less what is there already. The checkpoint comes last, when all it promises is
   /// there. \throws std::runtime_error if that fails
   void write(const Tracked_complex& complex, const Run_position& position,

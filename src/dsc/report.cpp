@@ -10,13 +10,14 @@ namespace dsc {
 namespace {
 
 Json parameters_json(const Run_options& options, const Run_start& start) {
-  Json json = motion_json(options.motion);
+  Json json = motion_json(options.step.motion);
   json["steps"] = options.steps;
   json["triangles"] = value_or_null(start.triangles);
   json["fit"] = start.ball && !start.inputs.empty();
   json["domain"] = options.domain ? Json(*options.domain) : Json();
-  json["improve_interface"] = options.improves_interface;
-  json["aggressiveness"] = options.aggressiveness ? Json(*options.aggressiveness) : Json();
+  json["improve_interface"] = options.step.improves_interface;
+  json["aggressiveness"] =
+      options.step.aggressiveness ? Json(*options.step.aggressiveness) : Json();
   json["threads"] = options.threads;
   json["output"] = value_or_null(options.output);
   json["every"] = options.every;

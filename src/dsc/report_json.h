@@ -19,6 +19,9 @@ template <class T> Json value_or_null(const T& value) {
   return value == T() ? Json() : Json(value);
 }
 
+/// The inverse.
+template <class T> T value_of(const Json& json) { return json.is_null() ? T() : json.get<T>(); }
+
 /// What all reports tell of a state.
 Json statistics_json(const Statistics& statistics);
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "commands.h"
+#include "continue_steps.h"
 #include "errors.h"
 #include "files.h"
 #include "interrupt.h"
@@ -13,8 +14,6 @@
 #include "start_distance.h"
 #include "surface.h"
 #include "tracked_complex.h"
-
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 
 #include <cmath>
 #include <cstdio>
@@ -31,7 +30,13 @@ namespace {
 
 constexpr int exit_code_of_interrupt = 130; // what shells use for SIGINT
 
-Tracked_complex start(const Run_options& options, Run_position& position) {
+void print_changes(const Run_position& position, const std::string& changes) {
+  std::printf("dsc: goes on from step %u with %s\n", position.step, changes.c_str());
+}
+
+/// Builds or reads the complex; a run that is resumed goes on as before where `options` do not say
+/// how.
+Tracked_complex start(Run_options& options, Run_position& position) {
   if (options.resume.empty()) {
     position.start = options.start;
     std::vector<std::string> names = options.start.inputs;
@@ -41,7 +46,15 @@ Tracked_complex start(const Run_options& options, Run_position& position) {
   }
   std::string metadata;
   Tracked_complex complex = Tracked_complex::from_checkpoint(options.resume, metadata);
-  position = from_metadata(metadata);
+  const std::optional<Saved_run> run = from_metadata(metadata);
+  if (!run)
+    throw Input_error(options.resume +
+                      " holds a complex, but no run that could be resumed; write its "
+                      "interface with dsc convert, and start from that");
+  position = run->position;
+  const std::string changes = continue_steps(run->step, options.given, options.step);
+  if (!options.quiet && !changes.empty())
+    print_changes(position, changes);
   return complex;
 }
 
@@ -56,7 +69,7 @@ double period(const Motion& motion) {
 std::optional<Start_distance> start_distance(const Run_options& options,
                                              const Run_position& position) {
   const Run_start& start = position.start;
-  if (period(options.motion) == 0 || (start.inputs.empty() && !start.ball))
+  if (period(options.step.motion) == 0 || (start.inputs.empty() && !start.ball))
     return std::nullopt;
   try {
     return std::optional<Start_distance>(std::in_place, start_surfaces(start));
@@ -89,7 +102,8 @@ void print_interruption(const Run_position& position, const std::string& checkpo
 
 } // namespace
 
-int execute(const Run_options& options) {
+int execute(const Run_options& asked) {
+  Run_options options = asked;
   catch_interrupts();
 
   // What cannot work is refused before anything is computed.
@@ -109,7 +123,7 @@ int execute(const Run_options& options) {
   if (folder && !options.resume.empty())
     folder->keep_until(position.time);
 
-  const double time_step = complex.time_step(options.motion);
+  const double time_step = complex.time_step(options.step.motion);
   if (!(position.time + time_step > position.time))
     throw Input_error("a step is too short for the time " + std::to_string(position.time) +
                       " of the run; choose a longer --dt");
@@ -119,7 +133,7 @@ int execute(const Run_options& options) {
   report.add(position, Step_outcome(), statistics);
   const auto write_files = [&] {
     if (folder)
-      folder->write(complex, position, to_metadata(position, options.motion));
+      folder->write(complex, position, to_metadata(position, options.step));
   };
   write_files();
 
@@ -128,12 +142,16 @@ int execute(const Run_options& options) {
   double seconds = 0;
   Progress_line progress(options.steps, options.quiet);
   progress.show(done);
+  std::optional<Tracked_complex::State> last; // during a step, unless the folder holds it
   const auto advance = [&] {
-    Step_outcome outcome = complex.advance(options, position.time);
+    if (folder && !folder->holds(position))
+      last = complex.state();
+    Step_outcome outcome = complex.advance(options.step, position.time, options.threads);
+    last.reset();
     ++done;
     ++position.step;
     position.time += time_step;
-    if (from_start && is_whole_period(position.time, time_step, period(options.motion)))
+    if (from_start && is_whole_period(position.time, time_step, period(options.step.motion)))
       outcome.distance_to_start = from_start->of(complex.interface_points(), complex.mean_edge());
     unfinished += outcome.unfinished_vertices;
     seconds += outcome.seconds;
@@ -147,12 +165,13 @@ int execute(const Run_options& options) {
       advance();
       progress.show(done);
     }
-  } catch (const CGAL::Deformable_simplicial_complexes::Error&) {
-    // A step that cannot be done. Those before it are worth keeping, with what has been done to the
-    // mesh to make it ready.
+  } catch (...) {
+    // A step that cannot be done, for whatever reason. Those before it are worth keeping.
     progress.clear();
-    report.write();
+    if (last)
+      complex.restore(*last);
     write_files();
+    report.write();
     throw;
   }
   progress.clear();
@@ -164,7 +183,7 @@ int execute(const Run_options& options) {
     if (folder)
       checkpoint = folder->checkpoint();
     else
-      complex.write_checkpoint(checkpoint, to_metadata(position, options.motion));
+      complex.write_checkpoint(checkpoint, to_metadata(position, options.step));
     print_interruption(position, checkpoint, options.steps - done);
   }
   report.write();

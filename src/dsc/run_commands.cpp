@@ -4,6 +4,7 @@
 
 #include "run_commands.h"
 
+#include "continue_steps.h"
 #include "errors.h"
 #include "option_values.h"
 #include "velocity_expressions.h"
@@ -26,15 +27,14 @@ constexpr double default_dt = .01;
 
 Run_commands::Run_commands(CLI::App& app) {
   m_rotate = add_command(app, "rotate", "Turn the interface about the domain's centre");
-  m_rotate->add_option("--axis", m_axis, "Direction of the axis, like 0,0,1")->required();
-  m_rotate->add_option("--angle", m_angle, "Degrees per step")->required();
+  m_rotate->add_option("--axis", m_axis,
+                       "Direction of the axis, like 0,0,1; required for a new run");
+  m_rotate->add_option("--angle", m_angle, "Degrees per step; required for a new run");
 
   m_offset = add_command(app, "offset", "Move the interface along its normals");
-  m_offset
-      ->add_option("--distance", m_distance,
-                   "Distance per step, positive outwards; 0.25e is a quarter of the mean "
-                   "interface edge of the input")
-      ->required();
+  m_offset->add_option("--distance", m_distance,
+                       "Distance per step, positive outwards; 0.25e is a quarter of the mean "
+                       "interface edge of the input; required for a new run");
   m_offset->add_flag("--move-faces", m_moves_faces,
                      "Move flat faces as a whole, so that edges become round or stay sharp");
 
@@ -50,11 +50,9 @@ Run_commands::Run_commands(CLI::App& app) {
   }
 
   m_advect = add_command(app, "advect", "Move the interface with any velocities");
-  m_advect
-      ->add_option("--velocity", m_expressions,
-                   "Three expressions in x, y, z and t like '-y,x,sin(pi*t)', in the coordinates "
-                   "of the input")
-      ->required();
+  m_advect->add_option("--velocity", m_expressions,
+                       "Three expressions in x, y, z and t like '-y,x,sin(pi*t)', in the "
+                       "coordinates of the input; required for a new run");
   add_flow_options(*m_advect);
 
   m_mean_curvature = add_command(app, "mean-curvature", "Move the interface by its mean curvature");
@@ -72,7 +70,8 @@ CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
       "INPUT", m_options.start.inputs,
       "Closed surfaces (.off, .obj, .ply, .stl); they get the labels 1, 2 and so on");
   CLI::Option* resume = command->add_option("--resume", m_options.resume,
-                                            "Continue from this checkpoint instead of an INPUT");
+                                            "Continue the run of this checkpoint instead of an "
+                                            "INPUT; options of its steps that are not given stay");
   resume->excludes(inputs);
   command->add_option("--steps", m_options.steps, "Number of steps to do in this run")
       ->check(CLI::Range(1, INT_MAX))
@@ -87,7 +86,7 @@ CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
                    "Box around all, by its least and its largest coordinates like -1,-1,-1,1,1,1")
       ->excludes(resume);
   CLI::Option* improves =
-      command->add_flag("--improve-interface", m_options.improves_interface,
+      command->add_flag("--improve-interface", m_options.step.improves_interface,
                         "Improve the triangles of the interface before each step");
   command
       ->add_option("--aggressiveness", m_aggressiveness,
@@ -123,39 +122,49 @@ void Run_commands::add_flow_options(CLI::App& command) {
       ->capture_default_str();
 }
 
-Advection Run_commands::advection(Advection::Field field, double default_period) const {
-  const Advection advection = {
-      field, m_expressions,
-      m_period.empty() ? default_period : parse_positive(m_period, "--period"),
-      m_dt.empty() ? default_dt : parse_positive(m_dt, "--dt"), integration_schemes().at(m_scheme)};
-  if (advection.period > 0 && advection.dt > advection.period)
-    throw Usage_error("--dt is longer than the period; choose a shorter time per step");
-  return advection;
+Advection Run_commands::advection(Advection::Field field, const std::set<std::string>& given,
+                                  double default_period) const {
+  return {field, m_expressions,
+          given.count("--period") > 0 ? parse_positive(m_period, "--period") : default_period,
+          given.count("--dt") > 0 ? parse_positive(m_dt, "--dt") : default_dt,
+          integration_schemes().at(m_scheme)};
 }
 
-Motion Run_commands::motion() const {
+/// What is not given is as by default or, where there is no default, of no meaning.
+Motion Run_commands::motion(const std::set<std::string>& given) const {
   if (*m_rotate)
-    return Rotation{parse_axis(m_axis), parse_angle(m_angle)};
+    return Rotation{given.count("--axis") > 0 ? parse_axis(m_axis) : std::array<double, 3>(),
+                    given.count("--angle") > 0 ? parse_angle(m_angle) : 0};
   if (*m_offset)
-    return Offset{parse_distance(m_distance), m_moves_faces};
+    return Offset{given.count("--distance") > 0 ? parse_distance(m_distance) : Distance(),
+                  m_moves_faces};
   if (*m_enright)
-    return advection(Advection::Field::enright, 1);
+    return advection(Advection::Field::enright, given, 1);
   if (*m_vortex)
-    return advection(Advection::Field::vortex, 8);
+    return advection(Advection::Field::vortex, given, 8);
   if (*m_advect) {
-    const Velocity_expressions check(m_expressions);
-    return advection(Advection::Field::expressions, 0);
+    if (given.count("--velocity") > 0)
+      const Velocity_expressions check(m_expressions);
+    return advection(Advection::Field::expressions, given, 0);
   }
-  return Curvature_flow{m_dt.empty() ? 0 : parse_positive(m_dt, "--dt"), m_keeps_volumes};
+  return Curvature_flow{given.count("--dt") > 0 ? parse_positive(m_dt, "--dt") : 0,
+                        m_keeps_volumes};
 }
 
 Run_options Run_commands::options() const {
   Run_options options = m_options;
-  options.motion = motion();
-  if (!m_domain.empty())
+  for (const CLI::App* command :
+       {m_rotate, m_offset, m_enright, m_vortex, m_advect, m_mean_curvature})
+    for (const CLI::Option* option : command->get_options())
+      if (option->count() > 0)
+        options.given.insert(option->get_name());
+  options.step.motion = motion(options.given);
+  if (options.given.count("--domain") > 0)
     options.domain = parse_domain(m_domain);
-  if (!m_aggressiveness.empty())
-    options.aggressiveness = parse_aggressiveness(m_aggressiveness);
+  if (options.given.count("--aggressiveness") > 0)
+    options.step.aggressiveness = parse_aggressiveness(m_aggressiveness);
+  if (options.resume.empty())
+    require_options(options.step.motion, options.given);
 
   const bool has_ball = *m_enright || *m_vortex;
   if (options.resume.empty() && options.start.inputs.empty() && !has_ball)

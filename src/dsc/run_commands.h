@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <set>
 #include <string>
 
 namespace dsc {
@@ -27,8 +28,9 @@ public:
 private:
   CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description);
   void add_flow_options(CLI::App& command);
-  Motion motion() const;
-  Advection advection(Advection::Field field, double default_period) const;
+  Motion motion(const std::set<std::string>& given) const;
+  Advection advection(Advection::Field field, const std::set<std::string>& given,
+                      double default_period) const;
 
   CLI::App *m_rotate, *m_offset, *m_enright, *m_vortex, *m_advect, *m_mean_curvature;
   Run_options m_options;

@@ -6,12 +6,16 @@
 
 #include "motion_json.h"
 
+#include <stdexcept>
+
 namespace dsc {
 
-std::string to_metadata(const Run_position& position, const Motion& motion) {
+std::string to_metadata(const Run_position& position, const Step_options& step) {
   // Nothing that depends on where a run was interrupted or on how many threads it had, so that
   // checkpoints of the same state are the same.
-  Json parameters = motion_json(motion);
+  Json parameters = motion_json(step.motion);
+  parameters["improve_interface"] = step.improves_interface;
+  parameters["aggressiveness"] = step.aggressiveness ? Json(*step.aggressiveness) : Json();
   parameters["triangles"] = position.start.triangles;
   if (const std::optional<Ball>& ball = position.start.ball)
     parameters["ball"] = {{"center", ball->center}, {"radius", ball->radius}};
@@ -22,10 +26,11 @@ std::string to_metadata(const Run_position& position, const Motion& motion) {
       .dump(-1, ' ', false, Json::error_handler_t::replace); // names may be any bytes
 }
 
-Run_position from_metadata(const std::string& metadata) {
+std::optional<Saved_run> from_metadata(const std::string& metadata) {
   try {
     const Json json = Json::parse(metadata);
-    Run_position position;
+    Saved_run run;
+    Run_position& position = run.position;
     position.step = json.at("step");
     position.time = json.at("time");
     position.start.inputs = json.at("input").get<std::vector<std::string>>();
@@ -35,9 +40,15 @@ Run_position from_metadata(const std::string& metadata) {
       const Json& ball = parameters.at("ball");
       position.start.ball = Ball{ball.at("center"), ball.at("radius")};
     }
-    return position;
+    run.step.motion = motion_from_json(parameters);
+    run.step.improves_interface = parameters.at("improve_interface");
+    if (const Json& aggressiveness = parameters.at("aggressiveness"); !aggressiveness.is_null())
+      run.step.aggressiveness = aggressiveness.get<double>();
+    return run;
   } catch (const Json::exception&) {
-    return {};
+    return std::nullopt;
+  } catch (const std::out_of_range&) {
+    return std::nullopt;
   }
 }
 

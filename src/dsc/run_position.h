@@ -7,11 +7,12 @@
 
 #include "options.h"
 
+#include <optional>
 #include <string>
 
 namespace dsc {
 
-/// Where a run stands: what a checkpoint has to tell beside the complex.
+/// Where a run stands.
 struct Run_position
 {
   unsigned step = 0;
@@ -19,11 +20,18 @@ struct Run_position
   Run_start start;
 };
 
-/// The text that goes into a checkpoint: JSON with the position and the motion.
-std::string to_metadata(const Run_position& position, const Motion& motion);
+/// What a checkpoint has to tell beside the complex.
+struct Saved_run
+{
+  Run_position position;
+  Step_options step;
+};
 
-/// The position in such a text; the start if another program wrote the checkpoint.
-Run_position from_metadata(const std::string& metadata);
+/// The text that goes into a checkpoint: JSON.
+std::string to_metadata(const Run_position& position, const Step_options& step);
+
+/// The run in such a text; nothing if another program wrote the checkpoint.
+std::optional<Saved_run> from_metadata(const std::string& metadata);
 
 } // namespace dsc
 

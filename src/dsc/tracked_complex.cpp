@@ -66,7 +66,7 @@ void add_dihedral_angles(const Complex& complex, Statistics& statistics) {
   statistics.min_dihedral = 180;
   statistics.max_dihedral = 0;
   std::size_t outside = 0;
-  for (const Complex::Cell_handle c : complex.cells())
+  for (const Complex::Cell_handle c : complex.triangulation().finite_cell_handles())
     for (const double angle : dihedral_angles(corners(complex, c))) {
       statistics.min_dihedral = std::min(statistics.min_dihedral, angle);
       statistics.max_dihedral = std::max(statistics.max_dihedral, angle);
@@ -148,6 +148,13 @@ Improvement_outcome Tracked_complex::improve(const Improve_options& options) {
   return {seconds_since(start), report};
 }
 
+Tracked_complex::State Tracked_complex::state() const { return m_implementation->complex.state(); }
+
+void Tracked_complex::restore(const State& state) {
+  m_implementation->complex.clear(); // as memory may be short
+  m_implementation->complex.restore(state);
+}
+
 Statistics Tracked_complex::statistics() const {
   const Complex& complex = m_implementation->complex;
   const double scale = complex.normalization().scale;
@@ -155,14 +162,13 @@ Statistics Tracked_complex::statistics() const {
   statistics.vertices = complex.number_of_vertices();
   statistics.tetrahedra = complex.number_of_cells();
   statistics.interface_triangles = complex.interface_facets().size();
-  for (const int label : complex.labels())
+  for (const auto& [label, area, euler_characteristic] : complex.label_interfaces())
     statistics.labels.push_back(
         {label, complex.number_of_cells(label), complex.volume(label) * scale * scale * scale,
-         complex.area(label) * scale * scale, complex.number_of_components(label),
-         complex.euler_characteristic(label)});
+         area * scale * scale, complex.number_of_components(label), euler_characteristic});
   add_dihedral_angles(complex, statistics);
   statistics.min_quality = 1;
-  for (const Complex::Cell_handle c : complex.cells())
+  for (const Complex::Cell_handle c : complex.triangulation().finite_cell_handles())
     statistics.min_quality = std::min(statistics.min_quality, complex.quality(c));
   return statistics;
 }

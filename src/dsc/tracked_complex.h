@@ -9,6 +9,8 @@
 #include "statistics.h"
 #include "surface.h"
 
+#include <CGAL/Deformable_simplicial_complexes/State.h>
+
 #include <array>
 #include <memory>
 #include <optional>
@@ -22,6 +24,8 @@ namespace dsc {
 class Tracked_complex
 {
 public:
+  using State = CGAL::Deformable_simplicial_complex_state_3;
+
   /// Fills the space inside and around surfaces.
   /// \param names of the surfaces, for messages
   /// \param domain least and largest coordinates of the box; that of the library if not set
@@ -41,8 +45,13 @@ public:
   /// The length of a step in time.
   double time_step(const Motion& motion) const;
 
-  /// Deforms the interface by one step that starts at `time`.
-  Step_outcome advance(const Run_options& options, double time);
+  /// Deforms the interface by one step that starts at `time`. If this throws, the complex may have
+  /// been prepared for the step, or worse: go back by restore().
+  Step_outcome advance(const Step_options& options, double time, unsigned threads);
+
+  /// The complex in numbers, to go back to.
+  State state() const;
+  void restore(const State& state);
 
   /// Improves the tetrahedra; neither the interface nor the boundary changes its shape.
   Improvement_outcome improve(const Improve_options& options);

@@ -157,12 +157,12 @@ double Tracked_complex::time_step(const Motion& motion) const {
   return std::visit(Time_step{m_implementation->complex}, motion);
 }
 
-Step_outcome Tracked_complex::advance(const Run_options& options, double time) {
+Step_outcome Tracked_complex::advance(const Step_options& options, double time, unsigned threads) {
   Complex& complex = m_implementation->complex;
   const auto start = Clock::now();
   if (options.improves_interface)
     improve_interface(complex, options.aggressiveness);
-  const auto report = std::visit(Step{complex, time, options.threads}, options.motion);
+  const auto report = std::visit(Step{complex, time, threads}, options.motion);
   return {seconds_since(start), report.complete,  report.unfinished.size(),
           report.passes,        report.split,     report.collapsed,
           report.flipped,       report.relabeled, std::nullopt};

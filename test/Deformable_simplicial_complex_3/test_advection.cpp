@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
+#include <stdexcept>
 #include <vector>
 
 namespace {
@@ -104,6 +105,27 @@ TEST(Advection, refuses_tolerances_that_cannot_be_kept) {
   EXPECT_THROW(CGAL::advect_interface(dsc, rough, 0, .1, adaptive.integration_tolerance(1e-300)),
                CGAL::Deformable_simplicial_complexes::Error);
   EXPECT_TRUE(dsc.state() == before);
+}
+
+// Beside a large time, a step vanishes: all of it, or those that the tolerance asks for, which
+// would go on for ever.
+TEST(Advection, refuses_steps_in_which_time_stands_still) {
+  Complex dsc = make_complex(grid(4, small_meshes::cube));
+  const auto before = dsc.state();
+  const auto adaptive = parameters::scheme(Integration_scheme::adaptive);
+  const auto uniform = [](const Position&, double) { return Vector(.1, 0, 0); };
+  EXPECT_THROW(CGAL::advect_interface(dsc, uniform, 1e16, 1, adaptive),
+               CGAL::Deformable_simplicial_complexes::Error);
+  unsigned calls = 0;
+  const auto rough = [&](const Position& p, double) {
+    if (++calls > 10000000)
+      throw std::runtime_error("there is no end");
+    return Vector(.1 * std::sin(1e4 * p.x()), 0, 0);
+  };
+  EXPECT_THROW(CGAL::advect_interface(dsc, rough, 1e14, 1, adaptive.integration_tolerance(1e-9)),
+               CGAL::Deformable_simplicial_complexes::Error);
+  EXPECT_TRUE(dsc.state() == before);
+  EXPECT_TRUE(CGAL::advect_interface(dsc, uniform, 1e16, 0, adaptive).complete);
 }
 
 // Steps that are too long lead out of the domain of the field, the path itself does not.

@@ -365,6 +365,25 @@ TEST(Measures, of_several_labels) {
   EXPECT_EQ(phases.area(0, 3), 0);
 }
 
+TEST(Measures, of_all_labels_at_once_are_those_of_each) {
+  const auto expect = [](const Labelled_mesh& mesh) {
+    const Complex dsc = make_complex(mesh);
+    std::vector<int> labels;
+    for (const auto& measures : dsc.label_interfaces()) {
+      labels.push_back(measures.label);
+      EXPECT_EQ(measures.area, dsc.area(measures.label));
+      EXPECT_EQ(measures.euler_characteristic, dsc.euler_characteristic(measures.label));
+    }
+    EXPECT_EQ(labels, dsc.labels());
+  };
+  expect(grid(2, small_meshes::uniform));
+  expect(grid(4, small_meshes::ball));
+  expect(grid(8, square_ring));
+  expect(grid(4, cubes_with_a_common_edge));
+  expect(grid(4, small_meshes::eight_phases));
+  EXPECT_TRUE(Complex().label_interfaces().empty());
+}
+
 TEST(Normalization, maps_to_user_coordinates) {
   Complex dsc = make_complex(grid(2, small_meshes::uniform));
   dsc.set_normalization({Complex::Approximate_vector_3(1, 2, 3), 10});

@@ -159,6 +159,12 @@ TEST(Complex_storage, impossible_states_are_refused) {
   expect_refusal([](auto& s) { s.cells[3][2] = s.cells[3][1]; });
   expect_refusal([](auto& s) { std::swap(s.points[2], s.points[3]); });
   expect_refusal([](auto& s) { s.boundary_classes[0] ^= 1; });
+  expect_refusal([](auto& s) { s.component_volumes[0] = std::nan(""); });
+  expect_refusal([](auto& s) { s.component_volumes.push_back(1); });
+  expect_refusal([](auto& s) { s.cell_components[0] = 4; });
+  expect_refusal([](auto& s) { // two with the same number
+    std::replace(s.cell_components.begin(), s.cell_components.end(), 1u, 0u);
+  });
   expect_refusal([](auto& s) { std::swap(s.cells[3][0], s.cells[3][1]); }); // inverted
   expect_refusal([](auto& s) {
     for (auto& c : s.cells) // the infinite cells inverted
@@ -299,6 +305,42 @@ TEST(Components, one_of_two_vanishes) {
   const auto events = dsc.take_component_events();
   ASSERT_EQ(events.size(), 1u);
   expect_event(events[0], Event::Kind::vanished, 1, 1, 0);
+}
+
+// And the volumes they had when they got them, so that a continued run tells the same events.
+TEST(Components, keep_their_numbers_in_states) {
+  Complex dsc = jittered_grid(4, two_bars, .45, 7);
+  const auto expect_same_events = [](Complex& a, Complex& b) {
+    const auto expected = a.take_component_events(), events = b.take_component_events();
+    EXPECT_FALSE(expected.empty());
+    ASSERT_EQ(events.size(), expected.size());
+    const auto expect_same_parts = [](const auto& parts, const auto& expected_parts) {
+      ASSERT_EQ(parts.size(), expected_parts.size());
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        EXPECT_EQ(parts[i].component, expected_parts[i].component);
+        EXPECT_EQ(parts[i].volume, expected_parts[i].volume);
+      }
+    };
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      EXPECT_EQ(events[i].kind, expected[i].kind);
+      EXPECT_EQ(events[i].label, expected[i].label);
+      expect_same_parts(events[i].before, expected[i].before);
+      expect_same_parts(events[i].after, expected[i].after);
+    }
+  };
+  // Cells come and go, and volumes change, but components stay.
+  CGAL::improve_mesh(dsc, parameters::quality_threshold(.6).number_of_iterations(1));
+  CGAL::deform_interface(dsc, [&](Vertex_handle v) {
+    return mesh_helpers::exact_point(dsc, CGAL::ORIGIN + .95 * (dsc.position(v) - CGAL::ORIGIN));
+  });
+  dsc.take_component_events();
+  Complex restored;
+  restored.restore(dsc.state());
+  for (const int label : {1, 0, 1}) {
+    for (Complex* complex : {&dsc, &restored})
+      relabel(*complex, label, [&](Cell_handle c) { return is_bridge(*complex, c); });
+    expect_same_events(dsc, restored);
+  }
 }
 
 // Validity

@@ -202,6 +202,18 @@ TEST(Deformation, refuses_thresholds_that_are_no_qualities) {
   EXPECT_TRUE(dsc.state() == state);
 }
 
+// They would become huge ones.
+TEST(Deformation, refuses_negative_numbers) {
+  Complex dsc = make_complex(grid(4, small_meshes::ball));
+  const auto state = dsc.state();
+  const auto stay = [](Vertex_handle v) { return v->point(); };
+  using CGAL::Deformable_simplicial_complexes::Error;
+  EXPECT_THROW(CGAL::deform_interface(dsc, stay, parameters::maximum_number_of_passes(-1)), Error);
+  EXPECT_THROW(CGAL::deform_interface(dsc, stay, parameters::number_of_threads(-1)), Error);
+  EXPECT_THROW(CGAL::improve_mesh(dsc, parameters::number_of_iterations(-1)), Error);
+  EXPECT_TRUE(dsc.state() == state);
+}
+
 TEST(Deformation, ends_within_the_passes_asked_for) {
   for (unsigned passes : {0u, 1u, 3u}) {
     Complex dsc = make_complex(grid(4, small_meshes::cube));

@@ -439,5 +439,6 @@ TEST(Remove_degeneracies, refuses_values_out_of_range) {
   }
   refuses(parameters::degenerate_length(-1.));
   refuses(parameters::degenerate_length(not_a_number));
+  refuses(parameters::number_of_iterations(-1));
   refuses(parameters::size_field([](const Approximate_point&) { return 0.; }));
 }

@@ -217,4 +217,5 @@ TEST(Control_detail, refuses_values_out_of_range) {
     refuses(parameters::collapse_quality(value));
   }
   refuses(parameters::collapse_quality(2.));
+  refuses(parameters::number_of_iterations(-1));
 }

@@ -377,6 +377,7 @@ TEST(Improve_interface, refuses_parameters_out_of_range) {
     EXPECT_THROW(CGAL::improve_interface(dsc, parameters::swept_volume(bad)), Error);
     EXPECT_THROW(CGAL::improve_interface(dsc, parameters::quality_threshold(bad)), Error);
   }
+  EXPECT_THROW(CGAL::improve_interface(dsc, parameters::number_of_iterations(-1)), Error);
   EXPECT_TRUE(dsc.state() == before);
 }
 

@@ -91,5 +91,6 @@ TEST(Restore_volumes, refuses_nonsense) {
     EXPECT_THROW(CGAL::restore_volumes(dsc, {{1, bad}}), Error);
   for (double bad : {0., -1., std::nan("")})
     EXPECT_THROW(CGAL::restore_volumes(dsc, {{1, 1.}}, parameters::volume_tolerance(bad)), Error);
+  EXPECT_THROW(CGAL::restore_volumes(dsc, {{1, 1.}}, parameters::number_of_iterations(-1)), Error);
   EXPECT_TRUE(dsc.state() == before);
 }

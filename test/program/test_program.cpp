@@ -1,6 +1,8 @@
 // Surfaces that move, and what all commands have in common.
 #include "program.h"
 
+#include <CGAL/IO/checkpoint_3.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -67,8 +69,9 @@ TEST_F(Program, refuses_wrong_usage) {
                                 "info"})
     expect_error(arguments, 2);
   for (const std::string& option : std::vector<std::string>{
-           "--steps 0", "--steps -3", "--steps x", "--steps 1.5", "--threads 0", "--triangles 0",
-           "--every 2", "--output out --every 0", "--resume checkpoint.dsc", "--colour red"})
+           "--steps 0", "--steps -3", "--steps x", "--steps 1.5", "--threads 0", "--threads -1",
+           "--triangles 0", "--triangles -4", "--output out --every -1", "--every 2",
+           "--output out --every 0", "--resume checkpoint.dsc", "--colour red"})
     expect_error(rotate + option, 2);
   expect_error("rotate --resume a.dsc --triangles 100 --axis 0,0,1 --angle 5", 2);
 }
@@ -300,6 +303,47 @@ TEST_F(Program, resumes_to_the_same_bits) {
     EXPECT_EQ(report("r.json").at("input"), Json::array({"octahedron.off", "cube_beside.off"}));
     fs::remove_all(path("whole"));
     fs::remove_all(path("parts"));
+  }
+}
+
+TEST_F(Program, goes_on_as_before_where_it_is_not_told_otherwise) {
+  const std::string motion = "rotate octahedron.off --axis 1,2,3 --angle 7 --improve-interface ";
+  expect_success(motion + "--steps 3 --output whole");
+  expect_success(motion + "--steps 2 --output parts");
+  const Outcome same = run("rotate --resume parts/checkpoint.dsc --steps 1 --output parts");
+  EXPECT_EQ(same.exit_code, 0);
+  EXPECT_EQ(std::count(same.out.begin(), same.out.end(), '\n'), 1) << same.out;
+  EXPECT_TRUE(contents(path("whole/checkpoint.dsc")) == contents(path("parts/checkpoint.dsc")));
+
+  const std::string go_on =
+      " --resume parts/checkpoint.dsc --steps 1 --output parts --report r.json ";
+  const Outcome other_angle = run("rotate" + go_on + "--angle 2 --improve-interface=false");
+  EXPECT_NE(other_angle.out.find("step 3 with another --angle, --improve-interface\n"),
+            std::string::npos)
+      << other_angle.out;
+  EXPECT_EQ(run("rotate" + go_on + "--axis 1,2,3 --quiet").out, "");
+  const Json parameters = report("r.json").at("parameters");
+  EXPECT_EQ(parameters.at("axis"), Json::array({1, 2, 3}));
+  EXPECT_EQ(parameters.at("angle"), 2);
+  EXPECT_EQ(parameters.at("improve_interface"), false);
+
+  expect_error("offset" + go_on, 2); // by which distance?
+  const Outcome other_motion = run("offset" + go_on + "--distance 0.1e");
+  EXPECT_NE(other_motion.out.find("step 5 with offset instead of rotate\n"), std::string::npos)
+      << other_motion.out;
+}
+
+// A complex alone is none, whoever wrote it.
+TEST_F(Program, resumes_only_runs) {
+  expect_success("rotate octahedron.off --axis 0,0,1 --angle 5 --steps 1 --output out");
+  const auto checkpoint = CGAL::IO::read_checkpoint(path("out/checkpoint.dsc").string());
+  Json without_motion = Json::parse(checkpoint.metadata);
+  without_motion.at("parameters").erase("angle");
+  for (const std::string& metadata :
+       std::vector<std::string>{"", "6", "{}", "step 6", without_motion.dump()}) {
+    CGAL::IO::write_checkpoint(path("library.dsc").string(), checkpoint.state, metadata);
+    expect_error("rotate --resume library.dsc --axis 0,0,1 --angle 5", 1);
+    EXPECT_EQ(info("library.dsc", "tetrahedra"), info("out/checkpoint.dsc", "tetrahedra"));
   }
 }
 

@@ -123,7 +123,8 @@ public:
   /// invalidated; destinations, and changes of components not taken yet, are forgotten.
   void sort_storage();
 
-  /// Everything needed to continue a computation to the same bits.
+  /// Everything needed to continue a computation to the same bits, but for changes of components
+  /// not taken yet. Numbers components as `update_components()` does. n log n in the number of cells.
   State state() const;
 
   /// The complex that `state()` described. \throws Invalid_tetrahedra_error if the state is none of
@@ -431,7 +432,7 @@ private:
   Normalization m_normalization;
   double m_mean_interface_edge = 0, m_minimum_interface_edge = 0;
   std::uint64_t m_version = 0;
-  internal::Component_tracker m_components;
+  mutable internal::Component_tracker m_components;
 
   // Buffers whose memory is reused.
   mutable std::vector<Cell_handle> m_star;

@@ -57,6 +57,12 @@ template <int d> struct State
   /// for each of `cells` the quality at which improving it was last tried in vain
   std::vector<float> exhausted_qualities;
 
+  /// for each of `cells` the number of its component, as events name it; 0 for infinite cells
+  std::vector<std::uint32_t> cell_components;
+
+  /// the volumes that the components had when they were numbered, by number
+  std::vector<double> component_volumes;
+
   /// the mean length of the interface edges when the complex was built
   double mean_interface_edge = 0;
 
@@ -72,12 +78,15 @@ template <int d> struct State
 
 namespace internal {
 
-// References to all members: the one list that comparison and files are made of.
+// References to all members: the one list that comparison and files are made of. It does not
+// compile with a member too few.
 template <class State_d> auto members(State_d& state) {
-  return std::tie(state.points, state.boundary_classes, state.vertex_cells, state.cells,
-                  state.cell_labels, state.exhausted_qualities, state.mean_interface_edge,
-                  state.minimum_interface_edge, state.normalization_translation,
-                  state.normalization_scale);
+  auto& [points, boundary_classes, vertex_cells, cells, cell_labels, exhausted_qualities,
+         cell_components, component_volumes, mean_interface_edge, minimum_interface_edge,
+         normalization_translation, normalization_scale] = state;
+  return std::tie(points, boundary_classes, vertex_cells, cells, cell_labels, exhausted_qualities,
+                  cell_components, component_volumes, mean_interface_edge, minimum_interface_edge,
+                  normalization_translation, normalization_scale);
 }
 
 // Whether the arrays that run parallel have the same size.
@@ -86,7 +95,8 @@ template <int d> bool has_consistent_sizes(const State<d>& state) {
   return state.boundary_classes.size() == state.points.size() &&
          state.vertex_cells.size() == state.points.size() + infinite &&
          state.cell_labels.size() == state.cells.size() &&
-         state.exhausted_qualities.size() == state.cells.size();
+         state.exhausted_qualities.size() == state.cells.size() &&
+         state.cell_components.size() == state.cells.size();
 }
 
 // Whether the arrays fit together, all coordinates are finite, and no cell has a vertex twice.
@@ -104,7 +114,10 @@ template <int d> bool is_consistent(const State<d>& state) {
     return c < state.cells.size() &&
            std::find(state.cells[c].begin(), state.cells[c].end(), v) != state.cells[c].end();
   };
+  const auto is_volume = [](double volume) { return volume >= 0 && std::isfinite(volume); };
   bool result = has_finite_coordinates(state.normalization_translation) &&
+                std::all_of(state.component_volumes.begin(), state.component_volumes.end(),
+                            is_volume) &&
                 std::all_of(state.cells.begin(), state.cells.end(), is_cell) &&
                 std::all_of(state.points.begin(), state.points.end(),
                             has_finite_coordinates<std::array<double, d>>) &&

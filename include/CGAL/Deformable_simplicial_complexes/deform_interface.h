@@ -114,7 +114,7 @@ became bad.
 \return which vertices did not arrive and how far they stayed, what happened to labels and mesh.
 \throws Deformable_simplicial_complexes::Invalid_destination_error if a destination is not finite;
        the complex is then unchanged. An exception of the visitor leaves a valid complex.
-\throws Deformable_simplicial_complexes::Error if a threshold is out of its range, or there is an
+\throws Deformable_simplicial_complexes::Error if a parameter is out of its range, or there is an
        interface, but no `dsc.mean_interface_edge()`; the complex is then unchanged.
 */
 template <
@@ -133,8 +133,8 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
   auto given_control = choose_parameter(get_parameter(np, tags::topology_control),
                                         Deformable_simplicial_complexes::Allow_topology_changes());
   auto& topology_control = internal::unwrap(given_control);
-  const unsigned maximum_number_of_passes =
-      choose_parameter(get_parameter(np, tags::maximum_number_of_passes), 20u);
+  const unsigned maximum_number_of_passes = internal::count_parameter(
+      np, tags::maximum_number_of_passes, "maximum_number_of_passes", 20u);
   const internal::Deformation_options<Complex> options = {
       double(choose_parameter(get_parameter(np, tags::quality_threshold), .2)),
       double(choose_parameter(get_parameter(np, tags::relabeling_threshold), .01)),
@@ -153,7 +153,7 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
     throw Deformable_simplicial_complexes::Error(
         "the smallest angle of a facet is out of range: use 0 to 30 degrees");
   const unsigned number_of_threads =
-      choose_parameter(get_parameter(np, tags::number_of_threads), 1u);
+      internal::count_parameter(np, tags::number_of_threads, "number_of_threads", 1u);
 
   internal::require_interface_edge(dsc);
 

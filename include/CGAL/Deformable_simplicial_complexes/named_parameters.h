@@ -9,7 +9,12 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <functional>
+#include <limits>
+#include <string>
+#include <type_traits>
 
 /// \file
 /// Named parameters of the package. They chain like CGAL's:
@@ -85,6 +90,21 @@ template <class T> T& unwrap(std::reference_wrapper<T>& value) { return value.ge
 inline void check_threshold(double quality) {
   if (!(quality >= 0 && quality <= 1))
     throw Error("a threshold of quality is out of range: use 0 to 1");
+}
+
+// A count that was given as any integer, or its default value. A negative one is refused, as it
+// would become a huge one.
+template <class NamedParameters, class Tag>
+unsigned count_parameter(const NamedParameters& np, Tag tag, const char* name,
+                         unsigned default_value) {
+  const auto count =
+      CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, tag), default_value);
+  static_assert(std::is_integral<decltype(count)>::value, "a count is an integer");
+  if constexpr (std::is_signed<decltype(count)>::value)
+    if (count < 0)
+      throw Error(std::string(name) + " is negative: use 0 or more");
+  return static_cast<unsigned>(
+      (std::min<std::uintmax_t>)(count, (std::numeric_limits<unsigned>::max)()));
 }
 
 } // namespace internal

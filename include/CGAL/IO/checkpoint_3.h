@@ -20,6 +20,8 @@
 #include <ostream>
 #include <string>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -32,8 +34,25 @@ namespace internal {
 // elements in eight bytes.
 inline constexpr char checkpoint_magic[] = "\211DSC3\r\n\032"; // damaged by any conversion of text
 constexpr std::size_t checkpoint_magic_size = sizeof(checkpoint_magic) - 1;
-constexpr std::uint32_t checkpoint_version = 1;
+constexpr std::uint32_t checkpoint_version = 2;
 constexpr std::size_t checkpoint_header_size = 24;
+
+// What follows the metadata in a file of this version.
+using Checkpoint_members =
+    std::tuple<std::vector<std::array<double, 3>>&,        // points
+               std::vector<std::uint8_t>&,                 // boundary_classes
+               std::vector<std::uint32_t>&,                // vertex_cells
+               std::vector<std::array<std::uint32_t, 4>>&, // cells
+               std::vector<std::int32_t>&,                 // cell_labels
+               std::vector<float>&,                        // exhausted_qualities
+               std::vector<std::uint32_t>&,                // cell_components
+               std::vector<double>&,                       // component_volumes
+               double&, double&,                           // mean_, minimum_interface_edge
+               std::array<double, 3>&, double&>;           // normalization_translation, _scale
+static_assert(
+    std::is_same<decltype(members(std::declval<Deformable_simplicial_complex_state_3&>())),
+                 Checkpoint_members>::value,
+    "the state has other members than files have: raise checkpoint_version, too");
 
 inline std::uint32_t crc_32(const char* bytes, std::size_t size) {
   boost::crc_32_type crc;
@@ -95,8 +114,9 @@ public:
   }
 
   void operator()(std::string& text) {
-    text.assign(m_position, number_of_elements(1));
-    m_position += text.size();
+    const std::size_t size = number_of_elements(1); // first, as it moves the position
+    text.assign(m_position, size);
+    m_position += size;
   }
 
   // whether everything was there and everything was read

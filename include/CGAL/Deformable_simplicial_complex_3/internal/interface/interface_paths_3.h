@@ -48,8 +48,11 @@ velocities_at(const Interface_snapshot_3<Complex>& interface_,
   return result;
 }
 
-// Paths by the rule of Dormand and Prince, in as many steps as it takes to stay below a tolerance,
-// but no more than a million, or a field without a limit of its derivatives would never end.
+// The part of a time step that adaptive integration goes on with at the least: it takes no more than a
+// million steps, or a field without a limit of its derivatives would never end.
+constexpr double smallest_adaptive_part = 1e-6;
+
+// Paths by the rule of Dormand and Prince, in as many steps as it takes to stay below a tolerance.
 template <class Complex, class Velocity>
 std::vector<typename Complex::Approximate_point_3>
 integrate_adaptively(const Interface_snapshot_3<Complex>& interface_,
@@ -75,12 +78,18 @@ integrate_adaptively(const Interface_snapshot_3<Complex>& interface_,
   };
   auto stepper = odeint::make_controlled(tolerance, 0., odeint::runge_kutta_dopri5<State>());
   const double end = t + dt;
-  const double smallest_step = 1e-6 * std::abs(dt);
+  if (end == t && dt != 0)
+    throw Error("a step is too short for the time it begins at: use longer ones, or count the time "
+                "from a later moment");
+  // Beside a large time, a step may vanish.
+  const auto is_long_enough = [&](double step) {
+    return std::abs(step) >= smallest_adaptive_part * std::abs(dt) && t + step != t;
+  };
   for (double step = dt;;) {
     const bool is_last = std::abs(step) >= std::abs(end - t);
     if (is_last)
       step = end - t;
-    else if (!(std::abs(step) >= smallest_step))
+    else if (!is_long_enough(step))
       throw Error("the velocities change too fast to be integrated to the tolerance; use a larger "
                   "one, or shorter steps");
     try {
@@ -88,7 +97,7 @@ integrate_adaptively(const Interface_snapshot_3<Complex>& interface_,
         break;
     } catch (const Invalid_destination_error&) { // a shorter step may not get where nothing is
       step /= 2;
-      if (!(std::abs(step) >= smallest_step))
+      if (!is_long_enough(step))
         throw;
     }
   }

@@ -21,7 +21,8 @@ namespace internal {
 
 // Connected components of labels. Each cell carries the number of its component; a cell that
 // replaces others inherits it. After a change that may have altered components they are numbered
-// anew, and the pairs (old number, new number) met on the way tell what merged, split or vanished.
+// anew, in the order of their oldest cells, and the pairs (old number, new number) met on the way
+// tell what merged, split or vanished.
 class Component_tracker
 {
 public:
@@ -41,12 +42,9 @@ public:
     const std::vector<Component> before = std::move(m_components);
     m_components.clear();
     const std::vector<Origin> origins = number(complex, before, totals);
-    compare(before, origins, totals);
+    compare(before, origins);
     m_is_known = true;
-    m_counts.clear();
-    for (const Component& component : m_components)
-      ++count_of(component.label);
-    m_is_counted = true;
+    count_known();
   }
 
   // Forgets the past: the components of now are the first ones. \pre no cell has a number
@@ -55,6 +53,42 @@ public:
     m_is_known = false;
     update(complex, totals);
     m_events.clear();
+  }
+
+  // Gives the components the numbers that their cells once had, and the volumes of that time.
+  // Returns false if these are no numbers of them.
+  template <class Complex>
+  bool renumber(const Complex& complex, const std::vector<typename Complex::Cell_handle>& cells,
+                const std::vector<Number>& numbers, const std::vector<double>& volumes) {
+    const std::size_t n = m_components.size();
+    if (volumes.size() != n)
+      return false;
+    std::vector<Number> former(n, Number(n)); // n stands for none
+    std::vector<Component> components(n);
+    std::vector<bool> is_taken(n, false);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (complex.is_infinite(cells[i]))
+        continue;
+      const Number now = cells[i]->component();
+      if (former[now] == n && numbers[i] < n && !is_taken[numbers[i]]) {
+        former[now] = numbers[i];
+        is_taken[numbers[i]] = true;
+        components[numbers[i]] = {m_components[now].label, volumes[numbers[i]]};
+      }
+      if (former[now] != numbers[i] || numbers[i] >= n)
+        return false;
+      cells[i]->set_component(numbers[i]);
+    }
+    m_components = std::move(components);
+    return true;
+  }
+
+  // As of the last update, by number.
+  std::vector<double> volumes() const {
+    std::vector<double> result;
+    for (const Component& component : m_components)
+      result.push_back(component.volume);
+    return result;
   }
 
   // Of now, whether or not they are numbered: a query, which alters no number.
@@ -77,7 +111,7 @@ private:
   struct Component
   {
     int label;
-    std::int64_t volume;
+    double volume;
   };
   using Origin = std::pair<Number, Number>;
 
@@ -94,6 +128,13 @@ private:
     if (it == m_counts.end() || it->label != label)
       it = m_counts.insert(it, {label, 0});
     return it->number;
+  }
+
+  void count_known() {
+    m_counts.clear();
+    for (const Component& component : m_components)
+      ++count_of(component.label);
+    m_is_counted = true;
   }
 
   template <class Complex> void count(const Complex& complex) const {
@@ -122,12 +163,15 @@ private:
     // New numbers begin above the old ones; cells that were never numbered have number 0.
     const Number first = (std::max)(Number(1), Number(before.size()));
     std::vector<Origin> origins;
+    std::vector<Component> found; // in the order of the container, which changes where cells do
+    std::vector<std::pair<std::size_t, Number>> oldest; // the time stamp of a cell of each
     std::vector<Cell_handle> front;
     for (Cell_handle seed : complex.finite_cells()) {
       if (seed->component() >= first)
         continue;
-      const Number component = Number(m_components.size());
-      m_components.push_back({seed->label(), 0});
+      const Number component = Number(found.size());
+      oldest.emplace_back(seed->time_stamp(), component);
+      std::int64_t volume = 0;
       const auto visit = [&](Cell_handle c) {
         const Origin origin(c->component(), component);
         // A cell that changed its label without a neighbor to join comes from no component of it.
@@ -135,7 +179,8 @@ private:
             origin.first < before.size() && before[origin.first].label == c->label();
         if (has_origin && (origins.empty() || origins.back() != origin))
           origins.push_back(origin);
-        m_components.back().volume += totals.units(complex.measure(c));
+        oldest.back().first = (std::min)(oldest.back().first, c->time_stamp());
+        volume += totals.units(complex.measure(c));
         c->set_component(first + component);
         front.push_back(c);
       };
@@ -149,17 +194,25 @@ private:
             visit(n);
         }
       }
+      found.push_back({seed->label(), totals.volume_of(volume)});
+    }
+    std::sort(oldest.begin(), oldest.end());
+    std::vector<Number> rank(found.size());
+    for (const auto& [time_stamp, component] : oldest) {
+      rank[component] = Number(m_components.size());
+      m_components.push_back(found[component]);
     }
     for (Cell_handle c : complex.finite_cells())
-      c->set_component(c->component() - first);
+      c->set_component(rank[c->component() - first]);
+    for (Origin& origin : origins)
+      origin.second = rank[origin.second];
     std::sort(origins.begin(), origins.end());
     origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
     return origins;
   }
 
   // Events of the sets of components of then and now that are connected by origins.
-  void compare(const std::vector<Component>& before, const std::vector<Origin>& origins,
-               const Label_totals& totals) {
+  void compare(const std::vector<Component>& before, const std::vector<Origin>& origins) {
     std::vector<std::vector<Number>> targets(before.size()), sources(m_components.size());
     for (const Origin& origin : origins) {
       targets[origin.first].push_back(origin.second);
@@ -167,7 +220,7 @@ private:
     }
     std::vector<bool> is_seen_before(before.size()), is_seen_now(m_components.size());
     const auto part = [&](const std::vector<Component>& components, Number i) {
-      return Component_event::Part{i, totals.volume_of(components[i].volume)};
+      return Component_event::Part{i, components[i].volume};
     };
     std::vector<Number> olds, news;
     const auto see = [](std::vector<bool>& is_seen, std::vector<Number>& list, Number i) {

@@ -189,6 +189,7 @@ void CGAL_DSC_CLASS::sort_storage() {
       after.cells[i][j] = vertex_rank[before.cells[old][j]];
     after.cell_labels[i] = before.cell_labels[old];
     after.exhausted_qualities[i] = before.exhausted_qualities[old];
+    after.cell_components[i] = before.cell_components[old];
   }
   for (size_type v = 0; v < before.vertex_cells.size(); ++v)
     after.vertex_cells[vertex_rank[v]] = cell_rank[before.vertex_cells[v]];
@@ -209,6 +210,8 @@ auto CGAL_DSC_CLASS::state() const -> State {
   result.normalization_scale = m_normalization.scale;
   if (number_of_cells() == 0)
     return result;
+  m_components.update(*this, m_totals);
+  result.component_volumes = m_components.volumes();
 
   const internal::Less_time_stamp order;
   std::vector<Cell_handle> cells;
@@ -235,6 +238,7 @@ auto CGAL_DSC_CLASS::state() const -> State {
       result.cells.back()[i] = c->vertex(i)->scratch_index();
     result.cell_labels.push_back(c->label());
     result.exhausted_qualities.push_back(c->exhausted_quality());
+    result.cell_components.push_back(is_infinite(c) ? 0 : c->component());
   }
   return result;
 }
@@ -289,6 +293,10 @@ void CGAL_DSC_CLASS::create_items(const State& state, const std::vector<Point>& 
   check_stars(vertices);
   check_boundary();
   initialize_caches();
+  if (!m_components.renumber(*this, cells, state.cell_components,
+                             state.component_volumes))
+    throw Invalid_tetrahedra_error(
+        "the numbers of components are none of these tetrahedra");
 }
 
 // A vertex whose cells are not all connected through facets would pinch the domain.
