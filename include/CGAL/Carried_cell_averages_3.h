@@ -5,9 +5,9 @@
 #ifndef CGAL_CARRIED_CELL_AVERAGES_3_H
 #define CGAL_CARRIED_CELL_AVERAGES_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/geometry/cell_corners.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/values/redistribute_contents_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 
 #include <CGAL/property_map.h>
 
@@ -81,8 +81,8 @@ public:
   /// Not to be copied: pass it by `std::ref()`.
   Carried_cell_averages_3& operator=(const Carried_cell_averages_3&) = delete;
 
-  /// Computes what will be in new cells. In proportion to the product of the numbers of old and new
-  /// cells.
+  /// Computes what will be in new cells. n log n in the number of old and new cells, plus the pairs
+  /// of them that overlap along the x-axis.
   void before_replacement(const Cavity& cavity) {
     begin(cavity.removed());
     for (const auto& t : cavity.tetrahedra())
@@ -95,7 +95,8 @@ public:
   /// Gives new cells their values.
   void after_replacement(const Cavity& cavity) { put_contents(cavity.created()); }
 
-  /// Computes what will be in the cells around `v`. Quadratic in their number.
+  /// Computes what will be in the cells around `v`. n log n in their number, plus the pairs of old
+  /// and new ones that overlap along the x-axis.
   void before_smoothing(Vertex_handle v, const std::vector<Cell_handle>& star,
                         const Point_3& target) {
     const auto position = m_complex.geom_traits().construct_approximate_point_3_object()(target);

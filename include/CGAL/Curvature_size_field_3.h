@@ -6,8 +6,8 @@
 #define CGAL_CURVATURE_SIZE_FIELD_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface/interface_triangles_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
@@ -19,7 +19,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <memory>
+#include <queue>
 #include <utility>
 #include <vector>
 
@@ -52,8 +54,7 @@ public:
   \throws Deformable_simplicial_complexes::Error if a parameter is out of its range, or `shortest`
           is more than `longest`.
 
-  n log n in the size of the interface, and a pass over its edges for each of those over which a
-  short length spreads.
+  n log n in the size of the interface.
   */
   template <class Complex>
   Curvature_size_field_3(const Complex& dsc, double tolerance, double shortest, double longest,
@@ -129,22 +130,41 @@ private:
     return lengths;
   }
 
-  // Short lengths spread until none is longer than its neighbors allow.
+  // Short lengths spread until none is longer than its neighbors allow: the shortest first, as in
+  // Dijkstra's algorithm.
   template <class Interface, class Points>
   static void grade(const Interface& interface_, const Points& positions, double gradation,
                     std::vector<double>& lengths) {
-    for (bool has_changed = true; has_changed;) {
-      has_changed = false;
-      for_each_edge(interface_, [&](std::size_t a, std::size_t b) {
-        if (lengths[a] > lengths[b])
-          std::swap(a, b);
+    using Edge = std::pair<std::size_t, std::size_t>; // from a vertex to a neighbor
+    std::vector<Edge> edges;
+    for_each_edge(interface_, [&](std::size_t a, std::size_t b) {
+      edges.emplace_back(a, b);
+      edges.emplace_back(b, a);
+    });
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+
+    using Entry = std::pair<double, std::size_t>; // the length of a vertex
+    std::vector<Entry> entries;
+    for (std::size_t v = 0; v < lengths.size(); ++v)
+      entries.emplace_back(lengths[v], v);
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue(std::greater<>(),
+                                                                         std::move(entries));
+    while (!queue.empty()) {
+      const auto [length, a] = queue.top();
+      queue.pop();
+      if (length > lengths[a])
+        continue; // it has become shorter since
+      for (auto e = std::lower_bound(edges.begin(), edges.end(), Edge(a, 0));
+           e != edges.end() && e->first == a; ++e) {
+        const std::size_t b = e->second;
         const double bound =
-            lengths[a] + gradation * std::sqrt((positions[b] - positions[a]).squared_length());
+            length + gradation * std::sqrt((positions[b] - positions[a]).squared_length());
         if (lengths[b] > bound) {
           lengths[b] = bound;
-          has_changed = true;
+          queue.emplace(bound, b);
         }
-      });
+      }
     }
   }
 

@@ -5,10 +5,10 @@
 #ifndef CGAL_CONTROL_DETAIL_3_H
 #define CGAL_CONTROL_DETAIL_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Detail_controller_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <limits>
@@ -95,35 +95,28 @@ template <class Complex, class NamedParameters =
 Improvement_report control_detail(Complex& dsc, const NamedParameters& np = NamedParameters()) {
   namespace tags = Deformable_simplicial_complexes::internal_np;
   namespace internal = Deformable_simplicial_complexes::internal;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
+  namespace defaults = internal::defaults;
 
-  auto given_visitor =
-      choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Deformation_visitor_3());
-  auto& visitor = internal::unwrap(given_visitor);
-  internal::Detail_thresholds thresholds;
-  thresholds.split = choose_parameter(get_parameter(np, tags::split_length), 4.);
-  thresholds.collapse = choose_parameter(get_parameter(np, tags::collapse_length),
-                                         std::numeric_limits<double>::infinity());
-  thresholds.collapse_quality = choose_parameter(get_parameter(np, tags::collapse_quality), .25);
-  thresholds.change_interface = choose_parameter(get_parameter(np, tags::change_interface), false);
-  thresholds.interface_split =
-      choose_parameter(get_parameter(np, tags::interface_split_length), 2.);
-  thresholds.interface_collapse =
-      choose_parameter(get_parameter(np, tags::interface_collapse_length), .5);
-  internal::check_threshold(thresholds.collapse_quality);
+  auto visitor = internal::visitor_parameter<Complex>(np);
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  const internal::Detail_thresholds thresholds = {
+      internal::number_parameter(np, tags::split_length, 4),
+      internal::number_parameter(np, tags::collapse_length, infinity),
+      internal::quality_parameter(np, tags::collapse_quality, .25),
+      bool(internal::parameter_or(np, tags::change_interface, false)),
+      internal::number_parameter(np, tags::interface_split_length,
+                                 defaults::interface_split_length),
+      internal::number_parameter(np, tags::interface_collapse_length,
+                                 defaults::Interface_collapse_length::in_shortest_edges)};
   internal::check_detail_thresholds(thresholds);
-  const unsigned rounds = internal::count_parameter(np, CGAL::internal_np::number_of_iterations,
-                                                    "number_of_iterations", 10u);
-  const internal::Edge_unit<Complex> unit(get_parameter(np, tags::size_field),
-                                          dsc.mean_interface_edge());
-  const internal::Edge_unit<Complex> short_unit(get_parameter(np, tags::size_field),
-                                                dsc.minimum_interface_edge());
-  if (!unit.is_size_field())
-    internal::require_interface_edge(dsc);
+  const unsigned rounds =
+      internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                                defaults::Number_of_iterations::over_mesh);
+  const auto unit = internal::wanted_length(dsc, np),
+             short_unit = internal::shortest_wanted_length(dsc, np);
 
-  auto any_visitor = internal::adapt_visitor<Complex>(visitor);
-  internal::Detail_controller_3<Complex> controller(dsc, any_visitor, thresholds, unit, short_unit);
+  internal::Detail_controller_3<Complex> controller(dsc, visitor.any(), thresholds, unit,
+                                                    short_unit);
   controller.run(rounds);
   return controller.report();
 }

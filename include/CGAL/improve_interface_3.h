@@ -5,11 +5,10 @@
 #ifndef CGAL_IMPROVE_INTERFACE_3_H
 #define CGAL_IMPROVE_INTERFACE_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Interface_improver_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <CGAL/number_utils.h>
@@ -111,43 +110,35 @@ template <class Complex, class NamedParameters =
 Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = NamedParameters()) {
   namespace tags = Deformable_simplicial_complexes::internal_np;
   namespace internal = Deformable_simplicial_complexes::internal;
-  using Deformable_simplicial_complexes::Error;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
+  namespace defaults = internal::defaults;
 
-  auto given_visitor =
-      choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Deformation_visitor_3());
-  auto& visitor = internal::unwrap(given_visitor);
+  auto visitor = internal::visitor_parameter<Complex>(np);
   static constexpr double degree = CGAL_PI / 180;
-  const double flip_angle = choose_parameter(get_parameter(np, tags::flip_angle), 5.);
-  if (!(flip_angle >= 0 && flip_angle <= 90))
-    throw Error("the angle up to which edges are flipped is out of range: use 0 to 90 degrees");
-  const double feature_angle = choose_parameter(get_parameter(np, tags::feature_angle), 60.);
-  if (!(feature_angle >= 0 && feature_angle <= 180))
-    throw Error("the angle of features is out of range: use 0 to 180 degrees");
-  const double minimum_angle = choose_parameter(get_parameter(np, tags::minimum_facet_angle), 15.);
-  if (!(minimum_angle >= 0 && minimum_angle <= 30))
-    throw Error("the smallest angle of a facet is out of range: use 0 to 30 degrees");
   const internal::Interface_thresholds thresholds = {
-      double(choose_parameter(get_parameter(np, tags::aggressiveness), .025)),
-      double(choose_parameter(get_parameter(np, tags::interface_split_length), 2.)),
-      double(choose_parameter(get_parameter(np, tags::interface_collapse_length), .25)),
-      double(choose_parameter(get_parameter(np, tags::swept_volume), .1)),
-      flip_angle * degree,
-      feature_angle * degree,
-      minimum_angle * degree,
-      double(choose_parameter(get_parameter(np, tags::quality_threshold), .2)),
-      choose_parameter(get_parameter(np, tags::curved_splits), false)};
+      internal::number_parameter(np, tags::aggressiveness, .025),
+      internal::number_parameter(np, tags::interface_split_length,
+                                 defaults::interface_split_length),
+      internal::number_parameter(np, tags::interface_collapse_length,
+                                 defaults::Interface_collapse_length::in_wanted_lengths),
+      internal::number_parameter(np, tags::swept_volume, .1),
+      internal::angle_parameter(np, tags::flip_angle, 5, 90,
+                                "angle up to which edges are flipped") *
+          degree,
+      internal::angle_parameter(np, tags::feature_angle, 60, 180, "angle of features") * degree,
+      internal::angle_parameter(np, tags::minimum_facet_angle,
+                                defaults::Minimum_facet_angle::of_interface, 30,
+                                "smallest angle of a facet") *
+          degree,
+      internal::quality_parameter(np, tags::quality_threshold,
+                                  defaults::Quality_threshold::beside_interface),
+      internal::parameter_or(np, tags::curved_splits, false)};
   internal::check_interface_thresholds(thresholds);
-  const unsigned iterations = internal::count_parameter(np, CGAL::internal_np::number_of_iterations,
-                                                        "number_of_iterations", 1u);
-  const internal::Edge_unit<Complex> unit(get_parameter(np, tags::size_field),
-                                          dsc.mean_interface_edge());
+  const unsigned iterations =
+      internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                                defaults::Number_of_iterations::over_interface);
+  const auto unit = internal::wanted_length(dsc, np);
 
-  auto any_visitor = internal::adapt_visitor<Complex>(visitor);
-  if (!unit.is_size_field())
-    internal::require_interface_edge(dsc);
-  internal::Interface_improver_3<Complex> improver(dsc, any_visitor, thresholds, unit);
+  internal::Interface_improver_3<Complex> improver(dsc, visitor.any(), thresholds, unit);
   for (unsigned i = 0; i < iterations; ++i) {
     improver.split_long_edges();
     improver.collapse_short_edges();

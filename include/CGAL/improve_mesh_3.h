@@ -5,10 +5,11 @@
 #ifndef CGAL_IMPROVE_MESH_3_H
 #define CGAL_IMPROVE_MESH_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_improver_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Patch_improver_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 namespace CGAL {
@@ -62,42 +63,39 @@ What is improved is the measure of the complex. Where dihedral angles count,
 \throws Deformable_simplicial_complexes::Error if a parameter is out of its range; the complex is
        then unchanged. An exception of the visitor leaves a valid complex.
 
-Some passes over the cells, then n log n in the number of cells below the threshold. Random numbers are
-drawn from a generator of its own, with a fixed seed.
+Some passes over the cells, then n log n in the number of cells below the threshold. Random numbers
+are drawn from a generator of its own, with a fixed seed.
 */
 template <class Complex, class NamedParameters =
                              Deformable_simplicial_complexes::parameters::Default_named_parameters>
 Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedParameters()) {
   namespace tags = Deformable_simplicial_complexes::internal_np;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
+  namespace internal = Deformable_simplicial_complexes::internal;
+  namespace defaults = internal::defaults;
+  using Threshold = defaults::Quality_threshold;
 
-  auto given_visitor =
-      choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Deformation_visitor_3());
-  auto& visitor = Deformable_simplicial_complexes::internal::unwrap(given_visitor);
-  const bool aggressive = choose_parameter(get_parameter(np, tags::aggressive), false);
-  const double threshold =
-      choose_parameter(get_parameter(np, tags::quality_threshold), aggressive ? .46 : .25);
-  Deformable_simplicial_complexes::internal::check_threshold(threshold);
-  const unsigned rounds = Deformable_simplicial_complexes::internal::count_parameter(
-      np, CGAL::internal_np::number_of_iterations, "number_of_iterations", 10u);
+  auto visitor = internal::visitor_parameter<Complex>(np);
+  const bool aggressive = internal::parameter_or(np, tags::aggressive, false);
+  const double threshold = internal::quality_parameter(np, tags::quality_threshold,
+                                                       aggressive ? Threshold::of_mesh_if_aggressive
+                                                                  : Threshold::of_mesh);
+  const unsigned rounds =
+      internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                                defaults::Number_of_iterations::over_mesh);
+  const bool smooth_interface = internal::parameter_or(np, tags::smooth_interface, false);
 
-  const bool smooth_interface = choose_parameter(get_parameter(np, tags::smooth_interface), false);
-
-  auto any_visitor = Deformable_simplicial_complexes::internal::adapt_visitor<Complex>(visitor);
-  Deformable_simplicial_complexes::internal::Mesh_improver_3<Complex> improver(
-      dsc, any_visitor, threshold, true, smooth_interface);
+  internal::Mesh_improver_3<Complex> improver(dsc, visitor.any(), threshold, true,
+                                              smooth_interface);
   static constexpr int attempts = 5;
   if (!aggressive) {
     improver.improve_all(threshold, rounds, attempts);
     return improver.report();
   }
-  static constexpr double first = .25, step = 1.2, part = .8;
+  static constexpr double first = Threshold::of_mesh, step = 1.2, part = .8;
   for (double t = first; t < part * threshold; t *= step)
     improver.improve_all(t, rounds, attempts);
   improver.improve_all(part * threshold, rounds, attempts);
-  Deformable_simplicial_complexes::internal::Patch_improver_3<Complex> patch_improver(
-      dsc, any_visitor, threshold, rounds);
+  internal::Patch_improver_3<Complex> patch_improver(dsc, visitor.any(), threshold, rounds);
   if (rounds > 0)
     patch_improver.run();
   improver.improve_all(threshold, rounds, 0);

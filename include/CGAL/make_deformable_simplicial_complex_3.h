@@ -5,15 +5,17 @@
 #ifndef CGAL_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
 #define CGAL_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complex_3/Labelled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Tetrahedralization_3.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_improver_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/check_surfaces_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/check_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/enclosing_box_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/label_tetrahedra_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_improver_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
@@ -35,13 +37,12 @@ namespace internal {
 
 // Improves the mesh as each step of a deformation will. More vertices would only slow that down.
 template <class Complex, class NP> void finish(Complex& dsc, const NP& np) {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  const double threshold = choose_parameter(get_parameter(np, internal_np::quality_threshold), .3);
-  check_threshold(threshold);
+  const double threshold = quality_parameter(np, internal_np::quality_threshold,
+                                             defaults::Quality_threshold::of_new_mesh);
   const unsigned rounds =
-      count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations", 10u);
-  if (choose_parameter(get_parameter(np, internal_np::improve), true)) {
+      count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                      defaults::Number_of_iterations::over_mesh);
+  if (parameter_or(np, internal_np::improve, true)) {
     Any_visitor<Complex> visitor;
     Mesh_improver_3<Complex> improver(dsc, visitor, threshold);
     improver.improve_all(threshold, rounds, 0);

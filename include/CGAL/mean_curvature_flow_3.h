@@ -5,12 +5,12 @@
 #ifndef CGAL_MEAN_CURVATURE_FLOW_3_H
 #define CGAL_MEAN_CURVATURE_FLOW_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/geometry/cotangent_weights_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface/interface_triangles_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface/label_volumes_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -87,7 +87,8 @@ public:
 
   /// computes where vertices go, as `InterfaceStep_3` says. Three sparse Cholesky factorizations,
   /// more where the interface ends on sides of the domain: about n log n in the size of the
-  /// interface. Volumes take time and memory in proportion to its size times the number of labels.
+  /// interface. Volumes take time in proportion to its size times the number of labels, and memory
+  /// for each vertex and each label on the connected part of the interface that the vertex is on.
   /// \throws Deformable_simplicial_complexes::Error if dt is negative, or all facets of a vertex
   /// are without area.
   template <class Complex>
@@ -121,6 +122,7 @@ private:
                 const std::vector<typename Complex::Approximate_point_3>& positions,
                 double dt) const {
     namespace internal = Deformable_simplicial_complexes::internal;
+    using Vector = typename Complex::Approximate_vector_3;
     const Eigen::Index n = Eigen::Index(positions.size());
     Entries stiffness; // its lower triangle
     Eigen::VectorXd areas = Eigen::VectorXd::Zero(n);
@@ -136,14 +138,14 @@ private:
         areas(Eigen::Index(v[i])) += weights.mixed_areas[i];
       }
     }
-    // The forces of a pressure in each label, and where they take the vertices.
+    // The forces of a pressure in each label, and where they take the vertices: nowhere on parts of
+    // the interface that are not connected with the label.
     const internal::Volume_changer_3<Complex> changer(interface_);
     const auto labels = m_preserves_volumes ? changer.changes(positions, positions)
                                             : std::map<typename Complex::Label, double>();
-    typename internal::Volume_changer_3<Complex>::Directions forces;
+    typename internal::Volume_changer_3<Complex>::Directions forces, responses(positions.size());
     if (m_preserves_volumes)
       forces = changer.gradients(labels, positions);
-    std::vector<Eigen::Matrix<double, Eigen::Dynamic, 3>> responses(labels.size(), {n, 3});
 
     Eigen::Matrix<double, Eigen::Dynamic, 3> solution(n, 3);
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver;
@@ -158,26 +160,25 @@ private:
       if (axis == 0 || is_fixed != was_fixed)
         factorize(stiffness, areas, is_fixed, solver);
       solution.col(axis) = solver.solve(right_side(stiffness, areas, is_fixed, start));
-      for (std::size_t label = 0; label < responses.size(); ++label) {
+      for (Eigen::Index label = 0; label < Eigen::Index(labels.size()); ++label) {
         Eigen::VectorXd force = Eigen::VectorXd::Zero(n);
         for (std::size_t i = 0; i < forces.size(); ++i)
-          if (const auto found = forces[i].find(Eigen::Index(label)); found != forces[i].end())
+          if (const auto found = forces[i].find(label); found != forces[i].end())
             force(Eigen::Index(i)) = found->second[axis];
-        responses[label].col(axis) = solver.solve(force);
+        const Eigen::VectorXd response = solver.solve(force);
+        for (std::size_t i = 0; i < responses.size(); ++i)
+          if (const double x = response(Eigen::Index(i)); x != 0) {
+            auto& sum = responses[i].try_emplace(label, 0, 0, 0).first->second;
+            sum = sum + Vector(axis == 0 ? x : 0, axis == 1 ? x : 0, axis == 2 ? x : 0);
+          }
       }
       was_fixed = is_fixed;
     }
     std::vector<typename Complex::Approximate_point_3> result;
     for (Eigen::Index i = 0; i < n; ++i)
       result.emplace_back(solution(i, 0), solution(i, 1), solution(i, 2));
-    if (m_preserves_volumes) {
-      typename internal::Volume_changer_3<Complex>::Directions directions(positions.size());
-      for (std::size_t label = 0; label < responses.size(); ++label)
-        for (Eigen::Index i = 0; i < n; ++i)
-          directions[std::size_t(i)].try_emplace(Eigen::Index(label), responses[label](i, 0),
-                                                 responses[label](i, 1), responses[label](i, 2));
-      changer.change_by(changer.changes(result, positions), directions, result);
-    }
+    if (m_preserves_volumes)
+      changer.change_by(changer.changes(result, positions), responses, result);
     return result;
   }
 

@@ -5,13 +5,13 @@
 #ifndef CGAL_REMOVE_DEGENERACIES_3_H
 #define CGAL_REMOVE_DEGENERACIES_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/degeneracy_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <utility>
@@ -76,28 +76,22 @@ Improvement_report remove_degeneracies(Complex& dsc,
   namespace tags = Deformable_simplicial_complexes::internal_np;
   namespace internal = Deformable_simplicial_complexes::internal;
   using Cell_handle = typename Complex::Cell_handle;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
 
-  auto given_visitor =
-      choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Deformation_visitor_3());
-  auto& visitor = internal::unwrap(given_visitor);
-  const double quality = choose_parameter(get_parameter(np, tags::degenerate_quality), .005);
-  const double cosine = choose_parameter(get_parameter(np, tags::degenerate_cosine), .999);
-  const double length = choose_parameter(get_parameter(np, tags::degenerate_length), .5);
-  internal::check_threshold(quality);
+  auto visitor = internal::visitor_parameter<Complex>(np);
+  const double quality = internal::quality_parameter(np, tags::degenerate_quality, .005);
+  const double cosine = internal::number_parameter(np, tags::degenerate_cosine, .999);
+  const double length = internal::number_parameter(np, tags::degenerate_length, .5);
   if (!(cosine >= .5 && cosine <= 1))
     throw Deformable_simplicial_complexes::Error(
         "the cosine of the smallest angle of a facet is out of range: use 0.5 to 1");
   if (!(length >= 0))
     throw Deformable_simplicial_complexes::Error(
         "the length of a degenerate edge is out of range: use 0 or more");
-  const unsigned rounds = internal::count_parameter(np, CGAL::internal_np::number_of_iterations,
-                                                    "number_of_iterations", 10u);
-  const internal::Edge_unit<Complex> unit(get_parameter(np, tags::size_field),
-                                          dsc.minimum_interface_edge());
+  const unsigned rounds =
+      internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                                internal::defaults::Number_of_iterations::over_mesh);
+  const auto unit = internal::shortest_wanted_length(dsc, np);
 
-  auto any_visitor = internal::adapt_visitor<Complex>(visitor);
   Improvement_report report;
   Cavity_3<Complex> cavity(dsc);
   const auto propose = [&](Cell_handle c) {
@@ -123,7 +117,7 @@ Improvement_report remove_degeneracies(Complex& dsc,
                            [&](Cell_handle c, internal::Work_list<Cell_handle>& touched) {
                              if (!propose(c))
                                return;
-                             internal::commit_proposal(dsc, cavity, any_visitor, report);
+                             internal::commit_proposal(dsc, cavity, visitor.any(), report);
                              internal::push_finite(dsc, cavity.created(), touched);
                            });
   return report;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <utility>
@@ -201,8 +202,20 @@ bool propose_edge_collapse(const Complex& complex, typename Complex::Cell_handle
       (a->is_interface() && !b->is_interface()))
     return false;
 
+  static constexpr std::size_t many = 64; // cells; few vertices have more
   std::vector<typename Complex::Cell_handle> star_a, star_b;
+  star_a.reserve(many);
   complex.star(a, star_a);
+  // Most proposals fail here, before anything is planned.
+  const bool is_good_enough = std::all_of(star_a.begin(), star_a.end(), [&](auto c) {
+    if (c->has_vertex(b) || complex.is_infinite(c))
+      return true;
+    const auto p = [&](int k) { return complex.position(c->vertex(k) == a ? b : c->vertex(k)); };
+    return complex.quality_measure()(p(0), p(1), p(2), p(3)) >= minimum_quality;
+  });
+  if (!is_good_enough)
+    return false;
+
   cavity.begin(Deformable_simplicial_complexes::Proposal_kind::collapse);
   for (auto c : star_a)
     cavity.remove(c);
@@ -214,8 +227,7 @@ bool propose_edge_collapse(const Complex& complex, typename Complex::Cell_handle
     typename std::array<typename Cavity_3<Complex>::Index, 4> t;
     for (int k = 0; k < 4; ++k)
       t[k] = c->vertex(k) == a ? b_index : cavity.add(c->vertex(k));
-    if (!(cavity.create(t, c) >= minimum_quality))
-      return false;
+    cavity.create(t, c);
   }
   if (!cavity.is_positive())
     return false;

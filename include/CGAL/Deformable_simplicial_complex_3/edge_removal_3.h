@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_EDGE_REMOVAL_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_EDGE_REMOVAL_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/operations/Polygon_triangulation_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_of_relabeling.h>
 
 #include <boost/container/small_vector.hpp>
@@ -29,6 +29,7 @@ public:
   using Index = typename Cavity::Index;
 
   // Counterclockwise around a -> b, starting in a cell. Makes all vertices ones of the cavity.
+  // Gives up where the ring becomes too large.
   Edge_ring_3(Cell_handle cell, int i, int j, Cavity& cavity)
       : m_triangulation{cavity, cavity.add(cell->vertex(i)), cavity.add(cell->vertex(j))} {
     // (a, b, s, t) is positive, the next cell lies opposite to s.
@@ -42,7 +43,12 @@ public:
       m_vertices.push_back(cavity.add(s));
       s = c->vertex(6 - s_index - c->index(a) - c->index(b));
       c = c->neighbor(s_index);
-    } while (c != cell);
+    } while (c != cell && !is_too_large());
+  }
+
+  // Whether it is not worth the time to triangulate the ring. If so, some of it is missing.
+  bool is_too_large() const {
+    return size() > Polygon_triangulation_3<Complex>::maximum_number_of_vertices;
   }
 
   std::size_t size() const { return m_cells.size(); }
@@ -77,8 +83,9 @@ programme; section 3.2.1 of the paper). The 3-2 and the 4-4 flip are the cases n
 \param complex is not changed.
 \param cell, i, j the edge between the vertices i and j of the cell.
 \param cavity filled with the proposal if there is one.
-\return whether the ring is finite and of one label and the worst quality rises, all new tetrahedra
-       being positive. The interface and the boundary of the domain stay as they are.
+\return whether the ring is finite, of one label and of at most 52 cells, and the worst quality
+       rises, all new tetrahedra being positive. The interface and the boundary of the domain stay
+       as they are.
 
 Cubic in n.
 */
@@ -87,6 +94,8 @@ bool propose_edge_removal(const Complex& complex, typename Complex::Cell_handle 
                           Cavity_3<Complex>& cavity) {
   cavity.begin(Deformable_simplicial_complexes::Proposal_kind::flip);
   Deformable_simplicial_complexes::internal::Edge_ring_3<Complex> ring(cell, i, j, cavity);
+  if (ring.is_too_large())
+    return false;
   for (std::size_t k = 0; k < ring.size(); ++k) {
     if (complex.is_infinite(ring.cell(k)) || ring.cell(k)->label() != cell->label())
       return false;
@@ -107,8 +116,9 @@ caller's to judge.
 \param cell, i, j the edge between the vertices i and j of the cell.
 \param cavity filled with the proposal if there is one.
 \param minimum_quality the worst quality need not rise if it is above this in the end.
-\return whether the ring is finite, exactly two facets of the interface meet in the edge, and the
-        worst quality rises or is good enough, all new tetrahedra being positive.
+\return whether the ring is finite and of at most 52 cells, exactly two facets of the interface meet
+        in the edge, and the worst quality rises or is good enough, all new tetrahedra being
+        positive.
 
 Cubic in the number of cells around the edge.
 */
@@ -117,6 +127,8 @@ bool propose_interface_edge_flip(const Complex& complex, typename Complex::Cell_
                                  int j, Cavity_3<Complex>& cavity, double minimum_quality = 1) {
   cavity.begin(Deformable_simplicial_complexes::Proposal_kind::flip);
   Deformable_simplicial_complexes::internal::Edge_ring_3<Complex> ring(cell, i, j, cavity);
+  if (ring.is_too_large())
+    return false;
   const std::size_t n = ring.size();
   boost::container::small_vector<std::size_t, 8> sheets; // ring vertices at which the label changes
   for (std::size_t k = 0; k < n; ++k) {

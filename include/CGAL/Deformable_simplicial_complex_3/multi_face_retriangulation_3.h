@@ -5,9 +5,9 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_MULTI_FACE_RETRIANGULATION_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_MULTI_FACE_RETRIANGULATION_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/operations/Polygon_triangulation_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/operations/Sandwich_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -90,8 +90,8 @@ public:
   }
 
 private:
-  // The dynamic programme is cubic.
-  static constexpr std::size_t maximum_number_of_sheets = 50;
+  static constexpr std::size_t maximum_number_of_sheets =
+      Polygon_triangulation_3<Complex>::maximum_number_of_vertices - 2;
 
   bool contains(const Sheet& g) const {
     return std::any_of(m_sheets.begin(), m_sheets.end(),

@@ -6,8 +6,9 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORM_INTERFACE_H
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
-#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Interface_deformer.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
@@ -73,10 +74,10 @@ became bad.
   \cgalParamNBegin{flow}
     \cgalParamDescription{where what is at a point, or a vertex, goes in the deformation: free
                           vertices go there, too, up to a harmonic function that is needed where the
-                          interface or the boundary of the domain do not. For the first pass only, in
-                          which most deformations end. Where it is not finite, or more than 100
-                          times as long as the longest way of the interface, it counts as unknown:
-                          free vertices follow the interface there, and those whose flow is known.}
+                          interface or the boundary of the domain do not. For the first pass only,
+in which most deformations end. Where it is not finite, or more than 100 times as long as the
+longest way of the interface, it counts as unknown: free vertices follow the interface there, and
+those whose flow is known.}
     \cgalParamType{function object `Approximate_point flow(Approximate_point p)` or
                    `Approximate_point flow(Vertex_handle v)`, in the coordinates of the complex}
     \cgalParamDefault{none: free vertices follow the interface}
@@ -124,46 +125,35 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
                                              const NamedParameters& np = NamedParameters()) {
   namespace tags = Deformable_simplicial_complexes::internal_np;
   namespace internal = Deformable_simplicial_complexes::internal;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
+  namespace defaults = internal::defaults;
 
-  auto given_visitor =
-      choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Deformation_visitor_3());
-  auto& visitor = internal::unwrap(given_visitor);
-  auto given_control = choose_parameter(get_parameter(np, tags::topology_control),
-                                        Deformable_simplicial_complexes::Allow_topology_changes());
-  auto& topology_control = internal::unwrap(given_control);
+  auto visitor = internal::visitor_parameter<Complex>(np);
   const unsigned maximum_number_of_passes = internal::count_parameter(
       np, tags::maximum_number_of_passes, "maximum_number_of_passes", 20u);
   const internal::Deformation_options<Complex> options = {
-      double(choose_parameter(get_parameter(np, tags::quality_threshold), .2)),
-      double(choose_parameter(get_parameter(np, tags::relabeling_threshold), .01)),
-      double(choose_parameter(get_parameter(np, tags::minimum_angle), 5.)),
-      double(choose_parameter(get_parameter(np, tags::minimum_facet_angle), 5.)),
-      choose_parameter(get_parameter(np, tags::manifold_interface), false),
-      choose_parameter(get_parameter(np, tags::collision_order), false),
-      std::ref(topology_control),
-      internal::space_motion(dsc, get_parameter(np, tags::flow))};
-  internal::check_threshold(options.quality_threshold);
-  internal::check_threshold(options.relabeling_threshold);
-  if (!(options.minimum_angle >= 0 && options.minimum_angle <= 30))
-    throw Deformable_simplicial_complexes::Error(
-        "the smallest angle is out of range: use 0 to 30 degrees");
-  if (!(options.minimum_facet_angle >= 0 && options.minimum_facet_angle <= 30))
-    throw Deformable_simplicial_complexes::Error(
-        "the smallest angle of a facet is out of range: use 0 to 30 degrees");
+      internal::quality_parameter(np, tags::quality_threshold,
+                                  defaults::Quality_threshold::in_motion),
+      internal::quality_parameter(np, tags::relabeling_threshold, .01),
+      internal::angle_parameter(np, tags::minimum_angle, 5, 30, "smallest angle"),
+      internal::angle_parameter(np, tags::minimum_facet_angle,
+                                defaults::Minimum_facet_angle::in_motion, 30,
+                                "smallest angle of a facet"),
+      internal::parameter_or(np, tags::manifold_interface, false),
+      internal::parameter_or(np, tags::collision_order, false),
+      internal::parameter_or(np, tags::topology_control,
+                             Deformable_simplicial_complexes::Allow_topology_changes()),
+      internal::space_motion(dsc, parameters::get_parameter(np, tags::flow))};
   const unsigned number_of_threads =
       internal::count_parameter(np, tags::number_of_threads, "number_of_threads", 1u);
 
   internal::require_interface_edge(dsc);
 
   const internal::For_each_index for_each_index(number_of_threads);
-  auto any_visitor = internal::adapt_visitor<Complex>(visitor);
-  internal::Interface_deformer<Complex> deformer(dsc, any_visitor, options, for_each_index);
+  internal::Interface_deformer<Complex> deformer(dsc, visitor.any(), options, for_each_index);
   deformer.set_destinations(destination);
   unsigned pass = 0;
   bool is_stopped = false;
-  const auto goes_further = [&] { return !(is_stopped = !visitor.go_further(pass + 1)); };
+  const auto goes_further = [&] { return !(is_stopped = !visitor.visitor().go_further(pass + 1)); };
   while (!deformer.is_complete() && deformer.is_progressing() && pass < maximum_number_of_passes &&
          goes_further()) {
     ++pass;

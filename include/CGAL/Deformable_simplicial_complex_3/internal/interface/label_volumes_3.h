@@ -5,12 +5,14 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_LABEL_VOLUMES_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_LABEL_VOLUMES_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/geometry/vectors_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface/interface_triangles_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 
 #include <Eigen/Dense>
+
+#include <boost/container/flat_map.hpp>
 
 #include <array>
 #include <cmath>
@@ -53,7 +55,7 @@ public:
 
   // Directions of the vertices for each of some labels, in their order; where one is zero, it may
   // be left out.
-  using Directions = std::vector<std::map<Eigen::Index, Vector>>;
+  using Directions = std::vector<boost::container::flat_map<Eigen::Index, Vector>>;
 
   // Those in which the volumes of labels change fastest.
   Directions gradients(const std::map<Label, double>& labels,

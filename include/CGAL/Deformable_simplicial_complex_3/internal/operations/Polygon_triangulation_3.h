@@ -7,6 +7,8 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
@@ -27,19 +29,24 @@ public:
   using Cavity = Cavity_3<Complex>;
   using Index = typename Cavity::Index;
 
+  // Of a polygon: bounds the cubic cost. Meshes that are improved hardly have rings of half as
+  // many.
+  static constexpr std::size_t maximum_number_of_vertices = 52;
+
   Polygon_triangulation_3(Cavity& cavity, Index a, Index b) : m_cavity(cavity), m_a(a), m_b(b) {}
 
   // Plans the tetrahedra in the cavity. The polygon has n vertices, vertex(0), ..., vertex(n - 1),
   // counterclockwise seen from b. Returns false if the worst quality is not above `bound`.
+  // \pre n <= maximum_number_of_vertices
   template <class Vertex>
   bool create(std::size_t n, const Vertex& vertex, double bound, Cell_handle parent) {
-    if (n > few && !has_ear(n, vertex, bound))
-      return false;
+    CGAL_precondition(n <= maximum_number_of_vertices);
     // best[p * n + q]: quality of the best triangulation of the polygon from p to q > p, in which
     // the triangle (p, apex, q) lies on the edge (p, q).
     m_best.assign(n * n, std::numeric_limits<double>::infinity());
     m_apex.assign(n * n, 0);
-    for (std::size_t length = 2; length < n; ++length)
+    for (std::size_t length = 2; length < n; ++length) {
+      bool is_one_good = false;
       for (std::size_t p = 0; p + length < n; ++p) {
         const std::size_t q = p + length;
         double& value = m_best[p * n + q];
@@ -55,7 +62,13 @@ public:
             m_apex[p * n + q] = k;
           }
         }
+        is_one_good = is_one_good || value > bound;
       }
+      // Each triangulation has two ears, triangles of three successive vertices, and so at least
+      // one without the edge (0, n - 1).
+      if (length == 2 && !is_one_good)
+        return false;
+    }
     if (!(m_best[n - 1] > bound))
       return false;
 
@@ -75,18 +88,6 @@ public:
   }
 
 private:
-  static constexpr std::size_t few = 30; // below, tables cost next to nothing
-
-  // Whether a triangle of three successive vertices may be part of the triangulation: of each there
-  // are two that do not touch, and so at least one that does not contain the edge (0, n - 1).
-  template <class Vertex> bool has_ear(std::size_t n, const Vertex& vertex, double bound) {
-    for (std::size_t p = 0; p + 2 < n; ++p)
-      if (m_cavity.quality({vertex(p), vertex(p + 1), vertex(p + 2), m_b}) > bound &&
-          m_cavity.quality({vertex(p + 1), vertex(p), vertex(p + 2), m_a}) > bound)
-        return true;
-    return false;
-  }
-
   Cavity& m_cavity;
   Index m_a, m_b;
   // Most polygons have fewer than eight vertices.

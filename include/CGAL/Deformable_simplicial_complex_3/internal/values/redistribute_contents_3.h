@@ -7,9 +7,12 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/geometry/overlap_volume_3.h>
 
+#include <CGAL/Bbox_3.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -32,6 +35,45 @@ template <class Point, class Value> struct Filled_tetrahedron_3
   double volume() const { return positive_volume(tetrahedron.corners()); }
 };
 
+// The pairs of a source and a target whose boxes meet, as indices, sorted: by a sweep along the
+// x-axis.
+template <class Tetrahedron>
+std::vector<std::pair<std::size_t, std::size_t>>
+pairs_that_may_overlap(const std::vector<const Tetrahedron*>& sources,
+                       const std::vector<Tetrahedron*>& targets) {
+  struct Start
+  {
+    double x;
+    bool is_target;
+    std::size_t index;
+    const Bbox_3* box;
+  };
+  std::vector<Start> starts, open_sources, open_targets;
+  const auto add = [&](const auto& tetrahedra, bool are_targets) {
+    for (std::size_t i = 0; i < tetrahedra.size(); ++i) {
+      const Bbox_3& box = tetrahedra[i]->tetrahedron.bbox();
+      starts.push_back({box.xmin(), are_targets, i, &box});
+    }
+  };
+  add(sources, false);
+  add(targets, true);
+  std::sort(starts.begin(), starts.end(), [](const Start& s, const Start& t) { return s.x < t.x; });
+  std::vector<std::pair<std::size_t, std::size_t>> result;
+  for (const Start& s : starts) {
+    auto& others = s.is_target ? open_sources : open_targets;
+    others.erase(std::remove_if(others.begin(), others.end(),
+                                [&](const Start& t) { return t.box->xmax() < s.x; }),
+                 others.end());
+    for (const Start& t : others)
+      if (do_overlap(*s.box, *t.box))
+        result.push_back(s.is_target ? std::make_pair(t.index, s.index)
+                                     : std::make_pair(s.index, t.index));
+    (s.is_target ? open_targets : open_sources).push_back(s);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 // Adds all that is in `sources` to `targets`. Where they overlap, a source fills a target to its
 // own density. What sources have elsewhere fills the rest of the targets, to a common density; if
 // there is too much of it, what is left goes to all targets by volume.
@@ -46,17 +88,22 @@ void pour(const std::vector<const Filled_tetrahedron_3<Point, Value>*>& sources,
   }
   double excess = 0; // volume of sources outside targets
   Value left = 0. * sources.front()->content;
-  for (const auto* s : sources) {
+  const auto pairs = pairs_that_may_overlap(sources, targets);
+  auto pair = pairs.begin();
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const auto* s = sources[i];
+    const auto first = pair;
     overlaps.clear();
     double sum = 0;
-    for (const auto* t : targets) {
-      overlaps.push_back(overlap_volume(s->tetrahedron, t->tetrahedron));
+    for (; pair != pairs.end() && pair->first == i; ++pair) {
+      overlaps.push_back(overlap_volume(s->tetrahedron, targets[pair->second]->tetrahedron));
       sum += overlaps.back();
     }
     const double whole = (std::max)(sum, s->volume()); // less by rounding only
-    for (std::size_t j = 0; j < targets.size(); ++j) {
-      targets[j]->content = targets[j]->content + overlaps[j] / whole * s->content;
-      gaps[j] -= overlaps[j];
+    for (std::size_t k = 0; k < overlaps.size(); ++k) {
+      const std::size_t j = first[std::ptrdiff_t(k)].second;
+      targets[j]->content = targets[j]->content + overlaps[k] / whole * s->content;
+      gaps[j] -= overlaps[k];
     }
     left = left + (whole - sum) / whole * s->content;
     excess += whole - sum;

@@ -82,11 +82,6 @@ private:
   Visitor& m_visitor;
 };
 
-template <class Complex, class Visitor>
-Visitor_adaptor<Complex, Visitor> adapt_visitor(Visitor& visitor) {
-  return Visitor_adaptor<Complex, Visitor>(visitor);
-}
-
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,18 +34,25 @@ public:
     std::size_t number = 0;
   };
 
-  // `label_of(c)` is the label of a finite cell.
+  // `label_of(c)` is the label of a finite cell. n log n in the number of cells.
   template <class LabelOf>
   Labelled_star(const Complex& complex, Vertex_handle v, const LabelOf& label_of) {
     complex.star(v, m_cells);
+    using Place = std::pair<std::size_t, std::size_t>; // the time stamp of a cell, and its index
+    std::vector<Place> places;
+    for (std::size_t i = 0; i < m_cells.size(); ++i)
+      places.emplace_back(m_cells[i]->time_stamp(), i);
+    std::sort(places.begin(), places.end());
+    const auto index = [&](Cell_handle c) {
+      return std::lower_bound(places.begin(), places.end(), Place(c->time_stamp(), 0))->second;
+    };
     for (Cell_handle c : m_cells) {
       m_labels.push_back(complex.is_infinite(c) ? Label() : Label(label_of(c)));
       std::array<std::size_t, Complex::dimension> neighbors = {};
       auto out = neighbors.begin();
       for (int k = 0; k < Complex::corners; ++k)
         if (c->vertex(k) != v)
-          *out++ = std::size_t(std::find(m_cells.begin(), m_cells.end(), c->neighbor(k)) -
-                               m_cells.begin());
+          *out++ = index(c->neighbor(k));
       m_neighbors.push_back(neighbors);
     }
   }
@@ -52,7 +60,9 @@ public:
   std::size_t size() const { return m_cells.size(); }
   Cell_handle cell(std::size_t i) const { return m_cells[i]; }
   const Label& label(std::size_t i) const { return m_labels[i]; }
-  const std::array<std::size_t, Complex::dimension>& neighbors(std::size_t i) const { return m_neighbors[i]; }
+  const std::array<std::size_t, Complex::dimension>& neighbors(std::size_t i) const {
+    return m_neighbors[i];
+  }
 
   // The parts of the cells for whose labels a condition holds, numbered in the order of the star.
   template <class Condition> Parts parts(const Condition& holds) const {

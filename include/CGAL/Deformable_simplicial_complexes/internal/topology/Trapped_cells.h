@@ -42,7 +42,7 @@ public:
   using Label = typename Complex::Label;
 
   Trapped_cells(Complex& complex, Any_visitor<Complex>& visitor,
-                  const Topology_control<Complex>& topology_control, bool manifold_interface)
+                const Topology_control<Complex>& topology_control, bool manifold_interface)
       : m_complex(complex), m_visitor(visitor), m_topology_control(topology_control),
         m_manifold_interface(manifold_interface), m_log(complex) {}
 
@@ -76,14 +76,16 @@ public:
   // Gives components that are too small to be moved, those of the cells, to the phases around them.
   void remove_small_components(const std::vector<Cell_handle>& cells) {
     std::vector<Cell_handle> component;
+    std::unordered_set<std::size_t> large; // cells of components that are known not to be small
     for (Cell_handle c : cells)
-      if (is_small_component(c, component)) {
+      if (is_small_component(c, component, large)) {
         const Label label = surrounding_label(component);
         if (label == c->label() || !complete(component, label) ||
             !m_topology_control(m_complex, c, label))
           continue;
         record(component, label);
         relabel(component, label);
+        large.clear(); // a component may have lost cells
       }
   }
 
@@ -98,16 +100,21 @@ public:
   }
 
 private:
-  // Finds the component of a cell if it has few cells and a small volume.
-  bool is_small_component(Cell_handle seed, std::vector<Cell_handle>& component) const {
+  // Finds the component of a cell if it has few cells and a small volume. If not, the cells that
+  // were met join those in `large`, by time stamps, so that none of them is looked at again.
+  bool is_small_component(Cell_handle seed, std::vector<Cell_handle>& component,
+                          std::unordered_set<std::size_t>& large) const {
     static constexpr std::size_t few = 30;
     double sum = 0;
     component.assign(1, seed);
     for (std::size_t i = 0; i < component.size(); ++i) {
       const Cell_handle c = component[i];
       sum += volume({c});
-      if (component.size() > few || sum > small_volume())
+      if (component.size() > few || sum > small_volume() || large.count(c->time_stamp()) != 0) {
+        for (Cell_handle d : component)
+          large.insert(d->time_stamp());
         return false;
+      }
       for (int k = 0; k < Complex::corners; ++k) {
         const Cell_handle n = c->neighbor(k);
         if (!m_complex.is_infinite(n) && n->label() == c->label() &&
