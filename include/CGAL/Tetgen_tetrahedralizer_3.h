@@ -23,8 +23,11 @@ would be bad otherwise, but none on the triangles.
 The class is compiled: link with the target `Deformable_simplicial_complex::Tetgen`. TetGen is
 distributed under the AGPL-3.0.
 
-TetGen guards its algorithms with `assert()`. Surfaces that are valid, but almost touch or have
-extremely thin triangles, may end the program that way.
+TetGen guards its algorithms with `assert()`, which surfaces may violate that are valid, but large,
+almost touching or made of extremely thin triangles. So it runs in a child of this process, made by
+`fork()`: if it crashes, runs out of memory or reaches the time limit, an exception is thrown. What
+it allocates is given back to the system. Where there is no `fork()`, as on Windows, TetGen runs in
+this process and may end it.
 
 \cgalModels `ConstrainedTetrahedralizer_3`
 */
@@ -44,9 +47,10 @@ public:
 
   \throws Deformable_simplicial_complexes::Error if a bound is out of range, as TetGen might not end
   */
-  explicit Tetgen_tetrahedralizer_3(
-      double radius_edge_ratio = 2.5, double minimum_dihedral_angle = 10,
-      double maximum_volume = std::numeric_limits<double>::infinity());
+  explicit Tetgen_tetrahedralizer_3(double radius_edge_ratio = 2.5,
+                                    double minimum_dihedral_angle = 10,
+                                    double maximum_volume = std::numeric_limits<double>::infinity(),
+                                    double time_limit = 3600);
 
   /// The upper bound of circumradius divided by shortest edge; infinity if there is none.
   double radius_edge_ratio() const { return m_radius_edge_ratio; }
@@ -54,21 +58,27 @@ public:
   double minimum_dihedral_angle() const { return m_minimum_dihedral_angle; }
   /// The upper bound of the volume of a tetrahedron; infinity if there is none.
   double maximum_volume() const { return m_maximum_volume; }
+  /// The seconds that a call may take; infinity if there is no limit.
+  double time_limit() const { return m_time_limit; }
 
   /*!
-  Fills the space inside a closed surface of `triangles`, which may enclose other ones. Calls from
-  several threads take turns, as TetGen has global state.
+  Fills the space inside a closed surface of `triangles`, which may enclose other ones. If TetGen
+  fails, it tries a smaller tolerance, unless it crashed; then, unless the input is said to be bad,
+  it does without the bounds, with the points in their order and in another one, so that tetrahedra
+  are worse. The result is the same each time.
+
+  Several threads may call this at the same time where there is `fork()`.
 
   \pre Points are finite and differ. Triangles meet only in common vertices and edges.
   \return see `ConstrainedTetrahedralizer_3`
-  \throws Deformable_simplicial_complexes::Tetrahedralization_error if TetGen gives up, loses
-          a triangle or makes a flat tetrahedron
+  \throws Deformable_simplicial_complexes::Tetrahedralization_error if TetGen gives up, crashes,
+          runs out of memory or time, loses a triangle or makes a flat tetrahedron
   */
   Tetrahedralization_3 operator()(const std::vector<std::array<double, 3>>& points,
                                   const std::vector<std::array<std::size_t, 3>>& triangles) const;
 
 private:
-  double m_radius_edge_ratio, m_minimum_dihedral_angle, m_maximum_volume;
+  double m_radius_edge_ratio, m_minimum_dihedral_angle, m_maximum_volume, m_time_limit;
 };
 
 } // namespace CGAL

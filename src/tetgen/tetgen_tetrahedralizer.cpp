@@ -4,27 +4,29 @@
 
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include "child_process.h"
+
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/Triangle_soup_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/enum.h>
 
+#include <tetgen.h>
+
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
-#include <mutex>
+#include <cstddef>
 #include <new>
+#include <numeric>
+#include <optional>
+#include <random>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
-
-// When TetGen 1.5 gives up, this function of its header frees the mesh and throws; the destructor
-// of the mesh then frees it once more and crashes. The library calls the definition below instead.
-#define terminatetetgen terminatetetgen_that_frees_twice
-#include <tetgen.h>
-#undef terminatetetgen
-
-void terminatetetgen(tetgenmesh*, int code) { throw code; }
 
 namespace CGAL {
 namespace {
@@ -32,14 +34,19 @@ namespace {
 using Deformable_simplicial_complexes::Error;
 using Deformable_simplicial_complexes::Tetrahedralization_error;
 namespace internal = Deformable_simplicial_complexes::internal;
+using internal::Child_process;
 using Points = std::vector<internal::Coordinates_3>;
 using Triangles = std::vector<internal::Triangle_indices>;
 
+// Codes of TetGen.
+constexpr int out_of_memory = 1;
+constexpr int internal_error = 2;
+
 const char* explanation(int code) {
   switch (code) {
-  case 1:
+  case out_of_memory:
     return "memory is exhausted: use larger bounds for the tetrahedra or a coarser surface";
-  case 2:
+  case internal_error:
     return "internal error: use other bounds for the tetrahedra, or remesh the surfaces";
   case 3:
     return "triangles intersect, or nearly do: separate surfaces that are very close";
@@ -54,9 +61,48 @@ const char* explanation(int code) {
   }
 }
 
-Tetrahedralization_error tetgen_error(int code) {
-  return Tetrahedralization_error(
-      "TetGen failed with code " + std::to_string(code) + ", " + explanation(code), code);
+// What an attempt failed of.
+enum class Cause {
+  INPUT,    // is said to be bad
+  RESULT,   // there is none, or a bad one
+  CRASH,    // of TetGen
+  RESOURCES // are not enough
+};
+
+class Failed_attempt : public Tetrahedralization_error
+{
+public:
+  Failed_attempt(Cause cause, const std::string& message, int code = 0)
+      : Tetrahedralization_error(message, code), cause(cause) {}
+
+  Cause cause;
+};
+
+Failed_attempt tetgen_failure(int code) {
+  Cause cause = Cause::RESULT;
+  if (code == out_of_memory)
+    cause = Cause::RESOURCES;
+  else if (code == 3 || code == 4 || code == 5 || code == 10)
+    cause = Cause::INPUT;
+  return {cause, "TetGen failed with code " + std::to_string(code) + ", " + explanation(code),
+          code};
+}
+
+Failed_attempt failure(const Child_process::Outcome& outcome) {
+  switch (outcome.end) {
+  case Child_process::End::CRASHED:
+    return {Cause::CRASH,
+            "TetGen crashed with signal " + std::to_string(outcome.code) +
+                ": remesh the surfaces, or separate vertices and surfaces that are very close"};
+  case Child_process::End::KILLED:
+    return {Cause::RESOURCES, "TetGen was killed, as happens when memory is exhausted: use larger "
+                              "bounds for the tetrahedra or a coarser surface"};
+  case Child_process::End::TIMED_OUT:
+    return {Cause::RESOURCES, "TetGen reached its time limit: use a higher one, larger bounds for "
+                              "the tetrahedra or a coarser surface"};
+  default:
+    return tetgen_failure(outcome.code);
+  }
 }
 
 // A power of two that brings the largest extent of the points to [1, 2): TetGen fails far from 1.
@@ -68,17 +114,30 @@ int scale_exponent(const Points& points) {
   return -std::ilogb((std::max)({box.x_span(), box.y_span(), box.z_span()}));
 }
 
-void set_input(tetgenio& input, const Points& points, const Triangles& triangles, int exponent) {
-  input.pointlist = new REAL[3 * points.size()];
-  input.numberofpoints = int(points.size());
+// What TetGen is told. Its point i is point `order[i]` of the input.
+struct Job
+{
+  const Points& points;
+  const Triangles& triangles;
+  int exponent;
+  tetgenbehavior behavior;
+  std::vector<int> order;
+};
+
+void set_input(tetgenio& input, const Job& job) {
+  input.pointlist = new REAL[3 * job.points.size()];
+  input.numberofpoints = int(job.points.size());
   REAL* coordinate = input.pointlist;
-  for (const internal::Coordinates_3& p : points)
-    for (double x : p)
-      *coordinate++ = std::ldexp(x, exponent);
+  std::vector<int> position(job.points.size());
+  for (int i = 0; i < input.numberofpoints; ++i) {
+    position[job.order[i]] = i;
+    for (double x : job.points[job.order[i]])
+      *coordinate++ = std::ldexp(x, job.exponent);
+  }
 
   // The input frees what its counters count, so they follow each allocation.
-  input.facetlist = new tetgenio::facet[triangles.size()];
-  for (const internal::Triangle_indices& t : triangles) {
+  input.facetlist = new tetgenio::facet[job.triangles.size()];
+  for (const internal::Triangle_indices& t : job.triangles) {
     tetgenio::facet& facet = input.facetlist[input.numberoffacets];
     tetgenio::init(&facet);
     ++input.numberoffacets;
@@ -89,24 +148,66 @@ void set_input(tetgenio& input, const Points& points, const Triangles& triangles
     polygon.vertexlist = new int[3];
     polygon.numberofvertices = 3;
     for (std::size_t i = 0; i < 3; ++i)
-      polygon.vertexlist[i] = int(t[i]);
+      polygon.vertexlist[i] = position[t[i]];
   }
 }
 
-// The points that were passed in, those that TetGen added, and the tetrahedra.
-Tetrahedralization_3 get_output(const tetgenio& output, const Points& points, int exponent) {
-  Tetrahedralization_3 mesh{points, {}};
-  for (int i = int(points.size()); i < output.numberofpoints; ++i) {
-    const REAL* p = output.pointlist + 3 * i;
-    mesh.points.push_back(
-        {std::ldexp(p[0], -exponent), std::ldexp(p[1], -exponent), std::ldexp(p[2], -exponent)});
+// What is sent first; then come the points that TetGen added, and the corners of all tetrahedra.
+struct Counts
+{
+  int added_points, tetrahedra;
+};
+
+using Corners = std::array<int, 4>;
+
+// Throws the codes of TetGen.
+void run_tetgen(const Job& job, const Child_process::Send& send) {
+  try {
+    tetgenio input, output;
+    set_input(input, job);
+    tetgenbehavior behavior = job.behavior;
+    tetrahedralize(&behavior, &input, &output);
+    const Counts counts = {output.numberofpoints - input.numberofpoints, output.numberoftetrahedra};
+    if (counts.added_points < 0)
+      throw internal_error;
+    send(&counts, sizeof(counts));
+    send(output.pointlist + 3 * job.points.size(), 3 * sizeof(REAL) * counts.added_points);
+    send(output.tetrahedronlist, sizeof(Corners) * counts.tetrahedra);
+  } catch (const std::bad_alloc&) {
+    throw out_of_memory;
   }
-  for (int t = 0; t < output.numberoftetrahedra; ++t) {
-    const int* v = output.tetrahedronlist + t * output.numberofcorners;
-    mesh.tetrahedra.push_back(
-        {std::size_t(v[0]), std::size_t(v[1]), std::size_t(v[2]), std::size_t(v[3])});
+}
+
+// False unless all is there and makes sense, as a process that went wrong may send anything.
+bool receive(Tetrahedralization_3& mesh, const Job& job, Child_process& child) {
+  Counts counts;
+  if (!child.read(&counts, sizeof(counts)) || counts.added_points < 0 || counts.tetrahedra < 0)
+    return false;
+
+  mesh.points = job.points;
+  for (int i = 0; i < counts.added_points; ++i) {
+    internal::Coordinates_3 p;
+    if (!child.read(&p, sizeof(p)))
+      return false;
+    for (double& x : p)
+      x = std::ldexp(x, -job.exponent);
+    mesh.points.push_back(p);
   }
-  return mesh;
+
+  mesh.tetrahedra.reserve(counts.tetrahedra);
+  for (int t = 0; t < counts.tetrahedra; ++t) {
+    Corners corners;
+    if (!child.read(&corners, sizeof(corners)))
+      return false;
+    std::array<std::size_t, 4> v;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (corners[i] < 0 || std::size_t(corners[i]) >= mesh.points.size())
+        return false;
+      v[i] = corners[i] < int(job.order.size()) ? job.order[corners[i]] : corners[i];
+    }
+    mesh.tetrahedra.push_back(v);
+  }
+  return true;
 }
 
 // Makes tetrahedra positive; false if one is flat.
@@ -136,66 +237,113 @@ bool has_facets(const Tetrahedralization_3& mesh, Triangles triangles) {
   return std::find(is_found.begin(), is_found.end(), 0) == is_found.end();
 }
 
-Tetrahedralization_3 tetrahedralize_once(const Points& points, const Triangles& triangles,
-                                         int exponent, tetgenbehavior behavior) {
-  tetgenio input, output;
-  try {
-    set_input(input, points, triangles, exponent);
-    tetrahedralize(&behavior, &input, &output);
-  } catch (int code) {
-    throw tetgen_error(code);
-  } catch (const std::bad_alloc&) {
-    throw tetgen_error(1);
-  }
-  Tetrahedralization_3 mesh = get_output(output, points, exponent);
-  if (!has_facets(mesh, triangles))
-    throw Tetrahedralization_error("TetGen lost triangles: separate vertices and surfaces that are "
-                                   "very close, or remesh the surfaces");
+Tetrahedralization_3 tetrahedralize_once(const Job& job, double seconds) try {
+  Child_process child([&](const Child_process::Send& send) { run_tetgen(job, send); }, seconds);
+  Tetrahedralization_3 mesh;
+  const bool is_complete = receive(mesh, job, child);
+  const Child_process::Outcome outcome = child.wait();
+  if (outcome.end != Child_process::End::EXITED || outcome.code != 0)
+    throw failure(outcome);
+  if (!is_complete)
+    throw tetgen_failure(internal_error);
+  if (!has_facets(mesh, job.triangles))
+    throw Failed_attempt(Cause::RESULT,
+                         "TetGen lost triangles: separate vertices and surfaces that are very "
+                         "close, or remesh the surfaces");
   if (!orient(mesh))
-    throw Tetrahedralization_error("TetGen made flat tetrahedra: use other bounds for them, or "
-                                   "remesh the surfaces");
+    throw Failed_attempt(Cause::RESULT,
+                         "TetGen made flat tetrahedra: use other bounds for them, or remesh the "
+                         "surfaces");
   return mesh;
+} catch (const std::system_error& e) {
+  throw Failed_attempt(Cause::RESOURCES, std::string("TetGen could not be started, ") + e.what() +
+                                             ": free memory, or end other programs");
+}
+
+struct Attempt
+{
+  double tolerance; // TetGen takes what is closer for equal, in units of the extent
+  bool has_bounds;  // of the shapes of tetrahedra
+  unsigned seed;    // of the order of points
+};
+
+// TetGen is less robust with a tolerance below its own, which is the first. Where it crashes or
+// walks around for ever, it inserts points for the sake of the bounds.
+constexpr Attempt attempts[] = {
+    {1e-8, true, 0}, {1e-14, true, 0}, {1e-8, false, 0}, {1e-8, false, 1}};
+
+// Whether an attempt is of use after a failure.
+bool may_help(const Attempt& attempt, Cause cause) {
+  switch (cause) {
+  case Cause::INPUT:
+    return attempt.has_bounds;
+  case Cause::RESULT:
+    return true;
+  case Cause::CRASH:
+    return !attempt.has_bounds;
+  default:
+    return false;
+  }
+}
+
+// The order of the input for seed 0, otherwise any one, which is the same on all systems.
+std::vector<int> order_of_points(std::size_t size, unsigned seed) {
+  std::vector<int> order(size);
+  std::iota(order.begin(), order.end(), 0);
+  std::mt19937_64 random(seed);
+  if (seed != 0)
+    for (std::size_t i = size; i > 1; --i)
+      std::swap(order[i - 1], order[random() % i]);
+  return order;
 }
 
 } // namespace
 
 Tetgen_tetrahedralizer_3::Tetgen_tetrahedralizer_3(double radius_edge_ratio,
                                                    double minimum_dihedral_angle,
-                                                   double maximum_volume)
+                                                   double maximum_volume, double time_limit)
     : m_radius_edge_ratio(radius_edge_ratio), m_minimum_dihedral_angle(minimum_dihedral_angle),
-      m_maximum_volume(maximum_volume) {
+      m_maximum_volume(maximum_volume), m_time_limit(time_limit) {
   if (!(radius_edge_ratio >= 1.2))
     throw Error("the radius-edge ratio of tetrahedra is too small: use 1.2 or more");
   if (!(minimum_dihedral_angle >= 0 && minimum_dihedral_angle <= 18))
     throw Error("the minimum dihedral angle of tetrahedra is out of range: use 0 to 18 degrees");
   if (!(maximum_volume > 0))
     throw Error("the maximum volume of tetrahedra is not positive: use more than 0");
+  if (!(time_limit > 0))
+    throw Error("the time limit of the tetrahedralizer is not positive: use more than 0 seconds");
 }
 
 Tetrahedralization_3 Tetgen_tetrahedralizer_3::operator()(const Points& points,
                                                           const Triangles& triangles) const {
-  const int exponent = scale_exponent(points);
+  const auto start = std::chrono::steady_clock::now();
+  Job job = {points, triangles, scale_exponent(points), {}, {}};
   // p: triangles are given, Y: keep them, q: bound the quality, Q: be quiet.
   char switches[] = "pYqQ";
-  tetgenbehavior behavior;
-  behavior.parse_commandline(switches);
-  behavior.minratio = m_radius_edge_ratio;
-  behavior.mindihedral = m_minimum_dihedral_angle;
+  job.behavior.parse_commandline(switches);
+  job.behavior.minratio = m_radius_edge_ratio;
+  job.behavior.mindihedral = m_minimum_dihedral_angle;
   if (std::isfinite(m_maximum_volume)) {
-    behavior.fixedvolume = 1;
-    behavior.maxvolume = std::ldexp(m_maximum_volume, 3 * exponent);
+    job.behavior.fixedvolume = 1;
+    job.behavior.maxvolume = std::ldexp(m_maximum_volume, 3 * job.exponent);
   }
 
-  static std::mutex mutex;
-  const std::lock_guard<std::mutex> lock(mutex);
-  try {
-    return tetrahedralize_once(points, triangles, exponent, behavior);
-  } catch (const Tetrahedralization_error&) {
-    // TetGen takes what is closer than 1e-8 of the extent for equal. It is less robust with a
-    // smaller tolerance, which therefore is the second choice.
-    behavior.epsilon = 1e-14;
-    return tetrahedralize_once(points, triangles, exponent, behavior);
+  std::optional<Failed_attempt> failure;
+  for (const Attempt& attempt : attempts) {
+    if (failure && !may_help(attempt, failure->cause))
+      continue;
+    job.behavior.epsilon = attempt.tolerance;
+    if (!attempt.has_bounds)
+      job.behavior.quality = job.behavior.fixedvolume = 0;
+    job.order = order_of_points(points.size(), attempt.seed);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    try {
+      return tetrahedralize_once(job, m_time_limit - elapsed.count());
+    } catch (const Failed_attempt& e) {
+      failure = e;
+    }
   }
+  throw *failure;
 }
 
 } // namespace CGAL

@@ -99,7 +99,7 @@ public:
   explicit Tetrahedralization_error(const std::string& message, int code = 0)
       : Error(message), m_code(code) {}
 
-  /// returns the code that TetGen threw, or zero if the failure was found in its result.
+  /// returns the code that TetGen threw, or zero if it crashed, was stopped, or made a bad result.
   int code() const { return m_code; }
 
 private:

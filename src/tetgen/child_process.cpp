@@ -1,0 +1,270 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "child_process.h"
+
+#include <algorithm>
+
+#ifdef DSC_HAS_FORK
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <utility>
+#endif
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+#ifdef DSC_HAS_FORK
+
+namespace {
+
+// Bytes that are sent or received at once: what pipes hold on most systems.
+constexpr std::size_t buffer_size = std::size_t(1) << 16;
+
+// Seconds: three years stand for ever, as some systems refuse timers of more than 1e8.
+constexpr double longest_time = 9e7;
+
+class File_descriptor
+{
+public:
+  explicit File_descriptor(int value) : m_value(value) {}
+  ~File_descriptor() {
+    if (m_value >= 0)
+      close(m_value);
+  }
+  File_descriptor(const File_descriptor&) = delete;
+  File_descriptor& operator=(const File_descriptor&) = delete;
+
+  int get() const { return m_value; }
+  int release() { return std::exchange(m_value, -1); }
+
+private:
+  int m_value;
+};
+
+std::system_error system_error(int code) {
+  return std::system_error(code, std::generic_category(), "no child process");
+}
+
+// Programs that other threads start meanwhile do not inherit the ends.
+void open_pipe(int (&ends)[2]) {
+#ifdef __APPLE__
+  if (pipe(ends) != 0)
+    throw system_error(errno);
+  for (int end : ends)
+    fcntl(end, F_SETFD, FD_CLOEXEC);
+#else
+  if (pipe2(ends, O_CLOEXEC) != 0)
+    throw system_error(errno);
+#endif
+}
+
+// What follows, up to run(), is done by the child.
+
+void be_silent() {
+  const int nowhere = open("/dev/null", O_WRONLY);
+  dup2(nowhere, STDOUT_FILENO);
+  dup2(nowhere, STDERR_FILENO);
+  const rlimit no_core_dump = {0, 0};
+  setrlimit(RLIMIT_CORE, &no_core_dump);
+}
+
+// It is the caller who is to handle signals, such as the one of Ctrl-C, which both get. Crashes
+// kill even those who ignore them.
+void ignore_what_the_caller_handles() {
+  for (int number = 1; number < NSIG; ++number) {
+    struct sigaction action;
+    if (sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_DFL)
+      signal(number, SIG_IGN);
+  }
+}
+
+pid_t caller = 0;
+
+extern "C" void exit_without_caller(int) {
+  if (getppid() != caller)
+    std::_Exit(EXIT_FAILURE);
+}
+
+// Nobody reads what is left of a killed caller: each second of work begins with a look.
+void watch_caller() {
+  struct sigaction action = {};
+  action.sa_handler = exit_without_caller;
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGVTALRM, &action, nullptr);
+  const itimerval each_second = {{1, 0}, {1, 0}};
+  setitimer(ITIMER_VIRTUAL, &each_second, nullptr);
+}
+
+void limit_time(double seconds) {
+  signal(SIGALRM, SIG_DFL);
+  seconds = std::clamp(seconds, 0., longest_time);
+  const double whole = std::floor(seconds);
+  // A time of zero would be no limit, and a million microseconds are an error.
+  const suseconds_t microseconds = suseconds_t((seconds - whole) * 999998) + 1;
+  const itimerval once = {{0, 0}, {time_t(whole), microseconds}};
+  setitimer(ITIMER_REAL, &once, nullptr);
+}
+
+void allow_signals() {
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
+[[noreturn]] void exit_with_thrown_code() {
+  try {
+    if (std::current_exception())
+      throw;
+  } catch (int code) {
+    std::_Exit(code);
+  } catch (...) {
+  }
+  std::abort();
+}
+
+void send(int pipe, const char* data, std::size_t size) {
+  while (size > 0) {
+    const ssize_t sent = ::write(pipe, data, (std::min)(size, buffer_size));
+    if (sent >= 0) {
+      data += sent;
+      size -= std::size_t(sent);
+    } else if (errno != EINTR)
+      std::abort();
+  }
+}
+
+[[noreturn]] void run(const Child_process::Function& function, int pipe, double seconds) {
+  // If the caller has closed its standard streams, the pipe may have got one of their numbers.
+  pipe = fcntl(pipe, F_DUPFD, STDERR_FILENO + 1);
+  be_silent();
+  ignore_what_the_caller_handles();
+  watch_caller();
+  limit_time(seconds);
+  allow_signals();
+  std::set_terminate(exit_with_thrown_code);
+  function([pipe](const void* data, std::size_t size) {
+    send(pipe, static_cast<const char*>(data), size);
+  });
+  std::_Exit(EXIT_SUCCESS);
+}
+
+} // namespace
+
+Child_process::Child_process(const Function& function, double seconds) {
+  // One after the other: a pipe ends when nobody can write to it, which includes other children.
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
+  int ends[2];
+  open_pipe(ends);
+  File_descriptor reader(ends[0]), writer(ends[1]);
+
+  // What is below on the stack might catch what the function throws. A stack of its own has nobody
+  // who does: std::terminate() is called then where the exception is thrown.
+  int error = 0;
+  std::thread([&] {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, nullptr);
+    caller = getpid();
+    m_pid = fork();
+    if (m_pid == 0) {
+      close(reader.get()); // or the pipe would have one who reads for ever
+      run(function, writer.get(), seconds);
+    }
+    error = errno;
+  }).join();
+  if (m_pid < 0)
+    throw system_error(error);
+  m_pipe = reader.release();
+}
+
+Child_process::~Child_process() {
+  if (m_pid > 0) {
+    kill(m_pid, SIGKILL);
+    wait();
+  }
+}
+
+bool Child_process::refill() {
+  m_data.resize(buffer_size);
+  m_position = 0;
+  ssize_t got;
+  do
+    got = ::read(m_pipe, m_data.data(), m_data.size());
+  while (got < 0 && errno == EINTR);
+  m_data.resize(got > 0 ? std::size_t(got) : 0);
+  return got > 0;
+}
+
+Child_process::Outcome Child_process::wait() {
+  close(m_pipe);
+  int status = 0;
+  while (waitpid(m_pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  m_pid = 0;
+  if (!WIFSIGNALED(status))
+    return {End::EXITED, WEXITSTATUS(status)};
+  switch (const int number = WTERMSIG(status)) {
+  case SIGALRM:
+    return {End::TIMED_OUT, number};
+  case SIGKILL:
+    return {End::KILLED, number};
+  default:
+    return {End::CRASHED, number};
+  }
+}
+
+#else
+
+Child_process::Child_process(const Function& function, double) {
+  try {
+    function([this](const void* data, std::size_t size) {
+      const char* bytes = static_cast<const char*>(data);
+      m_data.insert(m_data.end(), bytes, bytes + size);
+    });
+  } catch (int code) {
+    m_outcome.code = code;
+  }
+}
+
+Child_process::~Child_process() {}
+
+bool Child_process::refill() { return false; }
+
+Child_process::Outcome Child_process::wait() { return m_outcome; }
+
+#endif
+
+bool Child_process::read(void* data, std::size_t size) {
+  char* next = static_cast<char*>(data);
+  while (size > 0) {
+    if (m_position == m_data.size() && !refill())
+      return false;
+    const std::size_t piece = (std::min)(size, m_data.size() - m_position);
+    std::copy_n(m_data.data() + m_position, piece, next);
+    m_position += piece;
+    next += piece;
+    size -= piece;
+  }
+  return true;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
