@@ -47,8 +47,6 @@ const char* name(Invalid_surface_error::Reason reason) {
     return "open";
   case Reason::non_manifold_edge:
     return "non_manifold_edge";
-  case Reason::non_manifold_vertex:
-    return "non_manifold_vertex";
   case Reason::self_intersection:
     return "self_intersection";
   case Reason::crossing_surfaces:

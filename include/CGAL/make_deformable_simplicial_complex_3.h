@@ -61,21 +61,17 @@ Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
   const unsigned subdivision =
       count_parameter(np, internal_np::box_subdivision, "box_subdivision", 4u);
 
-  std::vector<Merged_soup_3> merged = check_surfaces(surfaces);
-  const Building_frame_3 frame(merged, normalize);
+  Joined_soup_3 soup = check_surfaces(surfaces);
+  const Building_frame_3 frame(soup.points, normalize);
   const Bbox_3 box = frame.box(get_parameter(np, internal_np::enclosing_box));
+  for (Coordinates_3& p : soup.points)
+    p = frame(p);
+  check_distinct(soup);
+  check_enclosed(soup, box);
 
-  Triangle_soup_3 soup;
   std::vector<Wall> walls;
-  for (std::size_t s = 0; s < merged.size(); ++s) {
-    for (Coordinates_3& p : merged[s].points)
-      p = frame(p);
-    check_distinct(merged[s], s);
-    check_enclosed(merged[s], s, box);
-    append(soup, merged[s]);
-    while (walls.size() < soup.triangles.size())
-      walls.push_back(make_wall(soup.triangles[walls.size()], s));
-  }
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+    walls.push_back(make_wall(soup.triangles[t], soup.triangle_origins[t].surface));
   append(soup, box_surface(box, subdivision));
 
   const auto mesh = tetrahedralizer(soup.points, soup.triangles);
@@ -116,12 +112,16 @@ template <class Points> std::vector<Coordinates_3> all_coordinates(const Points&
 Makes a complex of solids that are bounded by closed triangle surfaces, in a box that belongs to the
 outside (section 3.3 of the paper).
 
-A surface is a closed 2-manifold of any number of components that does not intersect itself. Its
+A surface is a set of triangles that meet only in common vertices and edges, an even number of them
+in each edge: it may have any number of parts, which may touch in vertices and along edges. Its
 triangles may be oriented in any way and need not share points: equal points are merged, points
 without triangles are left out. What is inside is counted: points that can be reached from the
 outside by crossing a surface once are inside of it, crossing it twice leads into a cavity of it.
-Surfaces may be nested in any way, but not touch or cross. Space inside several surfaces gets the
-label of the one that is entered last, space outside all of them gets label 0.
+
+Surfaces may be nested in any way, and may touch in common vertices and along common edges, but not
+cross nor share triangles. Space inside several surfaces gets the label of the one that is entered
+last on a way from the outside that crosses as few triangles as possible; space outside all of them
+gets label 0.
 
 Triangles between different labels are the interface of the complex. Points of the surfaces keep
 their coordinates, bit for bit unless `normalize` is set.

@@ -5,9 +5,12 @@
 #include "errors.h"
 #include "surface.h"
 
+#include <CGAL/Deformable_simplicial_complex_3/internal/building/Triangle_soup_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/building/soup_intersections_3.h>
+
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
@@ -20,8 +23,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <queue>
+#include <set>
 #include <tuple>
+#include <utility>
 
 namespace dsc {
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -30,29 +36,102 @@ namespace {
 
 using Mesh = CGAL::Surface_mesh<Surface_point>;
 
+// Whether each edge has an even number of triangles, and no triangle a vertex twice.
+bool is_closed(const std::vector<std::array<std::size_t, 3>>& triangles) {
+  std::vector<std::pair<std::size_t, std::size_t>> edges;
+  for (const std::array<std::size_t, 3>& t : triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      edges.push_back(std::minmax({t[i], t[(i + 1) % 3]}));
+  std::sort(edges.begin(), edges.end());
+  for (auto edge = edges.begin(); edge != edges.end();) {
+    const auto next = std::upper_bound(edge, edges.end(), *edge);
+    if ((next - edge) % 2 == 1 || edge->first == edge->second)
+      return false;
+    edge = next;
+  }
+  return true;
+}
+
+// Where parts of the surface touch, the mesh has several vertices at the same point: it falls apart
+// in vertices and has borders along edges of four or more triangles.
 Mesh closed_mesh(Surface surface, const std::string& name) {
+  PMP::merge_duplicate_points_in_polygon_soup(surface.points, surface.triangles);
+  const bool closed = is_closed(surface.triangles);
+  if (closed)
+    PMP::orient_polygon_soup(surface.points, surface.triangles);
+  if (!closed || !PMP::is_polygon_soup_a_polygon_mesh(surface.triangles))
+    throw Input_error(name + " is not a closed surface; repair it, or leave out --triangles to see "
+                             "where it is not");
   Mesh mesh;
-  const bool manifold = PMP::orient_polygon_soup(surface.points, surface.triangles) &&
-                        PMP::is_polygon_soup_a_polygon_mesh(surface.triangles);
-  if (manifold)
-    PMP::polygon_soup_to_polygon_mesh(surface.points, surface.triangles, mesh);
-  if (!manifold || !CGAL::is_closed(mesh))
-    throw Input_error(name + " is not a closed manifold surface; repair it, or leave out "
-                             "--triangles to see where it is not");
+  PMP::polygon_soup_to_polygon_mesh(surface.points, surface.triangles, mesh);
   return mesh;
 }
 
-void decimate(Mesh& mesh, std::size_t triangles) {
+using Touching_points = std::set<Surface_point>;
+
+// The points with several vertices.
+Touching_points touching_points(const std::vector<Mesh>& meshes) {
+  std::vector<Surface_point> points;
+  for (const Mesh& mesh : meshes)
+    points.insert(points.end(), mesh.points().begin(), mesh.points().end());
+  std::sort(points.begin(), points.end());
+  Touching_points result;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (points[i - 1] == points[i])
+      result.insert(points[i]);
+  return result;
+}
+
+// Which of the meshes have an edge in common with another one.
+std::vector<bool> share_edges(const std::vector<Mesh>& meshes, const Touching_points& touching) {
+  std::vector<bool> result(meshes.size(), false);
+  std::map<std::pair<Surface_point, Surface_point>, std::size_t> owners;
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    for (const Mesh::Edge_index e : meshes[i].edges()) {
+      const Surface_point p = meshes[i].point(meshes[i].vertex(e, 0)),
+                          q = meshes[i].point(meshes[i].vertex(e, 1));
+      if (touching.count(p) == 0 || touching.count(q) == 0)
+        continue;
+      const std::size_t owner = owners.emplace(std::minmax(p, q), i).first->second;
+      if (owner != i)
+        result[i] = result[owner] = true;
+    }
+  return result;
+}
+
+// That of Lindstrom and Turk, but for points where parts touch: these stay.
+struct Placement : SMS::LindstromTurk_placement<Mesh>
+{
+  using Base = SMS::LindstromTurk_placement<Mesh>;
+
+  explicit Placement(const Touching_points& points) : touching(points) {}
+
+  template <class Profile>
+  auto operator()(const Profile& profile) const -> decltype(Base::operator()(profile)) {
+    const bool first_stays = touching.count(profile.p0()) > 0,
+               second_stays = touching.count(profile.p1()) > 0;
+    if (first_stays && second_stays)
+      return {};
+    if (first_stays || second_stays)
+      return first_stays ? profile.p0() : profile.p1();
+    return Base::operator()(profile);
+  }
+
+  const Touching_points& touching;
+};
+
+void decimate(Mesh& mesh, std::size_t triangles, const Touching_points& touching) {
   const std::size_t edges = 3 * triangles / 2;
   SMS::edge_collapse(mesh, SMS::Count_stop_predicate<Mesh>(edges + 1), // it stops below
                      CGAL::parameters::get_cost(SMS::LindstromTurk_cost<Mesh>())
-                         .get_placement(SMS::LindstromTurk_placement<Mesh>())
+                         .get_placement(Placement(touching))
                          .filter(SMS::Bounded_normal_change_filter<>()));
   mesh.collect_garbage();
 }
 
 // Bisects the longest edge of all again and again. It is the longest of both its triangles, so that
-// no angle falls below half the smallest of the input.
+// no angle falls below half the smallest of the input. All edges of the same length as the last one
+// are bisected too if there are borders, those at the same place being as long as each other.
 void refine(Mesh& mesh, std::size_t triangles) {
   struct Item
   {
@@ -70,7 +149,11 @@ void refine(Mesh& mesh, std::size_t triangles) {
   for (const Mesh::Edge_index e : mesh.edges())
     push(e);
 
-  while (mesh.number_of_faces() < triangles) {
+  const bool has_borders = !CGAL::is_closed(mesh);
+  double squared_length = 0;
+  while (mesh.number_of_faces() < triangles ||
+         (has_borders && queue.top().squared_length == squared_length)) {
+    squared_length = queue.top().squared_length;
     const Mesh::Halfedge_index to_target = mesh.halfedge(queue.top().edge);
     queue.pop();
     const Surface_point middle =
@@ -78,12 +161,12 @@ void refine(Mesh& mesh, std::size_t triangles) {
     const Mesh::Halfedge_index from_source = CGAL::Euler::split_edge(to_target, mesh);
     mesh.point(mesh.target(from_source)) = middle;
     const Mesh::Halfedge_index to_source = mesh.opposite(from_source);
-    const Mesh::Halfedge_index left =
-        CGAL::Euler::split_face(from_source, mesh.next(to_target), mesh);
-    const Mesh::Halfedge_index right =
-        CGAL::Euler::split_face(mesh.prev(to_source), mesh.next(to_source), mesh);
-    for (const Mesh::Halfedge_index h : {from_source, to_target, left, right})
-      push(mesh.edge(h));
+    if (!mesh.is_border(from_source))
+      push(mesh.edge(CGAL::Euler::split_face(from_source, mesh.next(to_target), mesh)));
+    if (!mesh.is_border(to_source))
+      push(mesh.edge(CGAL::Euler::split_face(mesh.prev(to_source), mesh.next(to_source), mesh)));
+    push(mesh.edge(from_source));
+    push(mesh.edge(to_target));
   }
 }
 
@@ -99,6 +182,20 @@ void assign(Surface& surface, const Mesh& mesh) {
   }
 }
 
+// Parts may touch, unlike for Polygon_mesh_processing.
+bool does_self_intersect(const Surface& surface) {
+  namespace internal = CGAL::Deformable_simplicial_complexes::internal;
+  internal::Triangle_soup_3 soup;
+  for (const Surface_point& p : surface.points)
+    soup.points.push_back(internal::coordinates(p));
+  soup.triangles = surface.triangles;
+  soup = internal::merge_points(soup);
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+    if (internal::exact_triangle(soup, t).is_degenerate())
+      return true;
+  return !internal::crossing_triangles(soup).empty();
+}
+
 } // namespace
 
 void resample(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
@@ -106,19 +203,29 @@ void resample(std::vector<Surface>& surfaces, const std::vector<std::string>& na
   double total = 0;
   for (const Surface& surface : surfaces)
     total += static_cast<double>(surface.triangles.size());
+  std::vector<Mesh> meshes;
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    meshes.push_back(closed_mesh(surfaces[i], names[i]));
+  const Touching_points touching = touching_points(meshes);
+  const std::vector<bool> shares_edges = share_edges(meshes, touching);
+
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const double share = static_cast<double>(surfaces[i].triangles.size()) / total;
     const std::size_t wanted =
         std::max<std::size_t>(4, std::llround(share * static_cast<double>(triangles)));
-    Mesh mesh = closed_mesh(surfaces[i], names[i]);
-    if (mesh.number_of_faces() > wanted) {
-      decimate(mesh, wanted);
-      if (PMP::does_self_intersect(mesh))
-        throw Input_error(names[i] + " with " + std::to_string(mesh.number_of_faces()) +
-                          " triangles intersects itself; choose more --triangles");
-    } else
+    Mesh& mesh = meshes[i];
+    const bool has_more = mesh.number_of_faces() > wanted;
+    if (has_more)
+      decimate(mesh, wanted, touching);
+    else if (shares_edges[i])
+      throw Input_error(names[i] + " has edges in common with another surface, which each of them "
+                                   "would cut at other places; leave out --triangles");
+    else
       refine(mesh, wanted);
     assign(surfaces[i], mesh);
+    if (has_more && does_self_intersect(surfaces[i]))
+      throw Input_error(names[i] + " with " + std::to_string(mesh.number_of_faces()) +
+                        " triangles intersects itself; choose more --triangles");
   }
 }
 

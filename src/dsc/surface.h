@@ -31,7 +31,8 @@ std::vector<Surface> start_surfaces(const Run_start& start);
 /// Decimates or refines surfaces to about `triangles` triangles in total, all by the same factor.
 /// Refining keeps the shape; decimating collapses the edges that matter least.
 /// \param names of the surfaces, for messages
-/// \throws Input_error if a surface is open or not manifold, or intersects itself afterwards
+/// \throws Input_error if a surface is open, intersects itself afterwards, or is to be
+/// refined and has edges in common with another one
 void resample(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
               std::size_t triangles);
 

@@ -37,16 +37,15 @@ class Invalid_surface_error : public Error
 public:
   /// what is wrong with the surface
   enum class Reason {
-    empty,               ///< there are no facets
-    not_finite,          ///< a coordinate is not a finite number
-    bad_index,           ///< a facet refers to a vertex that does not exist
-    degenerate_facet,    ///< a facet has no area
-    open,                ///< an edge bounds a single facet
-    non_manifold_edge,   ///< an edge bounds more than two facets
-    non_manifold_vertex, ///< the facets at a vertex form more than one fan
-    self_intersection,   ///< two facets of one surface meet outside their common vertices and edges
-    crossing_surfaces,   ///< facets of two surfaces meet
-    too_fine,            ///< vertices cannot be told apart beside the size of all surfaces
+    empty,             ///< there are no facets
+    not_finite,        ///< a coordinate is not a finite number
+    bad_index,         ///< a facet refers to a vertex that does not exist
+    degenerate_facet,  ///< a facet has no area
+    open,              ///< an edge bounds a single facet
+    non_manifold_edge, ///< an edge bounds an odd number of facets, but not one
+    self_intersection, ///< two facets of one surface meet outside their common vertices and edges
+    crossing_surfaces, ///< two surfaces cross, or meet outside their common vertices and edges
+    too_fine,          ///< vertices cannot be told apart beside the size of all surfaces
     outside_enclosing_box ///< a vertex is not strictly inside the enclosing box
   };
 

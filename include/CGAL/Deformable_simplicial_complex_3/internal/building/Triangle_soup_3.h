@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -90,6 +91,68 @@ inline void append(Triangle_soup_3& soup, const Triangle_soup_3& other) {
   soup.points.insert(soup.points.end(), other.points.begin(), other.points.end());
   for (const Triangle_indices& t : other.triangles)
     soup.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+}
+
+// The triangles of several surfaces, one surface after the other. Points that are equal are one,
+// also those of different surfaces.
+struct Joined_soup_3 : Triangle_soup_3
+{
+  // What is point or triangle `index` of surface `surface` of the input.
+  struct Origin
+  {
+    std::size_t surface, index;
+  };
+  std::vector<Origin> point_origins; // the first one of equal points; surfaces increase
+  std::vector<Origin> triangle_origins;
+};
+
+inline Joined_soup_3 join(const std::vector<Merged_soup_3>& surfaces) {
+  Triangle_soup_3 all;
+  Joined_soup_3 joined;
+  std::vector<Joined_soup_3::Origin> points;
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    append(all, surfaces[s]);
+    for (std::size_t i : surfaces[s].input_points)
+      points.push_back({s, i});
+    for (std::size_t t = 0; t < surfaces[s].triangles.size(); ++t)
+      joined.triangle_origins.push_back({s, t});
+  }
+  Merged_soup_3 merged = merge_points(all);
+  joined.points = std::move(merged.points);
+  joined.triangles = std::move(merged.triangles);
+  for (std::size_t i : merged.input_points)
+    joined.point_origins.push_back(points[i]);
+  return joined;
+}
+
+// One side of a triangle.
+struct Triangle_side
+{
+  std::array<std::size_t, 2> vertices; // increasing
+  std::size_t triangle, opposite_vertex;
+};
+
+// The sides of all triangles, those along one edge next to each other by increasing triangles.
+inline std::vector<Triangle_side> sorted_sides(const std::vector<Triangle_indices>& triangles) {
+  std::vector<Triangle_side> sides;
+  sides.reserve(3 * triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [a, b] = std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]);
+      sides.push_back({{a, b}, t, triangles[t][(i + 2) % 3]});
+    }
+  std::sort(sides.begin(), sides.end(), [](const Triangle_side& a, const Triangle_side& b) {
+    return a.vertices != b.vertices ? a.vertices < b.vertices : a.triangle < b.triangle;
+  });
+  return sides;
+}
+
+// The end of the sides along the same edge as the first one of a range of sorted sides.
+inline std::vector<Triangle_side>::const_iterator
+end_of_edge(std::vector<Triangle_side>::const_iterator first,
+            std::vector<Triangle_side>::const_iterator end) {
+  return std::find_if(
+      first, end, [first](const Triangle_side& side) { return side.vertices != first->vertices; });
 }
 
 } // namespace internal

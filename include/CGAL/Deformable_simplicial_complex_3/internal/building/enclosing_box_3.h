@@ -38,20 +38,18 @@ class Building_frame_3
 {
 public:
   // Normalization brings the default box to [-1,1]^3; without it, points stay what they are.
-  Building_frame_3(const std::vector<Merged_soup_3>& soups, bool normalize) {
+  Building_frame_3(const std::vector<Coordinates_3>& points, bool normalize) {
     Coordinates_3 barycenter = {0, 0, 0};
     std::size_t n = 0;
-    for (const Merged_soup_3& soup : soups)
-      for (const Coordinates_3& p : soup.points) {
-        ++n;
-        for (std::size_t i = 0; i < 3; ++i)
-          barycenter[i] += (p[i] - barycenter[i]) / double(n);
-      }
+    for (const Coordinates_3& p : points) {
+      ++n;
+      for (std::size_t i = 0; i < 3; ++i)
+        barycenter[i] += (p[i] - barycenter[i]) / double(n);
+    }
     double radius = 0;
-    for (const Merged_soup_3& soup : soups)
-      for (const Coordinates_3& p : soup.points)
-        radius = (std::max)(
-            radius, std::hypot(p[0] - barycenter[0], p[1] - barycenter[1], p[2] - barycenter[2]));
+    for (const Coordinates_3& p : points)
+      radius = (std::max)(
+          radius, std::hypot(p[0] - barycenter[0], p[1] - barycenter[1], p[2] - barycenter[2]));
     const double half_side = 2.5 * radius;
     if (!std::isfinite(half_side) || half_side == 0)
       throw Error("the size of the surfaces is no number of type double: scale them");
@@ -88,24 +86,32 @@ private:
   Bbox_3 m_default_box;
 };
 
-inline void check_enclosed(const Merged_soup_3& soup, std::size_t surface, const Bbox_3& box) {
+// Names the vertices of the first surface that reaches the box.
+inline void check_enclosed(const Joined_soup_3& soup, const Bbox_3& box) {
   const auto is_inside = [&box](const Coordinates_3& p) {
     return box.xmin() < p[0] && p[0] < box.xmax() && box.ymin() < p[1] && p[1] < box.ymax() &&
            box.zmin() < p[2] && p[2] < box.zmax();
   };
+  std::size_t surface = 0;
   std::vector<std::size_t> vertices;
-  for (std::size_t i = 0; i < soup.points.size(); ++i)
-    if (!is_inside(soup.points[i]))
-      vertices.push_back(soup.input_points[i]);
+  for (std::size_t i = 0; i < soup.points.size(); ++i) {
+    const Joined_soup_3::Origin& origin = soup.point_origins[i];
+    if (is_inside(soup.points[i]) || (!vertices.empty() && origin.surface != surface))
+      continue;
+    surface = origin.surface;
+    vertices.push_back(origin.index);
+  }
   if (!vertices.empty())
     refuse_surface(Invalid_surface_error::Reason::outside_enclosing_box, surface, {},
                    std::move(vertices));
 }
 
 // Points that differed for the user may have been rounded to the same one.
-inline void check_distinct(const Merged_soup_3& soup, std::size_t surface) {
-  if (merge_points(soup).points.size() < soup.points.size())
-    refuse_surface(Invalid_surface_error::Reason::too_fine, surface);
+inline void check_distinct(const Joined_soup_3& soup) {
+  const std::vector<std::size_t> kept = merge_points(soup).input_points;
+  for (std::size_t i = 0; i < soup.points.size(); ++i)
+    if (i == kept.size() || kept[i] != i)
+      refuse_surface(Invalid_surface_error::Reason::too_fine, soup.point_origins[i].surface);
 }
 
 // The surface of a box, each side cut into n x n rectangles of two triangles. Diagonals run from

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A triangle of one of several closed surfaces that do not meet.
+// A triangle of one of several closed surfaces that do not cross.
 struct Wall
 {
   Triangle_indices vertices; // sorted
@@ -69,10 +69,10 @@ inline std::vector<Facet_sides> find_sides(const std::vector<Cell_vertices<3>>& 
   return sides;
 }
 
-// The label of each tetrahedron, found by walking in from the boundary of the mesh: that of the
-// surface that was entered last and not left again, 0 outside all surfaces. A step through a wall
-// leaves its surface if it is inside, and enters it otherwise: orientations do not matter, and a
-// surface nested in itself bounds a cavity. n log n.
+// The label of each tetrahedron, found by walking in from the boundary of the mesh through as few
+// walls as possible: that of the surface that was entered last and not left again, 0 outside all
+// surfaces. A step through a wall leaves its surface if it is inside, and enters it otherwise:
+// orientations do not matter, and a surface nested in itself bounds a cavity. n log n.
 inline std::vector<int> label_tetrahedra(const std::vector<Cell_vertices<3>>& tetrahedra,
                                          const std::vector<Wall>& walls,
                                          const std::vector<int>& surface_labels) {
@@ -117,9 +117,8 @@ inline std::vector<int> label_tetrahedra(const std::vector<Cell_vertices<3>>& te
   };
 
   fill(std::find_if(sides.begin(), sides.end(), is_on_boundary) - sides.begin(), {});
-  while (!entrances.empty()) {
-    const Entrance entrance = entrances.back();
-    entrances.pop_back();
+  for (std::size_t i = 0; i < entrances.size(); ++i) {
+    const Entrance entrance = entrances[i];
     if (is_visited[entrance.tetrahedron])
       continue;
     std::vector<std::size_t> surfaces = regions[entrance.from_region];

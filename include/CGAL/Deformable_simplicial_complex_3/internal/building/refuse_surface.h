@@ -32,15 +32,14 @@ inline const char* explanation(Invalid_surface_error::Reason reason) {
   case Reason::open:
     return "is not closed: fill its holes, see CGAL::Polygon_mesh_processing::triangulate_hole()";
   case Reason::non_manifold_edge:
-    return "has edges with more than two facets: remove duplicated facets and separate the parts "
-           "that share an edge";
-  case Reason::non_manifold_vertex:
-    return "has parts that touch in a vertex: separate them";
+    return "has edges with an odd number of facets, which leaves open what is inside: remove "
+           "duplicated facets and walls between parts";
   case Reason::self_intersection:
-    return "intersects itself: separate or unite the parts that meet, see "
-           "CGAL::Polygon_mesh_processing::corefine_and_compute_union()";
+    return "intersects itself: parts may meet only in common vertices and edges; separate or unite "
+           "them, see CGAL::Polygon_mesh_processing::corefine_and_compute_union()";
   case Reason::crossing_surfaces:
-    return "meets another surface: separate them; surfaces may be nested, but not touch or cross";
+    return "meets another surface: separate them; surfaces may be nested, and touch in common "
+           "vertices and along common edges, but not cross or share facets";
   case Reason::too_fine:
     return "has vertices that cannot be told apart beside the size of all surfaces: build it alone";
   case Reason::outside_enclosing_box:
