@@ -4,6 +4,7 @@
 
 #include "inputs.h"
 
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/cgal_compat.h>
 #include <CGAL/IO/labelled_surface_3.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -12,7 +13,6 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_placement.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/number_utils.h>
@@ -139,6 +139,7 @@ Surface two_spheres() {
 Surface decimated(Surface surface, std::size_t triangles) {
   namespace PMP = CGAL::Polygon_mesh_processing;
   namespace SMS = CGAL::Surface_mesh_simplification;
+  using CGAL::Deformable_simplicial_complexes::internal::Edge_count_stop_predicate;
   using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
   using Policies = SMS::GarlandHeckbert_plane_policies<Mesh, Kernel>;
   using Placement = SMS::Bounded_normal_change_placement<Policies::Get_placement>;
@@ -148,7 +149,7 @@ Surface decimated(Surface surface, std::size_t triangles) {
     throw std::runtime_error("the surface to be decimated is not manifold");
   PMP::polygon_soup_to_polygon_mesh(surface.points, surface.triangles, mesh);
   const Policies policies(mesh);
-  SMS::edge_collapse(mesh, SMS::Count_stop_predicate<Mesh>(3 * triangles / 2 + 1),
+  SMS::edge_collapse(mesh, Edge_count_stop_predicate<Mesh>(3 * triangles / 2 + 1),
                      CGAL::parameters::get_cost(policies.get_cost())
                          .get_placement(Placement(policies.get_placement())));
   mesh.collect_garbage();

@@ -8,9 +8,9 @@
 #include "inputs.h"
 #include "measures.h"
 
-#include <CGAL/AABB_traits.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/cgal_compat.h>
+
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 
 #include <algorithm>
 #include <array>
@@ -47,12 +47,14 @@ public:
 
 private:
   using Triangles = std::vector<Kernel::Triangle_3>;
-  using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+  using Tree_traits =
+      CGAL::Deformable_simplicial_complexes::internal::Tree_traits_3<Kernel,
+                                                                     Triangles::const_iterator>;
 
   static Kernel::Point_3 kernel_point(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
   Triangles m_triangles;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> m_tree;
+  CGAL::AABB_tree<Tree_traits> m_tree;
 };
 
 } // namespace dsc_benchmark

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what the package is built with (Debian 12). Does nothing where all of it is present.
+# Installs what the package is built with (Debian 12), and further packages that are named. Does
+# nothing where all of it is present.
 set -euo pipefail
 
 packages=(
@@ -8,6 +9,7 @@ packages=(
   libcli11-dev nlohmann-json3-dev libmuparser-dev
   libgtest-dev libbenchmark-dev
   python3-vtk9 xvfb xauth libgl1-mesa-dri
+  "$@"
 )
 
 is_installed() {

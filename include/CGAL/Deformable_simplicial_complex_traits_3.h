@@ -30,7 +30,10 @@ struct Star_exit_3
 
 Exact predicates and floating point measures of a deformable simplicial complex, on any CGAL kernel.
 What decides is exact if the kernel's predicates are; what measures (volume, length, quality) is
-computed on points of `CGAL::Simple_cartesian<double>`.
+computed on points of `CGAL::Simple_cartesian<double>`. A complex stores points with coordinates
+that are doubles only, for which the conversions between the two kinds of points are exact. That
+matters for lazy numbers: `to_double()` of one that is no double depends on how far it has been
+evaluated.
 
 \tparam Kernel_ a CGAL kernel with exact predicates.
 
@@ -47,10 +50,10 @@ public:
   using Approximate_point_3 = Approximate_kernel::Point_3;   ///< the points that are measured
   using Approximate_vector_3 = Approximate_kernel::Vector_3; ///< the differences of those points
 
-  /// The nearest point with double coordinates.
+  /// A nearby point with double coordinates.
   struct Construct_approximate_point_3
   {
-    /// returns p with coordinates converted by `to_double()`.
+    /// returns p with coordinates converted by `to_double()`: the same ones if they are doubles.
     Approximate_point_3 operator()(const Point_3& p) const {
       return {to_double(p.x()), to_double(p.y()), to_double(p.z())};
     }

@@ -7,8 +7,8 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Interface_improver_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/default_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/improvement_options.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <CGAL/number_utils.h>

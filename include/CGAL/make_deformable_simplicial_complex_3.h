@@ -14,8 +14,8 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_improver_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/default_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/improvement_options.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>

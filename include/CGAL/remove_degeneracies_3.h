@@ -8,9 +8,9 @@
 #include <CGAL/Deformable_simplicial_complex_3/degeneracy_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/default_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 

@@ -7,13 +7,13 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/Triangle_soup_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/soup_intersections_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/cgal_compat.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
@@ -32,6 +32,7 @@
 namespace dsc {
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace SMS = CGAL::Surface_mesh_simplification;
+using CGAL::Deformable_simplicial_complexes::internal::Edge_count_stop_predicate;
 namespace {
 
 using Mesh = CGAL::Surface_mesh<Surface_point>;
@@ -122,7 +123,7 @@ struct Placement : SMS::LindstromTurk_placement<Mesh>
 
 void decimate(Mesh& mesh, std::size_t triangles, const Touching_points& touching) {
   const std::size_t edges = 3 * triangles / 2;
-  SMS::edge_collapse(mesh, SMS::Count_stop_predicate<Mesh>(edges + 1), // it stops below
+  SMS::edge_collapse(mesh, Edge_count_stop_predicate<Mesh>(edges + 1), // it stops below
                      CGAL::parameters::get_cost(SMS::LindstromTurk_cost<Mesh>())
                          .get_placement(Placement(touching))
                          .filter(SMS::Bounded_normal_change_filter<>()));

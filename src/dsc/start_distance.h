@@ -8,9 +8,9 @@
 #include "statistics.h"
 #include "surface.h"
 
-#include <CGAL/AABB_traits.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/cgal_compat.h>
+
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 
 #include <optional>
 #include <vector>
@@ -30,10 +30,12 @@ public:
 private:
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Triangles = std::vector<Kernel::Triangle_3>;
-  using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+  using Tree_traits =
+      CGAL::Deformable_simplicial_complexes::internal::Tree_traits_3<Kernel,
+                                                                     Triangles::const_iterator>;
 
   Triangles m_triangles;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> m_tree;
+  CGAL::AABB_tree<Tree_traits> m_tree;
 };
 
 } // namespace dsc

@@ -1,6 +1,7 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
+#include <CGAL/boost/graph/generators.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
 
 #include <gtest/gtest.h>

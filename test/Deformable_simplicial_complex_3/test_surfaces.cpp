@@ -2,6 +2,7 @@
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
 
 #include <gtest/gtest.h>

@@ -47,10 +47,10 @@ needed.
 template <class Complex> class Cavity
 {
 public:
-  static constexpr int corners = Complex::dimension + 1;       ///< of a cell
-  using Vertex_handle = typename Complex::Vertex_handle;       ///< vertex of the complex
-  using Cell_handle = typename Complex::Cell_handle;           ///< cell of the complex
-  using Point = typename Complex::Point;                       ///< as in the complex
+  static constexpr int corners = Complex::dimension + 1;         ///< of a cell
+  using Vertex_handle = typename Complex::Vertex_handle;         ///< vertex of the complex
+  using Cell_handle = typename Complex::Cell_handle;             ///< cell of the complex
+  using Point = typename Complex::Point;                         ///< as in the complex
   using Approximate_point = typename Complex::Approximate_point; ///< as in the complex
   using Index = std::uint32_t; ///< index of a vertex within the cavity, into `vertices()`
   using Indices = std::array<Index, corners>; ///< the corners of a planned cell
@@ -107,18 +107,19 @@ public:
     return Index(m_vertices.size() - 1);
   }
 
-  /// The index of v, which is to be at p. To be called before cells are planned.
+  /// The index of v, which is to be at p, rounded. To be called before cells are planned.
   /// \pre all cells of v are removed, or p is where v is
   Index add(Vertex_handle v, const Point& p) {
     const Index index = add(v);
-    m_vertices[index].point = p;
+    m_vertices[index].point = m_complex->rounded(p);
     m_vertices[index].position = m_complex->approximate(p);
     return index;
   }
 
-  /// The index of a vertex to be created at p.
+  /// The index of a vertex to be created at p, rounded.
   Index add(const Point& p, std::uint8_t boundary_class) {
-    m_vertices.push_back({Vertex_handle(), p, m_complex->approximate(p), boundary_class});
+    m_vertices.push_back(
+        {Vertex_handle(), m_complex->rounded(p), m_complex->approximate(p), boundary_class});
     return Index(m_vertices.size() - 1);
   }
 

@@ -26,12 +26,16 @@ namespace Deformable_simplicial_complexes {
 \ingroup PkgDeformableSimplicialComplex3Ref
 
 A domain divided into simplices, each of which, called a cell, carries a label. The *interface* is
-the set of facets between cells of different labels; it may be non-manifold, and any number of labels
-may meet. This is what complexes of all dimensions have in common; what a cell is, a tetrahedron or a
-triangle, follows from the space.
+the set of facets between cells of different labels; it may be non-manifold, and any number of
+labels may meet. This is what complexes of all dimensions have in common; what a cell is, a
+tetrahedron or a triangle, follows from the space.
 
 Invariant: every finite cell is positively oriented, decided by exact predicates. Each member
 function either keeps that and does what it says, or leaves the complex as it was.
+
+Every position in a complex has coordinates that are doubles, whatever the number type of the
+kernel: what comes in is rounded first, see `rounded()`. Measures, copies and files thus lose
+nothing, and sides of a box stay flat.
 
 Orders never depend on addresses: lists of simplices are ordered by time stamps, that is by
 creation. Handles stay valid until their simplex is removed. Queries about stars, facets of the
@@ -104,8 +108,8 @@ public:
   /*!
   Replaces the complex by labelled cells. Vertices and cells are stored along a Hilbert curve.
 
-  \param points vertices; each must be used.
-  \param cells indices of the corners of each cell, positively oriented.
+  \param points vertices; each must be used. Their coordinates are rounded to doubles.
+  \param cells indices of the corners of each cell, positively oriented with the rounded points.
   \param labels one label for each cell.
   \return the vertices in the order of `points`
   \throws Invalid_tetrahedra_error if sizes or indices do not fit, coordinates are not finite, the
@@ -124,7 +128,8 @@ public:
   void sort_storage();
 
   /// Everything needed to continue a computation to the same bits, but for changes of components
-  /// not taken yet. Numbers components as `update_components()` does. n log n in the number of cells.
+  /// not taken yet. Numbers components as `update_components()` does. n log n in the number of
+  /// cells.
   State state() const;
 
   /// The complex that `state()` described. \throws Invalid_tetrahedra_error if the state is none of
@@ -176,6 +181,8 @@ public:
   }
   /// The point to be stored for one with coordinates of type `double`.
   Point exact(const Approximate_point& p) const { return Space::exact(geom_traits())(p); }
+  /// The point that is stored for p: each coordinate is a double, that of p if it is one.
+  Point rounded(const Point& p) const { return exact(approximate(p)); }
   /// Where v is, in the coordinates of the complex. \pre v is finite
   Approximate_point position(Vertex_handle v) const { return approximate(v->point()); }
   /// Where a cell sees its vertex `i`. \pre c is finite
@@ -261,18 +268,17 @@ public:
   /// What a facet measures: its area, in the plane its length. \pre f is finite
   double measure(const Facet& f) const;
   /// The quality that a finite cell would have with each vertex v at `position_of(v)`.
-  template <class PositionOf>
-  double quality(Cell_handle c, const PositionOf& position_of) const {
+  template <class PositionOf> double quality(Cell_handle c, const PositionOf& position_of) const {
     return internal::apply_to_corners<corners>(m_quality_measure, [&](int i) {
       return m_domain.seen(*this, c, i, position_of(c->vertex(i)));
     });
   }
-  /// Whether a finite cell would be positively oriented with each vertex v at `point_of(v)`, exactly.
+  /// Whether a finite cell would be positively oriented with each vertex v at `point_of(v)`,
+  /// exactly.
   template <class PointOf> bool is_positive(Cell_handle c, const PointOf& point_of) const {
-    return internal::apply_to_corners<corners>(
-               orientation(), [&](int i) -> decltype(auto) {
-                 return m_domain.seen_exactly(*this, c, i, point_of(c->vertex(i)));
-               }) == POSITIVE;
+    return internal::apply_to_corners<corners>(orientation(), [&](int i) -> decltype(auto) {
+             return m_domain.seen_exactly(*this, c, i, point_of(c->vertex(i)));
+           }) == POSITIVE;
   }
   /// The exact predicate that tells the orientation of a cell from its corners.
   auto orientation() const { return Space::orientation(geom_traits()); }
@@ -301,12 +307,13 @@ public:
   /// \name Motion
   /// @{
 
-  /// The point nearest to q that v may go to within the sides of the domain it lies on.
+  /// The point nearest to q that v may go to within the sides of the domain it lies on, rounded.
   Point admissible_destination(Vertex_handle v, const Point& q) const {
-    return m_domain.admissible(*this, v, q);
+    return m_domain.admissible(*this, v, rounded(q));
   }
 
-  /// Whether all cells of a star, the star of v, would be positively oriented with v at q; exact.
+  /// Whether all cells of a star, the star of v, would be positively oriented with v at q,
+  /// rounded; exact.
   bool is_positive_star(Vertex_handle v, const std::vector<Cell_handle>& star,
                         const Point& q) const;
 
@@ -324,11 +331,11 @@ public:
   */
   double move_vertex(Vertex_handle v, const Point& q, double margin = 1. / 1024);
 
-  /// Puts v at p. \pre `star` is the star of v and `is_positive_star(v, star, p)`
+  /// Puts v at p, rounded. \pre `star` is the star of v and `is_positive_star(v, star, p)`
   void set_point(Vertex_handle v, const std::vector<Cell_handle>& star, const Point& p);
 
-  /// Puts vertices at points, all at once. \pre `cells` are all cells of the vertices' stars, each
-  /// once, and the finite ones are positively oriented afterwards.
+  /// Puts vertices at points, rounded, all at once. \pre `cells` are all cells of the vertices'
+  /// stars, each once, and the finite ones are positively oriented afterwards.
   /// \param for_each_index `for_each_index(n, f)` calls `f(i)` for all i below n, in any order and on
   ///        any threads.
   template <class ForEachIndex>
@@ -355,7 +362,8 @@ public:
   */
   void replace(Cavity& cavity);
 
-  /// Gives a finite cell another label. Constant time. A lack of memory leaves the complex as it was.
+  /// Gives a finite cell another label. Constant time. A lack of memory leaves the complex as it
+  /// was.
   void relabel(Cell_handle c, Label label);
 
   /// Remembers that improving c was tried in vain.
@@ -365,7 +373,7 @@ public:
   void clear_exhausted(Cell_handle c) { c->set_exhausted_quality(2); }
 
   /// Sets where an interface vertex is to go, in the coordinates of the complex.
-  void set_destination(Vertex_handle v, const Point& q) { v->set_destination(q); }
+  void set_destination(Vertex_handle v, const Point& q) { v->set_destination(rounded(q)); }
   /// Forgets where v is to go.
   void clear_destination(Vertex_handle v) { v->clear_destination(); }
   /// Where v is to be in the end: its destination, or where it is if it has none.
@@ -411,8 +419,8 @@ private:
   void collect_surroundings(const Cavity& cavity);
   void sew(bool counts_interface);
   void initialize_caches();
-  void rebuild(const State& state, const std::vector<Point>& points);
-  void create_items(const State& state, const std::vector<Point>& points);
+  void rebuild(const State& state);
+  void create_items(const State& state);
   void check_stars(const std::vector<Vertex_handle>& vertices) const;
   void check_boundary() const;
   bool report(bool ok, const char* what, bool verbose) const;

@@ -7,9 +7,9 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Interface_deformer.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/default_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>

@@ -37,11 +37,11 @@ bool CGAL_DSC_CLASS::is_positive(Cell_handle c) const {
 
 CGAL_DSC_TEMPLATE
 bool CGAL_DSC_CLASS::is_positive_star(Vertex_handle v, const std::vector<Cell_handle>& star,
-                                      const Point& q) const {
+                                      const Point& target) const {
+  const Point q = rounded(target);
   const auto point_of = [&](Vertex_handle w) -> const Point& { return w == v ? q : w->point(); };
-  return std::all_of(star.begin(), star.end(), [&](Cell_handle c) {
-    return is_infinite(c) || is_positive(c, point_of);
-  });
+  return std::all_of(star.begin(), star.end(),
+                     [&](Cell_handle c) { return is_infinite(c) || is_positive(c, point_of); });
 }
 
 CGAL_DSC_TEMPLATE
@@ -95,7 +95,7 @@ void CGAL_DSC_CLASS::set_point(Vertex_handle v, const std::vector<Cell_handle>& 
   for (Cell_handle c : star)
     if (!is_infinite(c))
       m_totals.add_volume(c->label(), -m_totals.units(measure(c)));
-  v->set_point(p);
+  v->set_point(rounded(p));
   for (Cell_handle c : star)
     if (!is_infinite(c)) {
       CGAL_assertion(is_positive(c));
@@ -116,7 +116,7 @@ void CGAL_DSC_CLASS::set_points(const std::vector<Vertex_handle>& vertices,
     m_volume_changes[i] = is_infinite(cells[i]) ? 0 : m_totals.units(measure(cells[i]));
   });
   for (size_type i = 0; i < vertices.size(); ++i)
-    vertices[i]->set_point(points[i]);
+    vertices[i]->set_point(rounded(points[i]));
   for_each_index(cells.size(), [&](size_type i) {
     if (is_infinite(cells[i]))
       return;

@@ -97,7 +97,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
     }
     barycenters.push_back(CGAL::ORIGIN + sum / corners);
     if (internal::apply_to_corners<corners>(
-            orientation(), [&](int i) -> const Point& { return points[v[i]]; }) != POSITIVE)
+            orientation(), [&](int i) { return exact(positions[v[i]]); }) != POSITIVE)
       throw Invalid_tetrahedra_error("a tetrahedron is flat or negatively oriented; give its "
                                      "vertices in positive order",
                                      {t}, {v.begin(), v.end()});
@@ -115,7 +115,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
   for (size_type i = 0; i < vertex_order.size(); ++i) {
     rank[vertex_order[i]] = i + 1;
     handles.push_back(result.m_triangulation.tds().create_vertex());
-    handles.back()->set_point(points[vertex_order[i]]);
+    handles.back()->set_point(exact(positions[vertex_order[i]]));
   }
   std::vector<Cell_vertices> cells;
   for (size_type t : cell_order) {
@@ -125,7 +125,8 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
   }
   try {
     internal::append_infinite_cells(cells);
-    const auto cell_handles = internal::create_cells<Space>(result.m_triangulation.tds(), handles, cells);
+    const auto cell_handles =
+        internal::create_cells<Space>(result.m_triangulation.tds(), handles, cells);
     for (size_type i = 0; i < cell_order.size(); ++i)
       cell_handles[i]->set_label(labels[cell_order[i]]);
     result.check_stars(handles);
@@ -193,11 +194,7 @@ void CGAL_DSC_CLASS::sort_storage() {
   }
   for (size_type v = 0; v < before.vertex_cells.size(); ++v)
     after.vertex_cells[vertex_rank[v]] = cell_rank[before.vertex_cells[v]];
-  std::vector<Point> points;
-  const std::vector<Vertex_handle> vertices = this->vertices();
-  for (size_type i : vertex_order)
-    points.push_back(vertices[i]->point());
-  rebuild(after, points);
+  rebuild(after);
 }
 
 CGAL_DSC_TEMPLATE
@@ -227,8 +224,7 @@ auto CGAL_DSC_CLASS::state() const -> State {
         std::lower_bound(cells.begin(), cells.end(), vertices[i]->cell(), order) - cells.begin();
     result.vertex_cells.push_back(std::uint32_t(position));
     if (i > 0) {
-      result.points.push_back(
-          internal::coordinates_of<dimension>(this->position(vertices[i])));
+      result.points.push_back(internal::coordinates_of<dimension>(this->position(vertices[i])));
       result.boundary_classes.push_back(vertices[i]->boundary_class());
     }
   }
@@ -247,36 +243,30 @@ CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::restore(const State& state) {
   if (!internal::is_consistent(state))
     throw Invalid_tetrahedra_error("the arrays of the state do not fit together");
-  std::vector<Point> points;
-  for (const auto& p : state.points)
-    points.push_back(exact(internal::point_at<Labelled_complex>(p)));
-  rebuild(state, points);
+  rebuild(state);
 }
 
-// `points` are those of the state before rounding.
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::rebuild(const State& state, const std::vector<Point>& points) {
+void CGAL_DSC_CLASS::rebuild(const State& state) {
   Labelled_complex result(geom_traits(), m_quality_measure, m_domain);
-  result.m_normalization = {
-      internal::vector_of<Labelled_complex>(state.normalization_translation),
-      state.normalization_scale};
+  result.m_normalization = {internal::vector_of<Labelled_complex>(state.normalization_translation),
+                            state.normalization_scale};
   result.m_mean_interface_edge = state.mean_interface_edge;
   result.m_minimum_interface_edge = state.minimum_interface_edge;
   if (!state.cells.empty())
-    result.create_items(state, points);
+    result.create_items(state);
   if (!result.is_valid())
-    throw Invalid_tetrahedra_error(
-        "the state is none of a valid complex");
+    throw Invalid_tetrahedra_error("the state is none of a valid complex");
   swap(result);
 }
 
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::create_items(const State& state, const std::vector<Point>& points) {
+void CGAL_DSC_CLASS::create_items(const State& state) {
   internal::prepare_for_cells<Space>(m_triangulation);
   std::vector<Vertex_handle> vertices(1, m_triangulation.infinite_vertex());
   for (size_type i = 0; i < state.points.size(); ++i) {
     vertices.push_back(m_triangulation.tds().create_vertex());
-    vertices.back()->set_point(points[i]);
+    vertices.back()->set_point(exact(internal::point_at<Labelled_complex>(state.points[i])));
     vertices.back()->set_boundary_class(state.boundary_classes[i]);
   }
   std::vector<Cell_vertices> indices(state.cells.size());
@@ -293,10 +283,8 @@ void CGAL_DSC_CLASS::create_items(const State& state, const std::vector<Point>& 
   check_stars(vertices);
   check_boundary();
   initialize_caches();
-  if (!m_components.renumber(*this, cells, state.cell_components,
-                             state.component_volumes))
-    throw Invalid_tetrahedra_error(
-        "the numbers of components are none of these tetrahedra");
+  if (!m_components.renumber(*this, cells, state.cell_components, state.component_volumes))
+    throw Invalid_tetrahedra_error("the numbers of components are none of these tetrahedra");
 }
 
 // A vertex whose cells are not all connected through facets would pinch the domain.

@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_CGAL_COMPAT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_CGAL_COMPAT_H
+
+// What CGAL 6 calls by other names than CGAL 5.5: nothing else here depends on the version of CGAL.
+
+#include <CGAL/version.h>
+
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_count_stop_predicate.h>
+#else
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+#endif
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+#if CGAL_VERSION_NR >= 1060000000
+template <class Kernel, class Iterator>
+using Tree_traits_3 = AABB_traits_3<Kernel, AABB_triangle_primitive_3<Kernel, Iterator>>;
+template <class Mesh>
+using Edge_count_stop_predicate = Surface_mesh_simplification::Edge_count_stop_predicate<Mesh>;
+#else
+template <class Kernel, class Iterator>
+using Tree_traits_3 = AABB_traits<Kernel, AABB_triangle_primitive<Kernel, Iterator>>;
+template <class Mesh>
+using Edge_count_stop_predicate = Surface_mesh_simplification::Count_stop_predicate<Mesh>;
+#endif
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_CGAL_COMPAT_H

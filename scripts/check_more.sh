@@ -1,0 +1,88 @@
+#!/usr/bin/env bash
+# What takes too long for scripts/test.sh: another compiler, the next CGAL, more input, threads.
+# Usage: scripts/check_more.sh [headers] [threads] [clang] [cgal_6] [fuzz] [abuse]
+# Prints a line for each part, all of them by default; what they print themselves is in
+# build-more/*.log.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+parts=("$@")
+[ ${#parts[@]} -gt 0 ] || parts=(headers threads clang cgal_6 fuzz abuse)
+jobs=$(nproc)
+work=build-more
+mkdir -p "$work"
+flags=(-std=c++17 -Wall -Wextra -Werror -DCGAL_EIGEN3_ENABLED -DCGAL_USE_GMP -DCGAL_USE_MPFR
+  -DCGAL_LINKED_WITH_TBB -frounding-math -isystem /usr/include/eigen3)
+
+scripts/install_dependencies.sh clang
+
+# Debug has the checks of CGAL.
+configure() { # FOLDER OPTION...
+  cmake -S . -B "$work/$1" -G Ninja -DCMAKE_BUILD_TYPE=Debug \
+    -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DDSC_SHARE_COMPILATION=ON "${@:2}"
+}
+
+build_and_test() { # FOLDER OPTION...
+  configure "$@"
+  cmake --build "$work/$1" --parallel "$jobs"
+  ctest --test-dir "$work/$1" --output-on-failure --no-tests=error --parallel "$jobs"
+}
+
+check_headers() {
+  test/headers_alone.sh '*.h' "$jobs" g++ "${flags[@]}"
+}
+
+check_threads() {
+  g++ "${flags[@]}" -Iinclude -Itest/thread_sanitizer -Itest/Deformable_simplicial_complex_3 \
+    -O1 -g1 -fsanitize=thread test/Deformable_simplicial_complex_3/test_two_threads.cpp \
+    -o "$work/test_two_threads" -lgtest -lgtest_main -lmpfr -lgmp -pthread
+  "$work/test_two_threads"
+}
+
+check_clang() {
+  build_and_test clang -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_CXX_FLAGS=-Werror
+}
+
+check_cgal_6() {
+  scripts/fetch_cgal_6.sh "$work/cgal-6"
+  [ -d "$work/cgal-6" ] || return 0
+  # The project that uses the installed package looks there, too.
+  CGAL_DIR=$(realpath "$work"/cgal-6/usr/lib/*/cmake/CGAL)
+  export CGAL_DIR
+  build_and_test with-cgal-6 -DCGAL_DIR="$CGAL_DIR"
+}
+
+# With sanitizers, as the ordinary tests
+build_checked() { # TARGET
+  configure checked -DDSC_SANITIZE=ON
+  cmake --build "$work/checked" --parallel "$jobs" --target "$1"
+}
+
+check_fuzz() {
+  build_checked test_fuzzed_readers
+  DSC_FUZZ_MUTATIONS=100000 "$work/checked/test/test_fuzzed_readers"
+}
+
+check_abuse() {
+  build_checked benchmark_random_abuse
+  "$work/checked/benchmark/random_abuse" --seed 2
+}
+
+failed=0
+for part in "${parts[@]}"; do
+  SECONDS=0
+  log=$work/$part.log
+  # A subshell of its own, as a function that is tested goes on after errors.
+  set +e
+  (set -e; "check_$part") >"$log" 2>&1
+  status=$?
+  set -e
+  outcome=$(grep --only-matching --extended-regexp \
+    '^skipped: .*|[0-9]+ headers compile alone|PASSED  \] [0-9]+ tests|tests passed.* out of [0-9]+|^Every state was valid' \
+    "$log" | tail -n 1 || true)
+  if [ $status -ne 0 ]; then
+    outcome="FAILED, see $log"
+    failed=1
+  fi
+  echo "$part: $SECONDS s, $outcome"
+done
+exit $failed

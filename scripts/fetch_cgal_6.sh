@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# Unpacks the headers of CGAL 6 from Debian's next release into a folder and installs nothing.
+# Usage: scripts/fetch_cgal_6.sh OUTPUT_DIR
+# Where they cannot be had it prints a line that begins with "skipped"; the folder is then absent.
+set -euo pipefail
+suite=trixie
+output=$(realpath --canonicalize-missing "${1:?the folder to unpack into}")
+[ ! -e "$output/usr/include/CGAL/version.h" ] || exit 0
+
+skip() {
+  echo "skipped: $1"
+  exit 0
+}
+
+# The mirror that this system itself installs from, as signed by Debian
+command -v apt-get dpkg-deb >/dev/null || skip "no Debian packages here"
+keyring=/usr/share/keyrings/debian-archive-keyring.gpg
+[ -r "$keyring" ] || skip "the keyring of Debian is not installed"
+release=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
+mirror=$(apt-get indextargets --format '$(REPO_URI) $(RELEASE)' 'Created-By: Packages' |
+  awk -v release="$release" '$2 == release { print $1; exit }')
+[ -n "$mirror" ] || skip "no mirror of Debian among the sources of apt"
+
+# A world of its own for apt, but for its settings
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir -p "$work"/{state/lists/partial,cache/archives/partial,etc,unpacked}
+echo "deb [signed-by=$keyring] $mirror $suite main" >"$work/etc/sources.list"
+apt=(apt-get --quiet
+  -o "Dir::State=$work/state" -o "Dir::State::status=$work/status" -o "Dir::Cache=$work/cache"
+  -o "Dir::Etc::sourcelist=$work/etc/sources.list" -o Dir::Etc::sourceparts=-
+  -o Dir::Etc::preferencesparts=- -o APT::Sandbox::User=root)
+touch "$work/status"
+cd "$work"
+"${apt[@]}" update --error-on=any >log 2>&1 ||
+  skip "the lists of $suite cannot be read: $(grep -m 1 '^[EW]:' log)"
+"${apt[@]}" download libcgal-dev >log 2>&1 ||
+  skip "the package cannot be read: $(grep -m 1 '^[EW]:' log)"
+dpkg-deb --extract libcgal-dev_*.deb unpacked
+mkdir -p "$(dirname "$output")"
+rm -rf "$output"
+mv unpacked "$output"
