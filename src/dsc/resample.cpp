@@ -122,7 +122,10 @@ struct Placement : SMS::LindstromTurk_placement<Mesh>
 };
 
 void decimate(Mesh& mesh, std::size_t triangles, const Touching_points& touching) {
-  const std::size_t edges = 3 * triangles / 2;
+  // Border edges, along which parts touch, stay.
+  const auto border = std::count_if(mesh.halfedges().begin(), mesh.halfedges().end(),
+                                    [&](Mesh::Halfedge_index h) { return mesh.is_border(h); });
+  const std::size_t edges = (3 * triangles + static_cast<std::size_t>(border)) / 2;
   SMS::edge_collapse(mesh, Edge_count_stop_predicate<Mesh>(edges + 1), // it stops below
                      CGAL::parameters::get_cost(SMS::LindstromTurk_cost<Mesh>())
                          .get_placement(Placement(touching))
@@ -131,9 +134,10 @@ void decimate(Mesh& mesh, std::size_t triangles, const Touching_points& touching
 }
 
 // Bisects the longest edge of all again and again. It is the longest of both its triangles, so that
-// no angle falls below half the smallest of the input. All edges of the same length as the last one
-// are bisected too if there are borders, those at the same place being as long as each other.
-void refine(Mesh& mesh, std::size_t triangles) {
+// no angle falls below half the smallest of the input. Edges along which parts touch are
+// bisected even beyond the number of triangles if others of their length are: those at the same
+// place stay the same.
+void refine(Mesh& mesh, std::size_t triangles, Touching_points touching) {
   struct Item
   {
     double squared_length;
@@ -150,15 +154,19 @@ void refine(Mesh& mesh, std::size_t triangles) {
   for (const Mesh::Edge_index e : mesh.edges())
     push(e);
 
-  const bool has_borders = !CGAL::is_closed(mesh);
   double squared_length = 0;
   while (mesh.number_of_faces() < triangles ||
-         (has_borders && queue.top().squared_length == squared_length)) {
+         (squared_length > 0 && queue.top().squared_length == squared_length)) {
     squared_length = queue.top().squared_length;
     const Mesh::Halfedge_index to_target = mesh.halfedge(queue.top().edge);
     queue.pop();
-    const Surface_point middle =
-        CGAL::midpoint(mesh.point(mesh.source(to_target)), mesh.point(mesh.target(to_target)));
+    const Surface_point source = mesh.point(mesh.source(to_target)),
+                        target = mesh.point(mesh.target(to_target)),
+                        middle = CGAL::midpoint(source, target);
+    if (touching.count(source) > 0 && touching.count(target) > 0)
+      touching.insert(middle);
+    else if (mesh.number_of_faces() >= triangles)
+      continue;
     const Mesh::Halfedge_index from_source = CGAL::Euler::split_edge(to_target, mesh);
     mesh.point(mesh.target(from_source)) = middle;
     const Mesh::Halfedge_index to_source = mesh.opposite(from_source);
@@ -222,7 +230,7 @@ void resample(std::vector<Surface>& surfaces, const std::vector<std::string>& na
       throw Input_error(names[i] + " has edges in common with another surface, which each of them "
                                    "would cut at other places; leave out --triangles");
     else
-      refine(mesh, wanted);
+      refine(mesh, wanted, touching);
     assign(surfaces[i], mesh);
     if (has_more && does_self_intersect(surfaces[i]))
       throw Input_error(names[i] + " with " + std::to_string(mesh.number_of_faces()) +

@@ -267,6 +267,46 @@ TEST_F(Program, resamples) {
   EXPECT_NEAR(label_of(step, 1).at("volume").get<double>(), 1, 0.01);
 }
 
+TEST_F(Program, tracks_and_resamples_parts_that_touch) {
+  // Two tetrahedra at an edge; a bipyramid around another one, with the same three edges.
+  write("parts.off", "OFF\n6 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n0 0 -1\n"
+                     "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"
+                     "3 0 4 1\n3 0 1 5\n3 1 4 5\n3 0 5 4\n");
+  write("shell.off", "OFF\n7 12 0\n0 0 0\n4 0 0\n0 4 0\n1 1 -3\n1 1 3\n1 1 -1\n1 1 1\n"
+                     "3 0 1 4\n3 1 2 4\n3 2 0 4\n3 1 0 3\n3 2 1 3\n3 0 2 3\n"
+                     "3 0 1 6\n3 1 2 6\n3 2 0 6\n3 1 0 5\n3 2 1 5\n3 0 2 5\n");
+  const std::pair<const char*, double> volumes[] = {{"parts", 1. / 3.}, {"shell", 32. / 3.}};
+  for (const auto& [name, volume] : volumes) {
+    SCOPED_TRACE(name);
+    const std::string run = " --axis 1,2,3 --angle 1 --steps 1 --report " + std::string(name);
+    const auto check = [&, volume = volume](const char* report_name, double triangles,
+                                            double tolerance) {
+      const Json step = report(name + std::string(report_name)).at("steps")[0];
+      EXPECT_NEAR(step.at("interface_triangles").get<double>(), triangles, tolerance);
+      EXPECT_NEAR(label_of(step, 1).at("volume").get<double>(), volume, 1e-6);
+      EXPECT_EQ(label_of(step, 1).at("components"), 2);
+    };
+    expect_success("rotate " + std::string(name) + ".off --triangles 300" + run +
+                   "_fine.json --output fine_" + name);
+    check("_fine.json", 300, 30);
+    expect_success("convert fine_" + std::string(name) + "/checkpoint.dsc fine_" + name + ".off");
+    expect_success("rotate fine_" + std::string(name) + ".off --triangles 100" + run +
+                   "_coarse.json");
+    check("_coarse.json", 100, 20);
+  }
+}
+
+TEST_F(Program, tracks_surfaces_that_touch) {
+  write("at_an_edge.off", box(1, 1, 0, 2, 2, 1));
+  const std::string run = "rotate cube.off at_an_edge.off --axis 1,2,3 --angle 1 --steps 1 ";
+  expect_success(run + "--report r.json");
+  const Json step = report("r.json").at("steps")[0];
+  EXPECT_EQ(step.at("interface_triangles"), 24);
+  EXPECT_NEAR(label_of(step, 1).at("volume").get<double>(), 1, 1e-12);
+  EXPECT_NEAR(label_of(step, 2).at("volume").get<double>(), 1, 1e-12);
+  expect_error(run + "--triangles 100", 1);
+}
+
 TEST_F(Program, writes_every_step_asked_for) {
   expect_success(
       "rotate octahedron.off --axis 1,2,3 --angle 2 --steps 5 --output new/out --every 2");
