@@ -83,14 +83,16 @@ void be_silent() {
   setrlimit(RLIMIT_CORE, &no_core_dump);
 }
 
-// It is the caller who is to handle signals, such as the one of Ctrl-C, which both get. Crashes
-// kill even those who ignore them.
+// It is the caller who is to handle signals, such as the one of Ctrl-C, which both get; but crashes
+// end the child.
 void ignore_what_the_caller_handles() {
   for (int number = 1; number < NSIG; ++number) {
     struct sigaction action;
     if (sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_DFL)
       signal(number, SIG_IGN);
   }
+  for (int crash : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV})
+    signal(crash, SIG_DFL);
 }
 
 pid_t caller = 0;

@@ -16,11 +16,6 @@
 #include <utility>
 #include <vector>
 
-#ifdef __SANITIZE_ADDRESS__
-// TetGen leaks what it is working on when it gives up.
-extern "C" const char* __lsan_default_suppressions() { return "leak:tetgenmesh"; }
-#endif
-
 namespace {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;

@@ -1,6 +1,7 @@
 #include "../../src/tetgen/child_process.h"
 
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/building/enclosing_box_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 #include <gtest/gtest.h>
@@ -193,19 +194,23 @@ TEST(Child_process, runs_next_to_others) {
   EXPECT_EQ(numbers, std::vector<int>({0, 1, 2, 3, 4, 5, 6, 7}));
 }
 
-using Points = std::vector<std::array<double, 3>>;
-using Triangles = std::vector<std::array<std::size_t, 3>>;
+using CGAL::Deformable_simplicial_complexes::internal::Triangle_soup_3;
 
-const Points points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-const Triangles octahedron = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
-                              {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+// The sides of a cube, divided finely enough that TetGen adds points inside.
+const Triangle_soup_3 cube = CGAL::Deformable_simplicial_complexes::internal::box_surface(
+    CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 6);
 
-std::string failure(const Tetgen_tetrahedralizer_3& tetrahedralizer, const Triangles& triangles) {
+CGAL::Tetrahedralization_3 fill(const Tetgen_tetrahedralizer_3& tetrahedralizer,
+                                const Triangle_soup_3& soup) {
+  return tetrahedralizer(soup.points, soup.triangles);
+}
+
+std::string failure(const Tetgen_tetrahedralizer_3& tetrahedralizer, const Triangle_soup_3& soup) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   std::string message;
   try {
-    tetrahedralizer(points, triangles);
+    fill(tetrahedralizer, soup);
   } catch (const Tetrahedralization_error& e) {
     message = e.what();
   }
@@ -216,20 +221,18 @@ std::string failure(const Tetgen_tetrahedralizer_3& tetrahedralizer, const Trian
 }
 
 TEST(Tetgen, puts_the_input_first) {
-  // The volume bound makes it add points.
-  const auto mesh = Tetgen_tetrahedralizer_3(2, 0, .01)(points, octahedron);
-  ASSERT_GT(mesh.points.size(), points.size());
-  EXPECT_TRUE(std::equal(points.begin(), points.end(), mesh.points.begin()));
+  const auto mesh = fill(Tetgen_tetrahedralizer_3(), cube);
+  ASSERT_GT(mesh.points.size(), cube.points.size());
+  EXPECT_TRUE(std::equal(cube.points.begin(), cube.points.end(), mesh.points.begin()));
   EXPECT_FALSE(has_children());
 }
 
 TEST(Tetgen, several_threads_get_the_same) {
-  const Tetgen_tetrahedralizer_3 tetrahedralizer(2, 0, .01);
-  const auto expected = tetrahedralizer(points, octahedron);
+  const auto expected = fill(Tetgen_tetrahedralizer_3(), cube);
   std::vector<CGAL::Tetrahedralization_3> meshes(4);
   std::vector<std::thread> threads;
   for (auto& mesh : meshes)
-    threads.emplace_back([&] { mesh = tetrahedralizer(points, octahedron); });
+    threads.emplace_back([&] { mesh = fill(Tetgen_tetrahedralizer_3(), cube); });
   for (std::thread& thread : threads)
     thread.join();
   for (const auto& mesh : meshes) {
@@ -239,9 +242,9 @@ TEST(Tetgen, several_threads_get_the_same) {
 }
 
 TEST(Tetgen, says_what_is_wrong_with_the_input) {
-  Triangles triangles = octahedron;
-  triangles.push_back(octahedron[0]);
-  EXPECT_EQ(failure(Tetgen_tetrahedralizer_3(), triangles),
+  Triangle_soup_3 soup = cube;
+  soup.triangles.push_back(soup.triangles[0]);
+  EXPECT_EQ(failure(Tetgen_tetrahedralizer_3(), soup),
             "TetGen failed with code 3, triangles intersect, or nearly do: separate surfaces that "
             "are very close");
 }
@@ -249,7 +252,7 @@ TEST(Tetgen, says_what_is_wrong_with_the_input) {
 TEST(Tetgen, has_a_time_limit) {
   const Tetgen_tetrahedralizer_3 tetrahedralizer(2.5, 10, infinity, 1e-6);
   EXPECT_EQ(tetrahedralizer.time_limit(), 1e-6);
-  EXPECT_EQ(failure(tetrahedralizer, octahedron),
+  EXPECT_EQ(failure(tetrahedralizer, cube),
             "TetGen reached its time limit: use a higher one, larger bounds for the tetrahedra or "
             "a coarser surface");
   EXPECT_THROW(Tetgen_tetrahedralizer_3(2.5, 10, infinity, 0), Error);
