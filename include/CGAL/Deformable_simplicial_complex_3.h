@@ -50,14 +50,14 @@ class Deformable_simplicial_complex_3
       Deformable_simplicial_complexes::Ball_domain>;
 
 public:
+  using Base::interface_facets;
+  using Base::is_interface;
+  using Base::measure;
   using typename Base::Facet;
   using typename Base::Geom_traits;
   using typename Base::Label;
   using typename Base::Quality_measure;
   using typename Base::Vertex_handle;
-  using Base::interface_facets;
-  using Base::is_interface;
-  using Base::measure;
 
   /// A position as it is stored and as predicates see it.
   using Point_3 = typename Base::Point;
@@ -145,32 +145,52 @@ int Deformable_simplicial_complex_3<Tr, Tds, Qm>::euler_characteristic(Label lab
 }
 
 template <class Tr, class Tds, class Qm>
-auto Deformable_simplicial_complex_3<Tr, Tds, Qm>::label_interfaces() const -> std::vector<Label_interface> {
+auto Deformable_simplicial_complex_3<Tr, Tds, Qm>::label_interfaces() const
+    -> std::vector<Label_interface> {
   std::vector<Label_interface> result;
   for (Label label : this->labels())
     result.push_back({label, 0, 0});
-  // Each vertex and edge once for each label that has it; a vertex is an edge from it to itself.
-  std::vector<std::array<std::size_t, 3>> edges;
+  const auto of = [&](Label label) -> Label_interface& {
+    return *std::lower_bound(
+        result.begin(), result.end(), label,
+        [](const Label_interface& measures, Label bound) { return measures.label < bound; });
+  };
+
+  // An edge of a facet, or a vertex as the edge from it to itself.
+  struct Part
+  {
+    std::pair<std::size_t, std::size_t> ends;
+    std::array<Label, 2> labels;
+  };
+  std::vector<Part> parts;
   for (const Facet& f : interface_facets()) {
+    const std::array<Label, 2> labels = {f.first->label(), f.first->neighbor(f.second)->label()};
+    const double facet_area = area(f);
+    for (Label label : labels) {
+      of(label).area += facet_area;
+      ++of(label).euler_characteristic;
+    }
     const auto v = this->facet_vertices(f);
-    for (const auto c : {f.first, f.first->neighbor(f.second)}) {
-      const auto own = std::lower_bound(
-          result.begin(), result.end(), c->label(),
-          [](const Label_interface& measures, Label label) { return measures.label < label; });
-      own->area += area(f);
-      ++own->euler_characteristic;
-      for (int i = 0; i < 3; ++i) {
-        const std::size_t a = v[i]->time_stamp(), b = v[(i + 1) % 3]->time_stamp();
-        const std::size_t index = std::size_t(own - result.begin());
-        edges.push_back({index, a, a});
-        edges.push_back({index, (std::min)(a, b), (std::max)(a, b)});
-      }
+    for (int i = 0; i < 3; ++i) {
+      const std::size_t a = v[i]->time_stamp(), b = v[(i + 1) % 3]->time_stamp();
+      parts.push_back({{a, a}, labels});
+      parts.push_back({std::minmax(a, b), labels});
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  for (const auto& [index, a, b] : edges)
-    result[index].euler_characteristic += a == b ? 1 : -1;
+  std::sort(parts.begin(), parts.end(),
+            [](const Part& a, const Part& b) { return a.ends < b.ends; });
+  std::vector<Label> labels_around;
+  for (auto part = parts.begin(); part != parts.end();) {
+    const auto ends = part->ends;
+    labels_around.clear();
+    for (; part != parts.end() && part->ends == ends; ++part)
+      labels_around.insert(labels_around.end(), part->labels.begin(), part->labels.end());
+    std::sort(labels_around.begin(), labels_around.end());
+    labels_around.erase(std::unique(labels_around.begin(), labels_around.end()),
+                        labels_around.end());
+    for (Label label : labels_around)
+      of(label).euler_characteristic += ends.first == ends.second ? 1 : -1;
+  }
   return result;
 }
 

@@ -168,8 +168,10 @@ int execute(const Run_options& asked) {
   } catch (...) {
     // A step that cannot be done, for whatever reason. Those before it are worth keeping.
     progress.clear();
-    if (last)
+    if (last) {
       complex.restore(*last);
+      last.reset(); // as memory may be short
+    }
     write_files();
     report.write();
     throw;
