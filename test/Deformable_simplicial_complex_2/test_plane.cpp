@@ -128,4 +128,32 @@ TEST(Plane, free_vertices_on_the_boundary_go_along_with_lines_of_contact) {
   EXPECT_EQ(corner, Point(0, 0));
 }
 
+// One cell of an area that is no normal number must not spoil the motion of all others.
+TEST(Plane, a_flat_cell_has_no_say_in_the_motion_of_space) {
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  const auto index = [](int i, int j) { return std::size_t((i + 2) * 5 + j + 2); };
+  for (int i = -2; i <= 2; ++i)
+    for (int j = -2; j <= 2; ++j)
+      points.emplace_back(j, i);
+  for (int i = -2; i < 2; ++i)
+    for (int j = -2; j < 2; ++j) {
+      triangles.push_back({index(i, j), index(i, j + 1), index(i + 1, j + 1)});
+      triangles.push_back({index(i, j), index(i + 1, j + 1), index(i + 1, j)});
+    }
+  Complex complex;
+  const auto vertices = complex.assign(points, triangles, std::vector<int>(triangles.size(), 0));
+  ASSERT_EQ(complex.move_vertex(vertices[index(1, 0)], Point(0, 1e-310)), 1);
+  std::vector<Complex::Vertex_handle> free;
+  for (auto v : complex.vertices())
+    if (!complex.is_boundary(v))
+      free.push_back(v);
+  namespace internal = CGAL::Deformable_simplicial_complexes::internal;
+  const auto motion = internal::harmonic_extension(
+      complex, free, [](Complex::Vertex_handle) { return Complex::Approximate_vector_2(1, 0); },
+      internal::For_each_index());
+  for (const auto& d : motion)
+    EXPECT_NEAR(d.x(), 1, .1);
+}
+
 } // namespace

@@ -392,7 +392,7 @@ public:
 protected:
   Labelled_complex(const Geom_traits& traits, const Quality_measure& quality, const Domain& domain)
       : m_triangulation(traits), m_quality_measure(quality), m_domain(domain) {}
-  Labelled_complex(const Labelled_complex&) = default;
+  Labelled_complex(const Labelled_complex& other);
   Labelled_complex(Labelled_complex&& other) noexcept;
   Labelled_complex& operator=(const Labelled_complex& other) {
     Labelled_complex(other).swap(*this);

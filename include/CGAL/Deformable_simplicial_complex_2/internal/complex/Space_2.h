@@ -75,6 +75,9 @@ public:
   // The area of a regular triangle.
   static double regular_measure(double edge) { return edge * edge * std::sqrt(3.) / 4; }
 
+  // About what a cell measures whose largest normal has this squared length.
+  static double measure_of_extent(double squared_normal) { return squared_normal; }
+
   static double length(const Approximate_vector& v) { return std::hypot(v.x(), v.y()); }
 
   // The determinant of the matrix with these entries(row, column).

@@ -76,6 +76,11 @@ public:
   // The volume of a regular tetrahedron.
   static double regular_measure(double edge) { return edge * edge * edge / (6 * std::sqrt(2.)); }
 
+  // About what a cell measures whose largest normal has this squared length.
+  static double measure_of_extent(double squared_normal) {
+    return std::sqrt(squared_normal * std::sqrt(squared_normal));
+  }
+
   static double length(const Approximate_vector& v) { return std::hypot(v.x(), v.y(), v.z()); }
 
   // The determinant of the matrix with these entries(row, column).

@@ -32,6 +32,18 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
+// One whose content was moved elsewhere has not even an infinite vertex, which CGAL cannot copy.
+CGAL_DSC_TEMPLATE
+CGAL_DSC_CLASS::Labelled_complex(const Labelled_complex& other)
+    : m_triangulation(other.m_triangulation.tds().vertices().empty()
+                          ? Triangulation(other.geom_traits())
+                          : other.m_triangulation),
+      m_quality_measure(other.m_quality_measure), m_domain(other.m_domain),
+      m_totals(other.m_totals), m_normalization(other.m_normalization),
+      m_mean_interface_edge(other.m_mean_interface_edge),
+      m_minimum_interface_edge(other.m_minimum_interface_edge), m_version(other.m_version),
+      m_components(other.m_components) {}
+
 // A moved complex is an empty one.
 CGAL_DSC_TEMPLATE
 CGAL_DSC_CLASS::Labelled_complex(Labelled_complex&& other) noexcept

@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/Facet_normals.h>
 
+#include <algorithm>
 #include <array>
 
 namespace CGAL {
@@ -35,6 +36,16 @@ public:
   // The integral of the product of two gradients.
   double stiffness(int i, int j) const {
     return m_normals[i] * m_normals[j] / (normal_units() * normal_units() * m_measure);
+  }
+
+  // Whether gradients and stiffness mean anything: not if the cell, though positive, is flat up to
+  // rounding.
+  bool is_regular() const {
+    static constexpr double rounding = 1e-15;
+    double largest = 0;
+    for (int i = 0; i <= d; ++i)
+      largest = (std::max)(largest, m_normals[i].squared_length());
+    return m_measure > rounding * Complex::Space::measure_of_extent(largest);
   }
 
   // The integral of the function that is 1 at a corner: the part of the mass that a vertex carries.

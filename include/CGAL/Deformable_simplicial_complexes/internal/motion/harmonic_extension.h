@@ -131,6 +131,8 @@ harmonic_extension(const Complex& complex, const std::vector<typename Complex::V
   Columns right = Columns::Zero(n, d);
   for (auto c : cells) {
     const Linear_element<Complex> element(complex, c);
+    if (!element.is_regular()) // it has no say
+      continue;
     for (int i = 0; i < Complex::corners; ++i) {
       const Index row = Index(c->vertex(i)->scratch_index());
       if (row >= n)
