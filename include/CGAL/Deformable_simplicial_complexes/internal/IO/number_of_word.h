@@ -25,11 +25,11 @@ template <class Number> std::optional<Number> number_of_word(std::string_view wo
   const auto is_whole = [&](const std::from_chars_result& result) {
     return result.ec == std::errc() && result.ptr == end;
   };
-  Number number;
+  Number number = 0; // the compiler cannot see that it is set
   if (is_whole(std::from_chars(word.data(), end, number)))
     return number;
   if constexpr (std::is_floating_point<Number>::value) {
-    long double wide;
+    long double wide = 0;
     if (is_whole(std::from_chars(word.data(), end, wide)) && std::abs(wide) < 1)
       return static_cast<Number>(wide);
   }
