@@ -74,18 +74,19 @@ public:
 
   using Tetrahedron = Planned_cell; ///< its name in three dimensions
 
-  /// An empty cavity in a complex, which must outlive it.
-  explicit Cavity(const Complex& complex) : m_complex(&complex) {}
+  /// An empty cavity in a complex, which must outlive it, for a proposal to it as it is now.
+  explicit Cavity(const Complex& complex) : m_complex(&complex), m_version(complex.version()) {}
 
   /// Empties the cavity for a proposal to the complex as it is now. Keeps its memory.
   void begin(Proposal_kind kind) {
     clear();
     m_kind = kind;
-    m_version = m_complex->version();
   }
 
-  /// Empties the cavity and keeps its memory.
+  /// The same, for a `Proposal_kind::replacement`.
   void clear() {
+    m_kind = Proposal_kind::replacement;
+    m_version = m_complex->version();
     m_vertices.clear();
     m_removed.clear();
     m_planned.clear();
@@ -203,7 +204,7 @@ private:
 
   const Complex* m_complex;
   Proposal_kind m_kind = Proposal_kind::replacement;
-  std::uint64_t m_version = 0;
+  std::uint64_t m_version;
   std::vector<Vertex> m_vertices;
   std::vector<Cell_handle> m_removed;
   std::vector<Planned_cell> m_planned;

@@ -75,6 +75,18 @@ public:
   // The area of a regular triangle.
   static double regular_measure(double edge) { return edge * edge * std::sqrt(3.) / 4; }
 
+  // Outward normals of the edges of a triangle, as long as they are, and twice its area.
+  struct Frame
+  {
+    std::array<Approximate_vector, 3> normals;
+    double parallelotope;
+  };
+  static Frame frame(const std::array<Approximate_point, 3>& p) {
+    const Approximate_vector a = p[1] - p[0], b = p[2] - p[0];
+    return {{facet_normal({p[1], p[2]}), facet_normal({p[2], p[0]}), facet_normal({p[0], p[1]})},
+            a.x() * b.y() - a.y() * b.x()};
+  }
+
   // About what a cell measures whose largest normal has this squared length.
   static double measure_of_extent(double squared_normal) { return squared_normal; }
 

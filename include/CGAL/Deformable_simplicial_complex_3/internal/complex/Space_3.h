@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COMPLEX_SPACE_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_COMPLEX_SPACE_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
 #include <CGAL/Deformable_simplicial_complex_cell_base_3.h>
 #include <CGAL/Deformable_simplicial_complex_vertex_base_3.h>
 
@@ -75,6 +76,18 @@ public:
 
   // The volume of a regular tetrahedron.
   static double regular_measure(double edge) { return edge * edge * edge / (6 * std::sqrt(2.)); }
+
+  // Outward normals of the facets of a tetrahedron, twice their areas long, and six times its
+  // volume.
+  struct Frame
+  {
+    std::array<Approximate_vector, 4> normals;
+    double parallelotope;
+  };
+  static Frame frame(const std::array<Approximate_point, 4>& p) {
+    const Tetrahedron_frame<Approximate_point> t(p[0], p[1], p[2], p[3]);
+    return {t.area_vectors(), t.six_volumes};
+  }
 
   // About what a cell measures whose largest normal has this squared length.
   static double measure_of_extent(double squared_normal) {

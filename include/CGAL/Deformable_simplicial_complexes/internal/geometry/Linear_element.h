@@ -5,8 +5,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_LINEAR_ELEMENT_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_LINEAR_ELEMENT_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/geometry/Facet_normals.h>
-
 #include <algorithm>
 #include <array>
 
@@ -24,18 +22,22 @@ public:
   using Vector = typename Complex::Approximate_vector;
   static constexpr int d = Complex::dimension;
 
-  Linear_element(const Complex& complex, typename Complex::Cell_handle c)
-      : m_normals(complex, c), m_measure(complex.measure(c)) {}
+  Linear_element(const Complex& complex, typename Complex::Cell_handle c) {
+    std::array<typename Complex::Approximate_point, d + 1> points;
+    for (int i = 0; i <= d; ++i)
+      points[i] = complex.corner(c, i);
+    m_frame = Complex::Space::frame(points);
+  }
 
   // Area or volume.
-  double measure() const { return m_measure; }
+  double measure() const { return m_frame.parallelotope / factorial; }
 
   // Of the function that is 1 at a corner.
-  Vector gradient(int corner) const { return m_normals[corner] / (-normal_units() * m_measure); }
+  Vector gradient(int corner) const { return m_frame.normals[corner] / -m_frame.parallelotope; }
 
   // The integral of the product of two gradients.
   double stiffness(int i, int j) const {
-    return m_normals[i] * m_normals[j] / (normal_units() * normal_units() * m_measure);
+    return m_frame.normals[i] * m_frame.normals[j] / (factorial * m_frame.parallelotope);
   }
 
   // Whether gradients and stiffness mean anything: not if the cell, though positive, is flat up to
@@ -44,28 +46,27 @@ public:
     static constexpr double rounding = 1e-15;
     double largest = 0;
     for (int i = 0; i <= d; ++i)
-      largest = (std::max)(largest, m_normals[i].squared_length());
-    return m_measure > rounding * Complex::Space::measure_of_extent(largest);
+      largest = (std::max)(largest, m_frame.normals[i].squared_length());
+    return measure() > rounding * Complex::Space::measure_of_extent(largest);
   }
 
   // The integral of the function that is 1 at a corner: the part of the mass that a vertex carries.
-  double lumped_mass() const { return m_measure / (d + 1); }
+  double lumped_mass() const { return measure() / (d + 1); }
 
   // The divergence of a vector field, times the measure.
   double divergence(const std::array<Vector, d + 1>& values) const {
     double result = 0;
     for (int i = 0; i <= d; ++i)
-      result -= m_normals[i] * values[i] / normal_units();
-    return result;
+      result -= m_frame.normals[i] * values[i];
+    return result / factorial;
   }
 
 private:
-  // A normal is d - 1 times as long as its facet measures, and the cell measures height times facet
-  // over d.
-  static constexpr double normal_units() { return d * (d - 1); }
+  static constexpr double factorial = d == 3 ? 6 : 2; // of d
 
-  Facet_normals<Complex> m_normals;
-  double m_measure;
+  // Each normal is d - 1 times as long as its facet measures, and the parallelotope of the edges at
+  // a corner measures d! times the cell, which measures height times facet over d.
+  typename Complex::Space::Frame m_frame;
 };
 
 } // namespace internal
