@@ -150,8 +150,9 @@ std::vector<std::pair<double, double>> places_of_events(bool looks) {
   Complex complex = plane::disks_in_a_square({{-.6, 0, .4, 1}, {.6, 0, .4, 1}}, 40, 2, 20);
   std::vector<std::pair<double, double>> result;
   const auto control = [&](const Complex& c, Cell, int) {
-    if (looks)
+    if (looks) {
       EXPECT_GE(c.number_of_components(1), 1u);
+    }
     return true;
   };
   for (int step = 0; step < 12; ++step) {
