@@ -12,11 +12,11 @@
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/motion/harmonic_extension.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/relabeling_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/vertex_optimization_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/vertex_smoothing_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/harmonic_extension.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
 

@@ -5,9 +5,9 @@
 #ifndef CGAL_CARRIED_VERTEX_VALUES_3_H
 #define CGAL_CARRIED_VERTEX_VALUES_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/geometry/cell_corners.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/geometry/overlap_volume_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 
 #include <CGAL/property_map.h>
 

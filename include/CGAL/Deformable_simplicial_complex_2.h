@@ -18,12 +18,12 @@ namespace CGAL {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-A triangulated domain of the plane each triangle of which carries a label. The *interface* is the set
-of edges between triangles of different labels. The domain is a disk, in most cases a rectangle whose
-sides are known to the complex.
+A triangulated domain of the plane each triangle of which carries a label. The *interface* is the
+set of edges between triangles of different labels. The domain is a disk, in most cases a rectangle
+whose sides are known to the complex.
 
-All that holds in any dimension is inherited from `Labelled_complex`: its cells are triangles and its
-facets edges.
+All that holds in any dimension is inherited from `Labelled_complex`: its cells are triangles and
+its facets edges.
 
 \tparam Traits_ model of `DeformableSimplicialComplexTraits_2`
 \tparam Tds_ a `Triangulation_data_structure_2` with the vertices and faces of this package

@@ -35,9 +35,9 @@ public:
   class Tds_data
   {
   public:
-    void mark_in_conflict() { m_is_in_conflict = true; }       ///< sets the mark
-    bool is_in_conflict() const { return m_is_in_conflict; }   ///< whether it is set
-    void clear() { m_is_in_conflict = false; }                 ///< takes it away
+    void mark_in_conflict() { m_is_in_conflict = true; }     ///< sets the mark
+    bool is_in_conflict() const { return m_is_in_conflict; } ///< whether it is set
+    void clear() { m_is_in_conflict = false; }               ///< takes it away
 
   private:
     bool m_is_in_conflict = false;

@@ -14,8 +14,8 @@ namespace CGAL {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Exact predicates and floating point measures of a deformable simplicial complex in the plane: the twin
-of `Deformable_simplicial_complex_traits_3`.
+Exact predicates and floating point measures of a deformable simplicial complex in the plane: the
+twin of `Deformable_simplicial_complex_traits_3`.
 
 \tparam Kernel_ a CGAL kernel with exact predicates.
 */

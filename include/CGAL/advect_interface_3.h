@@ -5,11 +5,11 @@
 #ifndef CGAL_ADVECT_INTERFACE_3_H
 #define CGAL_ADVECT_INTERFACE_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Integration_scheme.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface/interface_paths_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Integration_scheme.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/deform_interface_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/interface/interface_paths_3.h>
 
 namespace CGAL {
 

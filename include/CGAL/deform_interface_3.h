@@ -28,9 +28,8 @@ Deforms the interface as `deform_interface()` does, with destinations in the ord
 \throws Deformable_simplicial_complexes::Invalid_destination_error if a destination is not finite;
        and whatever that throws
 */
-template <
-    class Complex,
-    class NamedParameters = Deformable_simplicial_complexes::parameters::Default_named_parameters>
+template <class Complex, class NamedParameters =
+                             Deformable_simplicial_complexes::parameters::Default_named_parameters>
 Deformation_report<Complex>
 deform_interface_to(Complex& dsc, const Interface_snapshot_3<Complex>& interface_,
                     const std::vector<typename Complex::Approximate_point_3>& destinations,
@@ -40,7 +39,9 @@ deform_interface_to(Complex& dsc, const Interface_snapshot_3<Complex>& interface
   internal::number_vertices(interface_.vertices);
   return deform_interface(
       dsc,
-      [&](typename Complex::Vertex_handle v) { return dsc.exact(destinations[v->scratch_index()]); },
+      [&](typename Complex::Vertex_handle v) {
+        return dsc.exact(destinations[v->scratch_index()]);
+      },
       np);
 }
 

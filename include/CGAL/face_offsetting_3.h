@@ -5,12 +5,12 @@
 #ifndef CGAL_FACE_OFFSETTING_3_H
 #define CGAL_FACE_OFFSETTING_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complexes/Integration_scheme.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/geometry/Vertex_quadric_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface/interface_paths_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface/interface_triangles_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Integration_scheme.h>
 
 #include <cmath>
 #include <cstddef>

@@ -5,12 +5,12 @@
 #ifndef CGAL_RESTORE_VOLUMES_3_H
 #define CGAL_RESTORE_VOLUMES_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/deform_interface_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface/label_volumes_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+#include <CGAL/deform_interface_3.h>
 
 #include <cmath>
 #include <cstddef>
@@ -61,8 +61,8 @@ may change the mesh on the way.
         keeps the interface from where it should go, a visitor has ended it, or there were too few
         iterations.
 \throws Deformable_simplicial_complexes::Error if a label does not occur, a volume or the tolerance
-       is not positive, the number of iterations is negative, all labels are given and their volumes do not fill the domain, or some are
-       and leave nothing for the others; the complex is then unchanged.
+       is not positive, the number of iterations is negative, all labels are given and their volumes
+do not fill the domain, or some are and leave nothing for the others; the complex is then unchanged.
 
 Linear in the size of the interface, plus the deformations.
 */

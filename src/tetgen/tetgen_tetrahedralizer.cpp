@@ -6,8 +6,8 @@
 
 #include "child_process.h"
 
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/Triangle_soup_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/enum.h>

@@ -5,11 +5,11 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_DEGENERACY_REMOVAL_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_DEGENERACY_REMOVAL_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/geometry/Facet_normals.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/Facet_normals.h>
 
 #include <algorithm>
 #include <array>

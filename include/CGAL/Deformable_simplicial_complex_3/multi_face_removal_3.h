@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_MULTI_FACE_REMOVAL_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_MULTI_FACE_REMOVAL_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/operations/Sandwich_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 
 #include <boost/container/small_vector.hpp>
 

@@ -5,10 +5,10 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_NULL_SPACE_SMOOTHING_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_NULL_SPACE_SMOOTHING_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/interface/Interface_fan_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/geometry/Vertex_quadric_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/vectors_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/geometry/triangle_quality.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/vectors_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface/Interface_fan_3.h>
 #include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 
 #include <algorithm>

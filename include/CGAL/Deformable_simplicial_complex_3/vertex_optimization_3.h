@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_VERTEX_OPTIMIZATION_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_VERTEX_OPTIMIZATION_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface/interface_directions_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
 
 #include <vector>
 

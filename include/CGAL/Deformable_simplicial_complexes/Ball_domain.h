@@ -63,8 +63,8 @@ public:
   /// The same as `seen()` for the points that predicates see.
   template <class Complex>
   const typename Complex::Point& seen_exactly(const Complex& /*complex*/,
-                                                     typename Complex::Cell_handle /*c*/, int /*i*/,
-                                                     const typename Complex::Point& p) const {
+                                              typename Complex::Cell_handle /*c*/, int /*i*/,
+                                              const typename Complex::Point& p) const {
     return p;
   }
 

@@ -17,8 +17,9 @@ namespace Deformable_simplicial_complexes {
 \ingroup PkgDeformableSimplicialComplex3Ref
 
 What a cell of a deformable simplicial complex carries in any dimension: a label, the quality cached
-by the complex, the connected component of its label that it belongs to, and a time stamp that orders
-cells by creation. The setters are for the complex; calling them from outside breaks what it caches.
+by the complex, the connected component of its label that it belongs to, and a time stamp that
+orders cells by creation. The setters are for the complex; calling them from outside breaks what it
+caches.
 */
 class Cell_data
 {

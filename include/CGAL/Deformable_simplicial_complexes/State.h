@@ -115,13 +115,13 @@ template <int d> bool is_consistent(const State<d>& state) {
            std::find(state.cells[c].begin(), state.cells[c].end(), v) != state.cells[c].end();
   };
   const auto is_volume = [](double volume) { return volume >= 0 && std::isfinite(volume); };
-  bool result = has_finite_coordinates(state.normalization_translation) &&
-                std::all_of(state.component_volumes.begin(), state.component_volumes.end(),
-                            is_volume) &&
-                std::all_of(state.cells.begin(), state.cells.end(), is_cell) &&
-                std::all_of(state.points.begin(), state.points.end(),
-                            has_finite_coordinates<std::array<double, d>>) &&
-                (state.points.empty() || extent_of<d>(state.points).is_measurable());
+  bool result =
+      has_finite_coordinates(state.normalization_translation) &&
+      std::all_of(state.component_volumes.begin(), state.component_volumes.end(), is_volume) &&
+      std::all_of(state.cells.begin(), state.cells.end(), is_cell) &&
+      std::all_of(state.points.begin(), state.points.end(),
+                  has_finite_coordinates<std::array<double, d>>) &&
+      (state.points.empty() || extent_of<d>(state.points).is_measurable());
   for (std::size_t v = 0; result && v < state.vertex_cells.size(); ++v)
     result = is_cell_of(v);
   return result;

@@ -17,7 +17,7 @@ What became of components of a label in a pass of a deformation, and where.
 template <class Complex> struct Topology_event : public Component_event
 {
   typename Complex::Approximate_point where; ///< where a cell changed its label; one such place
-  unsigned pass;                               ///< of the deformation, the first one being 1
+  unsigned pass;                             ///< of the deformation, the first one being 1
 };
 
 } // namespace CGAL

@@ -17,8 +17,8 @@ namespace Deformable_simplicial_complexes {
 \ingroup PkgDeformableSimplicialComplex3Ref
 
 What a vertex of a deformable simplicial complex carries in any dimension, besides its point: a time
-stamp that orders vertices by creation, and what the complex caches about it. The setters are for the
-complex; calling them from outside breaks what it caches.
+stamp that orders vertices by creation, and what the complex caches about it. The setters are for
+the complex; calling them from outside breaks what it caches.
 
 \tparam Point where vertices are
 */

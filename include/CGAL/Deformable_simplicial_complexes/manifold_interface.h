@@ -85,7 +85,7 @@ bool propose_manifold_relabeling(const Complex& complex, typename Complex::Cell_
                                  std::vector<typename Complex::Cell_handle>& cells) {
   cells.assign(1, cell);
   return Deformable_simplicial_complexes::internal::Manifold_relabeling<Complex>(complex, cells,
-                                                                                   label)
+                                                                                 label)
       .complete();
 }
 

@@ -6,10 +6,10 @@
 #define CGAL_IO_VTU_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Vertex_numbering.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/Vtu_document.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/read_vtu_tetrahedra.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Vertex_numbering.h>
 #include <CGAL/IO/PVD_series.h>
 #include <CGAL/extract_interface_3.h>
 

@@ -5,24 +5,24 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_IMPROVEMENT_INTERFACE_IMPROVER_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_IMPROVEMENT_INTERFACE_IMPROVER_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/triangle_quality.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_improver_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface/Interface_edge_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface/Interface_fan_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_improver_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface/changed_facets_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface/curved_midpoint_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/triangle_quality.h>
-#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complex_3/null_space_smoothing_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <algorithm>
 #include <array>

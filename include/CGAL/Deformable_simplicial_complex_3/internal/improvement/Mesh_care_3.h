@@ -5,13 +5,13 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_IMPROVEMENT_MESH_CARE_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_IMPROVEMENT_MESH_CARE_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/triangle_quality.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_improver_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Small_angle_remover_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/triangle_quality.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_care.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 

@@ -5,14 +5,14 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_IMPROVEMENT_PATCH_IMPROVER_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_IMPROVEMENT_PATCH_IMPROVER_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_improver_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Patch_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_improver_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Patch_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 #include <CGAL/Random.h>

@@ -5,10 +5,10 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_CHANGED_FACETS_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_CHANGED_FACETS_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/triangle_quality.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/vectors_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface/Interface_edge_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface/Interface_fan_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/vectors_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/triangle_quality.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_CURVED_MIDPOINT_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_CURVED_MIDPOINT_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/interface/Interface_fan_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/geometry/vectors_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/interface/Interface_fan_3.h>
 
 #include <Eigen/Dense>
 

@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_INTERFACE_PATHS_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_INTERFACE_PATHS_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Integration_scheme.h>
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Integration_scheme.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
@@ -48,8 +48,8 @@ velocities_at(const Interface_snapshot_3<Complex>& interface_,
   return result;
 }
 
-// The part of a time step that adaptive integration goes on with at the least: it takes no more than a
-// million steps, or a field without a limit of its derivatives would never end.
+// The part of a time step that adaptive integration goes on with at the least: it takes no more
+// than a million steps, or a field without a limit of its derivatives would never end.
 constexpr double smallest_adaptive_part = 1e-6;
 
 // Paths by the rule of Dormand and Prince, in as many steps as it takes to stay below a tolerance.

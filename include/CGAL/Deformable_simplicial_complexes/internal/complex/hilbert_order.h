@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_HILBERT_ORDER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_HILBERT_ORDER_H
 
-#include <CGAL/hilbert_sort.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/hilbert_sort.h>
 #include <CGAL/property_map.h>
 
 #include <cstddef>

@@ -144,9 +144,7 @@ private:
   }
 
   // Not below zero, where rounding might take it.
-  double volume(Cell_handle c) const {
-    return (std::max)(0., m_complex.measure(c));
-  }
+  double volume(Cell_handle c) const { return (std::max)(0., m_complex.measure(c)); }
 
   const Complex& m_complex;
   std::vector<Cell_handle>& m_cells;
