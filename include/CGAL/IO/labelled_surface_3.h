@@ -96,6 +96,8 @@ std::vector<std::array<std::size_t, 3>> triangulated_polygon(const std::vector<P
       !Polygon_mesh_processing::triangulate_face(polygon, mesh))
     return triangles;
   for (const auto face : mesh.faces()) {
+    if (mesh.degree(face) != 3) // CGAL rounds, and may leave polygons where it meets ties
+      return {};
     std::array<std::size_t, 3> triangle;
     auto corner = triangle.begin();
     for (const auto v : mesh.vertices_around_face(mesh.halfedge(face)))
