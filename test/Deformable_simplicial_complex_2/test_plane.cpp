@@ -156,4 +156,31 @@ TEST(Plane, a_flat_cell_has_no_say_in_the_motion_of_space) {
     EXPECT_NEAR(d.x(), 1, .1);
 }
 
+// A linear field has one gradient and one divergence everywhere, and masses make up the whole.
+TEST(Plane, linear_elements_reproduce_linear_fields) {
+  const Complex complex = plane::disks_in_a_square({{.3, .1, .8, 1}}, 24, 2, 12);
+  using Vector = Complex::Approximate_vector_2;
+  namespace internal = CGAL::Deformable_simplicial_complexes::internal;
+  double mass = 0;
+  for (auto c : complex.cells()) {
+    const internal::Linear_element<Complex> element(complex, c);
+    Vector gradient(0, 0);
+    std::array<Vector, 3> field;
+    for (int i = 0; i < 3; ++i) {
+      const auto p = complex.corner(c, i);
+      gradient = gradient + (3 * p.x() - 2 * p.y() + 1) * element.gradient(i);
+      field[i] = Vector(4 * p.x() + p.y(), 5 * p.x() - p.y());
+      mass += element.lumped_mass();
+      for (int j = 0; j < 3; ++j)
+        EXPECT_NEAR(element.stiffness(i, j),
+                    element.measure() * (element.gradient(i) * element.gradient(j)), 1e-12);
+    }
+    EXPECT_NEAR(gradient.x(), 3, 1e-10);
+    EXPECT_NEAR(gradient.y(), -2, 1e-10);
+    EXPECT_NEAR(element.divergence(field), 3 * element.measure(), 1e-12);
+    EXPECT_NEAR(element.measure(), complex.measure(c), 1e-14);
+  }
+  EXPECT_NEAR(mass, 16, 1e-12);
+}
+
 } // namespace

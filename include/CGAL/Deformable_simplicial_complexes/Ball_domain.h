@@ -86,18 +86,16 @@ typename Complex::Point Ball_domain::admissible(const Complex& complex,
                                                 typename Complex::Vertex_handle v,
                                                 const typename Complex::Point& q) const {
   const Boundary_class::Bits sides = v->boundary_class();
+  static constexpr int d = Complex::dimension;
   if (sides == Boundary_class::inside)
     return q;
-  static constexpr int d = Complex::dimension;
+  if (Boundary_class::fixes_all(sides, d))
+    return v->point();
   std::array<double, d> coordinates;
   const auto from = complex.position(v), to = complex.approximate(q);
-  bool is_fixed = true;
-  for (int axis = 0; axis < d; ++axis) {
-    const bool fixes = Boundary_class::fixes(sides, axis);
-    is_fixed = is_fixed && fixes;
-    coordinates[axis] = fixes ? from[axis] : to[axis];
-  }
-  return is_fixed ? v->point() : complex.exact(internal::point_at<Complex>(coordinates));
+  for (int axis = 0; axis < d; ++axis)
+    coordinates[axis] = Boundary_class::fixes(sides, axis) ? from[axis] : to[axis];
+  return complex.exact(internal::point_at<Complex>(coordinates));
 }
 
 template <class Complex> void Ball_domain::classify_boundary(const Complex& complex) const {

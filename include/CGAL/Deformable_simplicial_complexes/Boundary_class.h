@@ -28,6 +28,14 @@ struct Boundary_class
     return (sides & fixed) != 0 || (sides >> (2 * axis) & 3) != 0;
   }
 
+  /// Whether any motion leaves the sides, in a space of so many axes.
+  static bool fixes_all(Bits sides, int dimension) {
+    int axis = 0;
+    while (axis < dimension && fixes(sides, axis))
+      ++axis;
+    return axis == dimension;
+  }
+
   /// Whether everything of a class is also on all sides of another one.
   static bool contains(Bits sides, Bits others) { return (sides & others) == others; }
 };

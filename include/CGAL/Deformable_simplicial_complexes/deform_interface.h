@@ -11,10 +11,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
-
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
-
-#include <functional>
 
 namespace CGAL {
 

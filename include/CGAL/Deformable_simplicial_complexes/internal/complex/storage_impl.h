@@ -10,10 +10,10 @@
 #include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/less_time_stamp.h>
 
 #include <CGAL/Origin.h>
 

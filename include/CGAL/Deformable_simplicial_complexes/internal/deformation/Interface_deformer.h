@@ -18,17 +18,12 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Trapped_cells.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 

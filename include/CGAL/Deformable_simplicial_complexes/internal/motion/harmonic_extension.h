@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_HARMONIC_EXTENSION_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/Linear_element.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
@@ -26,13 +27,6 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-template <class Complex> bool is_held_on_all_axes(typename Complex::Vertex_handle v) {
-  bool result = true;
-  for (int axis = 0; axis < Complex::dimension; ++axis)
-    result = result && Boundary_class::fixes(v->boundary_class(), axis);
-  return result;
-}
-
 // Free vertices near moving ones: those within a number of layers of edges, or all of them if much
 // of the interface moves. Those on the boundary of the domain are free if their sides permit and
 // one of these has a moving vertex, too: a line of contact takes its surroundings along.
@@ -50,7 +44,8 @@ free_vertices_near(const Complex& complex,
     if (v->is_interface() || complex.is_infinite(v))
       return false;
     return !complex.is_boundary(v) ||
-           ((v->boundary_class() & moving_sides) != 0 && !is_held_on_all_axes<Complex>(v));
+           ((v->boundary_class() & moving_sides) != 0 &&
+            !Boundary_class::fixes_all(v->boundary_class(), Complex::dimension));
   };
   if (moving.size() * much > complex.number_of_vertices()) {
     for (Vertex_handle v : complex.finite_vertices())
@@ -74,8 +69,7 @@ free_vertices_near(const Complex& complex,
       front.swap(next);
     }
   }
-  std::sort(found.begin(), found.end(),
-            [](Vertex_handle a, Vertex_handle b) { return a->time_stamp() < b->time_stamp(); });
+  std::sort(found.begin(), found.end(), Less_time_stamp());
   return found;
 }
 

@@ -5,6 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_VERTEX_NUMBERING_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_VERTEX_NUMBERING_H
 
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -20,8 +22,7 @@ template <class Vertex_handle> class Vertex_numbering
 public:
   // Vertices may come in any order and several times.
   explicit Vertex_numbering(std::vector<Vertex_handle> vertices) : m_vertices(std::move(vertices)) {
-    std::sort(m_vertices.begin(), m_vertices.end(),
-              [](Vertex_handle v, Vertex_handle w) { return v->time_stamp() < w->time_stamp(); });
+    std::sort(m_vertices.begin(), m_vertices.end(), Less_time_stamp());
     m_vertices.erase(std::unique(m_vertices.begin(), m_vertices.end()), m_vertices.end());
     m_time_stamps.reserve(m_vertices.size());
     for (Vertex_handle v : m_vertices)
