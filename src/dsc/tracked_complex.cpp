@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace dsc {
@@ -143,7 +144,7 @@ Improvement_outcome Tracked_complex::improve(const Improve_options& options) {
           : CGAL::improve_mesh(complex, aggressive);
   auto state = complex.state();
   // What was tried in vain was measured otherwise.
-  std::fill(state.exhausted_qualities.begin(), state.exhausted_qualities.end(), 2.f);
+  std::fill(state.failures.begin(), state.failures.end(), std::uint8_t(0));
   m_implementation->complex.restore(state);
   return {seconds_since(start), report};
 }

@@ -170,13 +170,16 @@ public:
   void set_quality(double quality) { m_quality = quality; }
   std::uint32_t component() const { return m_component; }
   void set_component(std::uint32_t component) { m_component = component; }
-  float exhausted_quality() const { return m_exhausted_quality; }
-  void set_exhausted_quality(float quality) { m_exhausted_quality = quality; }
+  float noted_quality() const { return m_noted_quality; }
+  void set_noted_quality(float quality) { m_noted_quality = quality; }
+  std::uint8_t failures() const { return m_failures; }
+  void set_failures(std::uint8_t bits) { m_failures = bits; }
 
 private:
   int m_label = 0;
   std::uint32_t m_component = 0;
-  float m_exhausted_quality = 2;
+  std::uint8_t m_failures = 0;
+  float m_noted_quality = 1;
   double m_quality = 1;
   std::size_t m_time_stamp = std::size_t(-1);
 };

@@ -54,11 +54,17 @@ public:
   /// sets `quality()`.
   void set_quality(double quality);
 
-  /// the quality at which improving the cell was last tried in vain; above 1 for a new cell.
-  float exhausted_quality() const;
+  /// the quality when the shape of the cell last changed essentially; 1 for a new cell.
+  float noted_quality() const;
 
-  /// sets `exhausted_quality()`.
-  void set_exhausted_quality(float quality);
+  /// sets `noted_quality()`.
+  void set_noted_quality(float quality);
+
+  /// what was tried in vain since then, as bits; 0 for a new cell.
+  std::uint8_t failures() const;
+
+  /// sets `failures()`.
+  void set_failures(std::uint8_t bits);
 
   /// @}
 };

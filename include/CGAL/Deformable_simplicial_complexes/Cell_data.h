@@ -46,17 +46,23 @@ public:
   /// Sets `component()`.
   void set_component(std::uint32_t component) { m_component = component; }
 
-  /// Quality at which improving the cell was last tried in vain; above 1 if it never was.
-  float exhausted_quality() const { return m_exhausted_quality; }
-  /// Sets `exhausted_quality()`.
-  void set_exhausted_quality(float quality) { m_exhausted_quality = quality; }
+  /// Quality when the shape of the cell last changed essentially.
+  float noted_quality() const { return m_noted_quality; }
+  /// Sets `noted_quality()`.
+  void set_noted_quality(float quality) { m_noted_quality = quality; }
+
+  /// What was tried in vain since then, as bits.
+  std::uint8_t failures() const { return m_failures; }
+  /// Sets `failures()`.
+  void set_failures(std::uint8_t bits) { m_failures = bits; }
 
 private:
   int m_label = 0;
   std::uint32_t m_component = 0;
-  float m_exhausted_quality = 2;
+  float m_noted_quality = 1;
   double m_quality = 1;
   std::size_t m_time_stamp = std::size_t(-1);
+  std::uint8_t m_failures = 0;
 };
 
 } // namespace Deformable_simplicial_complexes

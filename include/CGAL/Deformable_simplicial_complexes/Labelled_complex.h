@@ -10,6 +10,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Component_event.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Component_tracker.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Label_totals.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
 
@@ -366,12 +367,6 @@ public:
   /// was.
   void relabel(Cell_handle c, Label label);
 
-  /// Remembers that improving c was tried in vain.
-  void set_exhausted(Cell_handle c) { c->set_exhausted_quality(float(c->quality())); }
-
-  /// Forgets that, as what is around c has changed.
-  void clear_exhausted(Cell_handle c) { c->set_exhausted_quality(2); }
-
   /// Sets where an interface vertex is to go, in the coordinates of the complex.
   void set_destination(Vertex_handle v, const Point& q) { v->set_destination(rounded(q)); }
   /// Forgets where v is to go.
@@ -410,6 +405,9 @@ private:
 
   double cell_quality(Cell_handle c) const;
   bool is_positive(Cell_handle c) const;
+  void place(Vertex_handle v, const std::vector<Cell_handle>& star, const Point& p);
+  void note_motion(Cell_handle c);
+  void forget_failures(Cell_handle c);
   // Adds to the number of facets of the interface that each vertex of a facet has.
   void count_interface_facet(const Facet& f, int number) {
     for (Vertex_handle v : facet_vertices(f))

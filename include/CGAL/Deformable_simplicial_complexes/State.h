@@ -54,8 +54,11 @@ template <int d> struct State
   /// the labels of `cells`
   std::vector<std::int32_t> cell_labels;
 
-  /// for each of `cells` the quality at which improving it was last tried in vain
-  std::vector<float> exhausted_qualities;
+  /// for each of `cells` the quality when its shape last changed essentially
+  std::vector<float> noted_qualities;
+
+  /// for each of `cells` what was tried in vain since then, as bits
+  std::vector<std::uint8_t> failures;
 
   /// for each of `cells` the number of its component, as events name it; 0 for infinite cells
   std::vector<std::uint32_t> cell_components;
@@ -81,12 +84,12 @@ namespace internal {
 // References to all members: the one list that comparison and files are made of. It does not
 // compile with a member too few.
 template <class State_d> auto members(State_d& state) {
-  auto& [points, boundary_classes, vertex_cells, cells, cell_labels, exhausted_qualities,
+  auto& [points, boundary_classes, vertex_cells, cells, cell_labels, noted_qualities, failures,
          cell_components, component_volumes, mean_interface_edge, minimum_interface_edge,
          normalization_translation, normalization_scale] = state;
-  return std::tie(points, boundary_classes, vertex_cells, cells, cell_labels, exhausted_qualities,
-                  cell_components, component_volumes, mean_interface_edge, minimum_interface_edge,
-                  normalization_translation, normalization_scale);
+  return std::tie(points, boundary_classes, vertex_cells, cells, cell_labels, noted_qualities,
+                  failures, cell_components, component_volumes, mean_interface_edge,
+                  minimum_interface_edge, normalization_translation, normalization_scale);
 }
 
 // Whether the arrays that run parallel have the same size.
@@ -95,7 +98,8 @@ template <int d> bool has_consistent_sizes(const State<d>& state) {
   return state.boundary_classes.size() == state.points.size() &&
          state.vertex_cells.size() == state.points.size() + infinite &&
          state.cell_labels.size() == state.cells.size() &&
-         state.exhausted_qualities.size() == state.cells.size() &&
+         state.noted_qualities.size() == state.cells.size() &&
+         state.failures.size() == state.cells.size() &&
          state.cell_components.size() == state.cells.size();
 }
 

@@ -34,7 +34,7 @@ namespace internal {
 // elements in eight bytes.
 inline constexpr char checkpoint_magic[] = "\211DSC3\r\n\032"; // damaged by any conversion of text
 constexpr std::size_t checkpoint_magic_size = sizeof(checkpoint_magic) - 1;
-constexpr std::uint32_t checkpoint_version = 2;
+constexpr std::uint32_t checkpoint_version = 3;
 constexpr std::size_t checkpoint_header_size = 24;
 
 // What follows the metadata in a file of this version.
@@ -44,7 +44,8 @@ using Checkpoint_members =
                std::vector<std::uint32_t>&,                // vertex_cells
                std::vector<std::array<std::uint32_t, 4>>&, // cells
                std::vector<std::int32_t>&,                 // cell_labels
-               std::vector<float>&,                        // exhausted_qualities
+               std::vector<float>&,                        // noted_qualities
+               std::vector<std::uint8_t>&,                 // failures
                std::vector<std::uint32_t>&,                // cell_components
                std::vector<double>&,                       // component_volumes
                double&, double&,                           // mean_, minimum_interface_edge

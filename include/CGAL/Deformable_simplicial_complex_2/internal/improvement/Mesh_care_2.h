@@ -9,6 +9,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_care.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Interface_before.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
@@ -32,11 +33,10 @@ public:
   using Cells = Work_list<Cell_handle>;
 
   Mesh_care(Complex& complex, Any_visitor<Complex>& visitor,
-            const Deformation_options<Complex>& options)
+            const Interface_before<Complex>&, const Deformation_options<Complex>& options)
       : m_complex(complex), m_visitor(visitor), m_threshold(options.quality_threshold),
         m_cavity(complex) {}
 
-  void remember(Vertex_handle) {}
   void begin_pass(const std::vector<Vertex_handle>&) {}
   bool is_bad(Cell_handle c) const { return c->quality() < m_threshold; }
   void remove_obstacle(Cell_handle, bool, Cells&) {}

@@ -11,6 +11,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_care.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Interface_before.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
@@ -38,13 +39,11 @@ public:
   using Cells = Work_list<Cell_handle>;
 
   Mesh_care(Complex& complex, Any_visitor<Complex>& visitor,
-            const Deformation_options<Complex>& options)
+            const Interface_before<Complex>& before, const Deformation_options<Complex>& options)
       : m_complex(complex), m_relabeling_threshold(options.relabeling_threshold),
         m_degenerate_cosine(std::cos(options.minimum_facet_angle * (CGAL_PI / 180))),
         m_improver(complex, visitor, options.quality_threshold),
-        m_small_angles(complex, visitor, options.minimum_angle, options.quality_threshold) {}
-
-  void remember(Vertex_handle v) { m_small_angles.remember(v); }
+        m_small_angles(complex, visitor, before, options.minimum_angle, options.quality_threshold) {}
 
   // Facets of the interface that will have a small angle at their destinations, and a smaller one
   // than now: what moves as a whole keeps its facets.
@@ -93,6 +92,7 @@ public:
   void improve(Cells cells) {
     static constexpr unsigned rounds = 3;
     m_improver.improve(std::move(cells), rounds);
+    m_improver.settle();
   }
 
   Cells cells_with_small_angles() const { return m_small_angles.bad_cells(); }

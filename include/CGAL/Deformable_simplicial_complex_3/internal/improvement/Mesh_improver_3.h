@@ -16,6 +16,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/final_quality.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
@@ -26,6 +27,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -62,10 +64,12 @@ public:
   const Improvement_report& report() const { return m_report; }
 
   // Improves all cells below a threshold. Those that stay are often held by neighbors that are but
-  // a little better: in a number of attempts, the cells around them are improved to higher ones.
+  // a little better: in a number of attempts, the cells around them are improved to higher ones. A
+  // cell to which smoothing has given another shape is tried again.
   void improve_all(double threshold, unsigned rounds, int number_of_attempts) {
     static constexpr double higher = 1.1;
     m_threshold = threshold;
+    m_is_at_rest = true;
     Cells cells;
     for (Cell_handle c : m_complex.triangulation().finite_cell_handles())
       push_afresh(c, cells);
@@ -81,17 +85,31 @@ public:
   // Improves the cells below the threshold, then those that arose from them, and so on.
   void improve(Cells cells, unsigned rounds) {
     work_in_rounds(m_complex, std::move(cells), rounds, [&](Cell_handle c, Cells& touched) {
-      if (is_bad(c) && !(reconnect(c, touched) || smooth(c, touched) || collapse(c, touched) ||
-                         split(c, touched) || (m_is_thorough && insert(c, touched))))
-        m_complex.set_exhausted(c);
+      const double before = c->quality();
+      if (!is_bad(c) || reconnect(c, touched))
+        return;
+      const bool is_smoothed = smooth(c, touched);
+      if (!is_smoothed &&
+          (collapse(c, touched) || split(c, touched) || (m_is_thorough && insert(c, touched))))
+        return;
+      if (!is_smoothed)
+        set_exhausted(c, to_improve_quality);
+      else if (!is_essential_change(before, c->quality()))
+        m_settled.push(c);
     });
   }
 
-  // Whether the cell is below the threshold and has changed since it was last tried in vain.
+  // Cells that smoothing made but little better count as tried in vain: more of it is not worth it.
+  void settle() {
+    for (const auto& item : m_settled)
+      if (m_complex.is_alive(item.cell, item.time_stamp))
+        set_exhausted(item.cell, to_improve_quality);
+    m_settled.clear();
+  }
+
+  // Whether the cell is below the threshold and was not tried in vain.
   bool is_bad(Cell_handle c) const {
-    static constexpr double same = .1;
-    return c->quality() < m_threshold &&
-           std::abs(c->quality() - c->exhausted_quality()) > same * std::abs(c->quality());
+    return c->quality() < m_threshold && !is_exhausted(c, to_improve_quality);
   }
 
   bool reconnect(Cell_handle c, Cells& touched) {
@@ -119,10 +137,16 @@ public:
       if (!propose_smart_laplacian(m_complex, v, m_star, target) &&
           !propose_optimal_position(m_complex, v, m_star, target))
         continue;
+      m_qualities.clear();
+      for (Cell_handle d : m_star)
+        m_qualities.push_back(d->quality());
       smooth_vertex(m_complex, v, m_star, target, m_visitor);
       ++m_report.smoothed;
-      for (Cell_handle d : m_star)
-        touch(d, touched);
+      for (std::size_t k = 0; k < m_star.size(); ++k) {
+        if (m_is_at_rest && is_essential_change(m_qualities[k], m_star[k]->quality()))
+          clear_exhausted(m_star[k], to_improve_quality);
+        touch(m_star[k], touched);
+      }
     }
     return c->quality() > before;
   }
@@ -237,7 +261,7 @@ private:
 
   // Adds a cell below the threshold, whether or not it was tried in vain.
   void push_afresh(Cell_handle c, Cells& cells) {
-    m_complex.clear_exhausted(c);
+    clear_exhausted(c, to_improve_quality);
     if (!m_complex.is_infinite(c) && is_bad(c))
       cells.push(c);
   }
@@ -286,9 +310,11 @@ private:
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
   double m_threshold;
-  bool m_is_thorough, m_smooths_interface;
+  bool m_is_thorough, m_smooths_interface, m_is_at_rest = false;
   Cavity_3<Complex> m_cavity;
+  Cells m_settled;
   std::vector<Cell_handle> m_star;
+  std::vector<double> m_qualities; // of its cells
   Improvement_report m_report;
 };
 

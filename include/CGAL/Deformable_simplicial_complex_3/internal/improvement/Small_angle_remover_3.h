@@ -16,6 +16,8 @@
 #include <CGAL/Deformable_simplicial_complex_3/vertex_insertion_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Failure_memory.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Interface_before.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
@@ -48,20 +50,22 @@ public:
   using Cells = Work_list<Cell_handle>;
 
   // The angle is in degrees.
-  Small_angle_remover_3(Complex& complex, Any_visitor<Complex>& visitor, double angle,
+  Small_angle_remover_3(Complex& complex, Any_visitor<Complex>& visitor,
+                        const Interface_before<Complex>& before, double angle,
                         double quality_threshold)
-      : m_complex(complex), m_visitor(visitor),
+      : m_complex(complex), m_visitor(visitor), m_before(before),
         m_wanted(std::sin(angle * CGAL_PI / 180) / sine_of_regular), m_bound(m_wanted),
         m_quality_threshold(quality_threshold), m_cavity(complex), m_best(complex) {}
 
   const Improvement_report& report() const { return m_report; }
   std::size_t number_of_relocated() const { return m_homes.size(); }
 
-  // Remembers where a vertex of the interface is before it moves; by increasing time stamp.
-  void remember(Vertex_handle v) { m_before.push_back({v->time_stamp(), m_complex.position(v)}); }
-
-  // Whether a cell has small angles and did not move as a whole.
-  bool is_bad(Cell_handle c) const { return sine(c) < m_bound && !is_rigid(c, 4); }
+  // Whether a cell has small angles, did not move as a whole, and was not tried in vain, unless the
+  // interface may change for it: how much of that is allowed differs from time to time.
+  bool is_bad(Cell_handle c) const {
+    return sine(c) < m_bound && !m_before.has_moved_as_a_whole(c) &&
+           !(is_exhausted(c, to_remove_small_angles) && !may_change_interface(c));
+  }
 
   // Whether it still has them with all vertices at their destinations.
   bool ends_bad(Cell_handle c) const {
@@ -73,7 +77,7 @@ public:
   Cells bad_cells() const {
     Cells result;
     for (Cell_handle c : m_complex.triangulation().finite_cell_handles())
-      if (c->quality() < m_quality_threshold && !has_stayed(c) && is_bad(c))
+      if (c->quality() < m_quality_threshold && !m_before.has_stayed(c) && is_bad(c))
         result.push(c);
     result.sort();
     return result;
@@ -86,8 +90,8 @@ public:
     static constexpr int attempts = 6;
     static constexpr double higher = 1.3;
     const auto work = [&](Cell_handle c, Cells& touched) {
-      if (is_bad(c))
-        improve(c, relabel, touched);
+      if (is_bad(c) && !improve(c, relabel, touched))
+        set_exhausted(c, to_remove_small_angles);
     };
     Cells cells = bad_cells();
     m_handled = cells;
@@ -101,16 +105,11 @@ public:
       work_in_rounds(m_complex, std::move(cells), rounds, work);
       m_bound = m_wanted;
     }
+    keep_from_improvement();
   }
 
 private:
   using Position = typename Complex::Approximate_point_3;
-
-  struct Placed_vertex
-  {
-    std::size_t time_stamp;
-    Position position;
-  };
 
   // The smallest sine of a dihedral angle, over that of the regular tetrahedron.
   double sine(const Position& p, const Position& q, const Position& r, const Position& s) const {
@@ -126,67 +125,28 @@ private:
     return sine(c, [&](Vertex_handle v) { return m_complex.position(v); });
   }
 
-  // Whether a cell has at least so many vertices on the interface, all as far from each other as
-  // before the motion: what moves as a whole keeps its interface.
-  bool is_rigid(Cell_handle c, int at_least) const {
-    static constexpr double same = 1e-6;
-    int number = 0;
-    for (int i = 0; i < 4; ++i) {
-      const Vertex_handle v = c->vertex(i);
-      if (!v->is_interface())
-        continue;
-      ++number;
-      for (int j = 0; j < i; ++j) {
-        const Vertex_handle w = c->vertex(j);
-        if (!w->is_interface())
-          continue;
-        const double before = (position_before(v) - position_before(w)).squared_length(),
-                     now = (m_complex.position(v) - m_complex.position(w)).squared_length();
-        if (std::abs(now - before) > same * before)
-          return false;
-      }
-    }
-    return number >= at_least;
+  // Whether a cell has small angles that no part of the interface that stayed or moved as a whole
+  // may dictate.
+  bool is_to_be_removed(Cell_handle c) const {
+    return sine(c) < m_bound && !m_before.has_stayed(c) && !m_before.touches_rigid_part(c);
   }
 
   // Whether it is for this cell that the interface may change.
   bool may_change_interface(Cell_handle c) const {
-    return sine(c) < m_bound && !has_stayed(c) && !is_rigid(c, 2);
+    return touches_interface(c) && is_to_be_removed(c);
   }
 
-  typename std::vector<Placed_vertex>::const_iterator find_before(Vertex_handle v) const {
-    const auto it = std::lower_bound(
-        m_before.begin(), m_before.end(), v->time_stamp(),
-        [](const Placed_vertex& p, std::size_t time_stamp) { return p.time_stamp < time_stamp; });
-    return it != m_before.end() && it->time_stamp == v->time_stamp() ? it : m_before.end();
+  static bool touches_interface(Cell_handle c) {
+    return c->vertex(0)->is_interface() || c->vertex(1)->is_interface() ||
+           c->vertex(2)->is_interface() || c->vertex(3)->is_interface();
   }
 
-  Position position_before(Vertex_handle v) const {
-    const auto it = find_before(v);
-    return it == m_before.end() ? m_complex.position(v) : it->position;
-  }
-
-  bool has_moved(Vertex_handle v) const {
-    return v->is_interface() && find_before(v) != m_before.end();
-  }
-
-  // Whether a cell has vertices on the interface, none of which moved.
-  bool has_stayed(Cell_handle c) const {
-    bool result = false;
-    for (int i = 0; i < 4; ++i) {
-      if (has_moved(c->vertex(i)))
-        return false;
-      result = result || c->vertex(i)->is_interface();
-    }
-    return result;
-  }
-
-  // The cells around those that were worked on and for which the interface might still change.
+  // The cells around those that were worked on and are still to be removed.
   Cells stars_of_stuck() {
     std::vector<Cell_handle> stuck;
     m_handled.sort();
     for (const auto& item : m_handled)
-      if (m_complex.is_alive(item.cell, item.time_stamp) && may_change_interface(item.cell))
+      if (m_complex.is_alive(item.cell, item.time_stamp) && is_to_be_removed(item.cell))
         stuck.push_back(item.cell);
     Cells result;
     for (Cell_handle c : star_union(m_complex, numbered_vertices_of<Complex>(stuck)))
@@ -194,26 +154,28 @@ private:
     return result;
   }
 
-  template <class Relabel> void improve(Cell_handle c, const Relabel& relabel, Cells& touched) {
+  // Returns whether anything was done.
+  template <class Relabel> bool improve(Cell_handle c, const Relabel& relabel, Cells& touched) {
     const auto is_free = [](Vertex_handle v) { return !v->is_interface(); };
     const bool may_change = may_change_interface(c);
     find_best_proposal(c);
     if (!is_enough() && move_vertex(c, is_free, m_bound, touched))
-      return;
+      return true;
     if (!is_enough() && may_change) {
       consider_interface_flips(c);
       consider_collapses(c, true);
       if (!is_enough() && relabel_fold(c, relabel, touched))
-        return;
+        return true;
     }
     if (!m_best.removed().empty()) {
       commit_proposal(m_complex, m_best, m_visitor, m_report);
       touch(m_best.created(), touched);
-      return;
+      return true;
     }
-    if (!move_vertex(c, is_free, 0, touched) && may_change)
-      move_vertex(
-          c, [&](Vertex_handle v) { return has_moved(v); }, 0, touched);
+    return move_vertex(c, is_free, 0, touched) ||
+           (may_change &&
+            move_vertex(
+                c, [&](Vertex_handle v) { return m_before.has_moved(v); }, 0, touched));
   }
 
   // Whether the best proposal leaves no angle below the bound.
@@ -249,7 +211,7 @@ private:
   void consider_collapses(Cell_handle c, bool of_interface) {
     for (int i = 0; i < 4; ++i) {
       const Vertex_handle v = c->vertex(i);
-      if (v->is_interface() != of_interface || (of_interface && !has_moved(v)))
+      if (v->is_interface() != of_interface || (of_interface && !m_before.has_moved(v)))
         continue;
       for (int j = 0; j < 4; ++j)
         consider(j != i && propose_edge_collapse(m_complex, c, i, j, 0, m_cavity) &&
@@ -375,7 +337,15 @@ private:
     return (std::max)(0., star_quality(m_complex, m_sine, v, m_star, p, 0));
   }
 
+  // What was done for the angles is not to be undone for the quality before something changes.
+  void keep_from_improvement() {
+    for (const auto& item : m_changed)
+      if (m_complex.is_alive(item.cell, item.time_stamp))
+        set_exhausted(item.cell, to_improve_quality);
+  }
+
   void touch(const std::vector<Cell_handle>& cells, Cells& touched) {
+    push_finite(m_complex, cells, m_changed);
     for (Cell_handle c : cells)
       if (!m_complex.is_infinite(c) && is_bad(c)) {
         touched.push(c);
@@ -387,14 +357,14 @@ private:
 
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
+  const Interface_before<Complex>& m_before;
   Minimum_sine_3 m_sine;
   double m_wanted, m_bound; // the latter may be higher around cells that stay
   double m_quality_threshold;
   Cavity_3<Complex> m_cavity, m_best;
   double m_best_sine = 0, m_least_sine = 0;
-  std::vector<Placed_vertex> m_before;                       // vertices that move, by time stamp
   boost::container::flat_map<std::size_t, Position> m_homes; // of those relocated, by time stamp
-  Cells m_handled;
+  Cells m_handled, m_changed;
   std::vector<Cell_handle> m_star;
   Improvement_report m_report;
 };

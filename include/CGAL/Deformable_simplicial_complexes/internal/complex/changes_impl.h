@@ -50,8 +50,13 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, do
   if (q == v->point())
     return 1;
   star(v, m_star);
+  const auto move_to = [&](const Point& p) {
+    place(v, m_star, p);
+    for (Cell_handle c : m_star)
+      note_motion(c);
+  };
   if (is_positive_star(v, m_star, q)) {
-    set_point(v, m_star, q);
+    move_to(q);
     return 1;
   }
 
@@ -81,7 +86,7 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, do
     if (is_positive_star(v, m_star, p)) {
       if (p == v->point())
         return 0;
-      set_point(v, m_star, p);
+      move_to(p);
       return way;
     }
   }
@@ -91,6 +96,14 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, do
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::set_point(Vertex_handle v, const std::vector<Cell_handle>& star,
                                const Point& p) {
+  place(v, star, p);
+  for (Cell_handle c : star)
+    if (!is_infinite(c))
+      internal::note_shape(c);
+}
+
+CGAL_DSC_TEMPLATE
+void CGAL_DSC_CLASS::place(Vertex_handle v, const std::vector<Cell_handle>& star, const Point& p) {
   ++m_version;
   for (Cell_handle c : star)
     if (!is_infinite(c))
@@ -102,6 +115,22 @@ void CGAL_DSC_CLASS::set_point(Vertex_handle v, const std::vector<Cell_handle>& 
       m_totals.add_volume(c->label(), m_totals.units(measure(c)));
       c->set_quality(cell_quality(c));
     }
+}
+
+// Another shape of a cell makes it worth trying again what failed there.
+CGAL_DSC_TEMPLATE
+void CGAL_DSC_CLASS::note_motion(Cell_handle c) {
+  if (!is_infinite(c) && internal::note_shape(c))
+    forget_failures(c);
+}
+
+// Those of a cell, and of its neighbors in the same phase.
+CGAL_DSC_TEMPLATE
+void CGAL_DSC_CLASS::forget_failures(Cell_handle c) {
+  c->set_failures(0);
+  for (int i = 0; i < corners; ++i)
+    if (c->neighbor(i)->label() == c->label())
+      c->neighbor(i)->set_failures(0);
 }
 
 CGAL_DSC_TEMPLATE
@@ -125,8 +154,10 @@ void CGAL_DSC_CLASS::set_points(const std::vector<Vertex_handle>& vertices,
     cells[i]->set_quality(cell_quality(cells[i]));
   });
   for (size_type i = 0; i < cells.size(); ++i)
-    if (!is_infinite(cells[i]))
+    if (!is_infinite(cells[i])) {
       m_totals.add_volume(cells[i]->label(), m_volume_changes[i]);
+      note_motion(cells[i]);
+    }
 }
 
 CGAL_DSC_TEMPLATE
@@ -148,6 +179,7 @@ void CGAL_DSC_CLASS::relabel(Cell_handle c, Label label) {
   for (int i = 0; i < corners; ++i)
     if (c->neighbor(i)->label() == label && !is_infinite(c->neighbor(i)))
       c->set_component(c->neighbor(i)->component());
+  forget_failures(c);
   m_components.invalidate();
 }
 
@@ -238,6 +270,7 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
     if (!is_infinite(c)) {
       c->set_label(plan.parent->label());
       c->set_quality(plan.quality);
+      c->set_noted_quality(float(plan.quality));
       m_totals.add_cell(c->label(), measure(c));
     }
   }

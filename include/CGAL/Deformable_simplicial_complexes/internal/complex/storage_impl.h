@@ -201,7 +201,8 @@ void CGAL_DSC_CLASS::sort_storage() {
     for (int j = 0; j < corners; ++j)
       after.cells[i][j] = vertex_rank[before.cells[old][j]];
     after.cell_labels[i] = before.cell_labels[old];
-    after.exhausted_qualities[i] = before.exhausted_qualities[old];
+    after.noted_qualities[i] = before.noted_qualities[old];
+    after.failures[i] = before.failures[old];
     after.cell_components[i] = before.cell_components[old];
   }
   for (size_type v = 0; v < before.vertex_cells.size(); ++v)
@@ -245,7 +246,8 @@ auto CGAL_DSC_CLASS::state() const -> State {
     for (int i = 0; i < corners; ++i)
       result.cells.back()[i] = c->vertex(i)->scratch_index();
     result.cell_labels.push_back(c->label());
-    result.exhausted_qualities.push_back(c->exhausted_quality());
+    result.noted_qualities.push_back(c->noted_quality());
+    result.failures.push_back(c->failures());
     result.cell_components.push_back(is_infinite(c) ? 0 : c->component());
   }
   return result;
@@ -288,13 +290,15 @@ void CGAL_DSC_CLASS::create_items(const State& state) {
   for (size_type i = 0; i < cells.size(); ++i) {
     if (!is_infinite(cells[i]))
       cells[i]->set_label(state.cell_labels[i]);
-    cells[i]->set_exhausted_quality(state.exhausted_qualities[i]);
+    cells[i]->set_failures(state.failures[i]);
   }
   for (size_type v = 0; v < vertices.size(); ++v)
     vertices[v]->set_cell(cells[state.vertex_cells[v]]);
   check_stars(vertices);
   check_boundary();
   initialize_caches();
+  for (size_type i = 0; i < cells.size(); ++i)
+    cells[i]->set_noted_quality(state.noted_qualities[i]);
   if (!m_components.renumber(*this, cells, state.cell_components, state.component_volumes))
     throw Invalid_tetrahedra_error("the numbers of components are none of these tetrahedra");
 }

@@ -10,6 +10,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_care.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Interface_before.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/collision_order.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/final_quality.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/motion_of_space.h>
@@ -44,8 +45,8 @@ public:
   Interface_deformer(Complex& complex, Any_visitor<Complex>& visitor,
                      const Deformation_options<Complex>& options,
                      const For_each_index& for_each_index)
-      : m_complex(complex), m_visitor(visitor), m_options(options),
-        m_mesh(complex, visitor, options),
+      : m_complex(complex), m_visitor(visitor), m_options(options), m_before(complex),
+        m_mesh(complex, visitor, m_before, options),
         m_trapped_cells(complex, visitor, m_options.topology_control, options.manifold_interface),
         m_for_each_index(for_each_index) {}
 
@@ -77,7 +78,7 @@ public:
     }
     update_unfinished();
     for (const Item& item : m_unfinished)
-      m_mesh.remember(item.vertex);
+      m_before.remember(item.vertex);
   }
 
   bool is_complete() const { return m_unfinished.empty(); }
@@ -234,10 +235,12 @@ private:
     std::size_t time_stamp; // the vertex may have been removed
   };
 
-  // Relabels trapped cells below a quality, but for those that are flat only on the way.
+  // Relabels trapped cells below a quality, but for those that are flat only on the way, or were so
+  // before in a part that moves as a whole.
   void relabel(const Work_list<Cell_handle>& cells, double threshold) {
     m_trapped_cells.relabel(handles(cells), threshold, [&](Cell_handle c) {
-      return final_quality(m_complex, c) < m_options.relabeling_threshold;
+      return final_quality(m_complex, c) < m_options.relabeling_threshold &&
+             !m_before.moves_as_a_whole(c);
     });
   }
 
@@ -314,6 +317,7 @@ private:
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
   Deformation_options<Complex> m_options;
+  Interface_before<Complex> m_before;
   Mesh_care<Complex> m_mesh;
   Trapped_cells<Complex> m_trapped_cells;
   const For_each_index& m_for_each_index;

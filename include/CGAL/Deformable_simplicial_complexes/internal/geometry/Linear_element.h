@@ -44,10 +44,15 @@ public:
   // rounding.
   bool is_regular() const {
     static constexpr double rounding = 1e-15;
-    double largest = 0;
-    for (int i = 0; i <= d; ++i)
-      largest = (std::max)(largest, m_frame.normals[i].squared_length());
-    return measure() > rounding * Complex::Space::measure_of_extent(largest);
+    return measure() > rounding * extent();
+  }
+
+  // Inverse to the measure, which makes cells of all sizes count alike; limited for those that are
+  // flat, so that none rules the others.
+  double conductivity() const {
+    static constexpr double flattest = 5e-4;
+    const double limited = (std::max)(measure(), flattest * extent());
+    return measure() / (limited * limited);
   }
 
   // The integral of the function that is 1 at a corner: the part of the mass that a vertex carries.
@@ -62,6 +67,14 @@ public:
   }
 
 private:
+  // About what a cell with such facets would measure if it were round.
+  double extent() const {
+    double largest = 0;
+    for (int i = 0; i <= d; ++i)
+      largest = (std::max)(largest, m_frame.normals[i].squared_length());
+    return Complex::Space::measure_of_extent(largest);
+  }
+
   static constexpr double factorial = d == 3 ? 6 : 2; // of d
 
   // Each normal is d - 1 times as long as its facet measures, and the parallelotope of the edges at

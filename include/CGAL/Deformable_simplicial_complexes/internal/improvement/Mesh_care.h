@@ -12,7 +12,6 @@ namespace internal {
 /*
 What a deformation does to the mesh, made of the operations of one dimension:
 
-- `remember(v)`: a vertex of the interface is about to move; by increasing time stamp
 - `begin_pass(vertices)`: these have not arrived
 - `is_bad(c)`: a cell is worth being improved
 - `remove_obstacle(c, may_remove_facets, touched)`: a cell keeps a vertex from its destination

@@ -9,13 +9,14 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/Linear_element.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Affine_phases.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 
-#include <CGAL/Origin.h>
-
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
+
+#include <boost/container/flat_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -87,8 +88,10 @@ void hold(Matrix& matrix, Vector& right, const IsHeld& is_held) {
 
 /*
 Extends displacements from the interface into the space around: each component solves the Laplace
-equation by linear finite elements. A rigid or affine motion of a closed interface is reproduced
-inside, so that cells there keep their shape.
+equation by linear finite elements, with a conductivity that is inverse to what a cell measures. So
+all cells withstand a change of their shape alike, and small ones, where the interface is fine, keep
+theirs at the cost of large ones. A rigid or affine motion of a closed interface is reproduced
+inside: what is solved for is the deviation from the affine motion that fits best.
 
 `displacement(v)` tells the displacement of a vertex that is not in `free`. It is asked once for
 each that is next to them. Vertices on the boundary of the domain go within their sides.
@@ -97,51 +100,78 @@ template <class Complex, class Displacement>
 std::vector<typename Complex::Approximate_vector>
 harmonic_extension(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& free,
                    const Displacement& displacement, const For_each_index& for_each_index) {
-  using Vector = typename Complex::Approximate_vector;
   static constexpr int d = Complex::dimension;
+  using Phases = Affine_phases<d>;
+  using Vector = typename Phases::Vector;
+  using Index = Eigen::Index;
   if (free.empty())
     return {};
   number_vertices(free);
-  using Index = Eigen::Index;
-  const Index n = Index(free.size());
-  const auto cells = sorted_star_union(complex, free);
   auto vertices = free; // and behind them those next to them
-  for (auto c : cells)
-    for (int i = 0; i < Complex::corners; ++i)
+  const auto handles = sorted_star_union(complex, free);
+  std::vector<typename Phases::Cell> cells;
+  boost::container::flat_map<typename Complex::Label, std::uint32_t> phases_of_labels;
+  std::vector<std::uint32_t> phase_at(free.size());
+  for (auto c : handles) {
+    typename Phases::Cell cell;
+    cell.phase =
+        phases_of_labels.emplace(c->label(), std::uint32_t(phases_of_labels.size())).first->second;
+    for (int i = 0; i < Complex::corners; ++i) {
       if (!is_numbered(c->vertex(i), vertices)) {
         c->vertex(i)->set_scratch_index(std::uint32_t(vertices.size()));
         vertices.push_back(c->vertex(i));
       }
-  std::vector<Vector> known;
-  for (auto v = vertices.begin() + n; v != vertices.end(); ++v)
-    known.push_back(displacement(*v));
-  number_vertices(vertices); // whoever was asked may have numbered others
-  if (std::all_of(known.begin(), known.end(), [](const Vector& d) { return d == NULL_VECTOR; }))
-    return std::vector<Vector>(free.size(), NULL_VECTOR);
+      cell.vertices[i] = c->vertex(i)->scratch_index();
+      if (cell.vertices[i] < free.size())
+        phase_at[cell.vertices[i]] = cell.phase;
+    }
+    cells.push_back(cell);
+  }
+  const auto coordinates = [](const auto& p) { return Vector(coordinates_of<d>(p).data()); };
+  typename Phases::Vertices places;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const bool is_free = i < free.size();
+    places.positions.push_back(coordinates(complex.position(vertices[i])));
+    places.are_held.push_back(is_free ? complex.is_boundary(vertices[i])
+                                      : !vertices[i]->is_interface());
+    if (!is_free)
+      places.known.push_back(coordinates(displacement(vertices[i])));
+  }
 
-  std::vector<Eigen::Triplet<double>> entries;
+  const Phases phases(phases_of_labels.size(), cells, places);
+  std::vector<Index> rows(vertices.size(), -1); // of free vertices in phases that deviate
+  std::vector<std::size_t> unknown;             // these vertices
+  for (std::size_t i = 0; i < free.size(); ++i)
+    if (phases.deviates(phase_at[i])) {
+      rows[i] = Index(unknown.size());
+      unknown.push_back(i);
+    }
+  const Index n = Index(unknown.size());
+  std::vector<Eigen::Triplet<double>> entries; // below the diagonal and on it
   Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(n);
   using Columns = Eigen::Matrix<double, Eigen::Dynamic, d>;
   Columns right = Columns::Zero(n, d);
-  for (auto c : cells) {
-    const Linear_element<Complex> element(complex, c);
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const auto& c = cells[k];
+    if (!phases.deviates(c.phase))
+      continue;
+    const Linear_element<Complex> element(complex, handles[k]);
     if (!element.is_regular()) // it has no say
       continue;
+    const double conductivity = element.conductivity();
     for (int i = 0; i < Complex::corners; ++i) {
-      const Index row = Index(c->vertex(i)->scratch_index());
-      if (row >= n)
+      const Index row = rows[c.vertices[i]];
+      if (row < 0)
         continue;
       for (int j = 0; j < Complex::corners; ++j) {
-        const Index column = Index(c->vertex(j)->scratch_index());
-        const double stiffness = element.stiffness(i, j);
-        if (i == j) {
+        const Index column = rows[c.vertices[j]];
+        const double stiffness = conductivity * element.stiffness(i, j);
+        if (i == j)
           diagonal[row] += stiffness;
-        } else if (column < n) {
+        else if (column < 0)
+          right.row(row) -= stiffness * phases.deviation(c.phase, c.vertices[j]).transpose();
+        else if (column < row)
           entries.emplace_back(row, column, stiffness);
-        } else {
-          for (int axis = 0; axis < d; ++axis)
-            right(row, axis) -= stiffness * known[std::size_t(column - n)][axis];
-        }
       }
     }
   }
@@ -161,7 +191,7 @@ harmonic_extension(const Complex& complex, const std::vector<typename Complex::V
       d,
       [&](std::size_t axis) {
         const auto is_held = [&](Index i) {
-          return Boundary_class::fixes(free[std::size_t(i)]->boundary_class(), int(axis));
+          return Boundary_class::fixes(free[unknown[std::size_t(i)]]->boundary_class(), int(axis));
         };
         Matrix held;
         Eigen::VectorXd b = right.col(Index(axis));
@@ -169,18 +199,19 @@ harmonic_extension(const Complex& complex, const std::vector<typename Complex::V
           held = matrix;
           hold(held, b, is_held);
         }
-        Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver(has_held ? held
-                                                                                      : matrix);
+        Eigen::ConjugateGradient<Matrix, Eigen::Lower> solver(has_held ? held : matrix);
         solver.setTolerance(1e-2);
         solver.setMaxIterations(200);
         solution.col(Index(axis)) = solver.solve(b);
       },
       worthwhile);
-  std::vector<Vector> result;
-  for (Index i = 0; i < n; ++i) {
+  std::vector<typename Complex::Approximate_vector> result;
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    Vector motion = phases.motion(phase_at[i], std::uint32_t(i));
+    if (rows[i] >= 0)
+      motion += solution.row(rows[i]).transpose();
     std::array<double, d> coordinates;
-    for (int axis = 0; axis < d; ++axis)
-      coordinates[axis] = solution(i, axis);
+    std::copy(motion.data(), motion.data() + d, coordinates.begin());
     result.push_back(vector_of<Complex>(coordinates));
   }
   return result;
