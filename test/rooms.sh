@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$1/CGAL"
 
-rooms=(complex traversal geometry interface operations parameters topology motion improvement deformation
+rooms=(accounts complex traversal geometry interface operations parameters topology motion improvement deformation
   building values IO)
 maximum_lines=2000
 

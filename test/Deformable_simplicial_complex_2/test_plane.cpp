@@ -149,9 +149,9 @@ TEST(Plane, a_flat_cell_has_no_say_in_the_motion_of_space) {
     if (!complex.is_boundary(v))
       free.push_back(v);
   namespace internal = CGAL::Deformable_simplicial_complexes::internal;
-  const auto motion = internal::harmonic_extension(
-      complex, free, [](Complex::Vertex_handle) { return Complex::Approximate_vector_2(1, 0); },
-      internal::For_each_index());
+  const internal::Harmonic_extension<Complex> extension(
+      complex, free, [](Complex::Vertex_handle) { return Complex::Approximate_vector_2(1, 0); });
+  const auto motion = extension.solve(internal::For_each_index());
   for (const auto& d : motion)
     EXPECT_NEAR(d.x(), 1, .1);
 }

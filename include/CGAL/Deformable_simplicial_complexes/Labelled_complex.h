@@ -9,9 +9,9 @@
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Component_event.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Component_tracker.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Failure_memory.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Label_totals.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Component_tracker.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Failure_memory.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Label_totals.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
 
 #include <array>

@@ -16,7 +16,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Failure_memory.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/final_quality.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>

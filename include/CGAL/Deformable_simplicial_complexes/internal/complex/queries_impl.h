@@ -8,8 +8,8 @@
 // Member functions of Labelled_complex: access, labels, interface, measures.
 
 #include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Marks.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Marks.h>
 
 #include <algorithm>
 #include <array>

@@ -13,6 +13,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Interface_before.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/collision_order.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/final_quality.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/free_vertices_near.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/motion_of_space.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/simultaneous_motion.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>

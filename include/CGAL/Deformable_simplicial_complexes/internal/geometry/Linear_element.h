@@ -40,18 +40,14 @@ public:
     return m_frame.normals[i] * m_frame.normals[j] / (factorial * m_frame.parallelotope);
   }
 
-  // Whether gradients and stiffness mean anything: not if the cell, though positive, is flat up to
-  // rounding.
-  bool is_regular() const {
-    static constexpr double rounding = 1e-15;
-    return measure() > rounding * extent();
-  }
-
-  // Inverse to the measure, which makes cells of all sizes count alike; limited for those that are
-  // flat, so that none rules the others.
+  // Inverse to the measure, so that cells of all sizes count alike. Limited for those that are
+  // flat, so that none rules the others, and 0 if it is up to rounding only that they are not.
   double conductivity() const {
-    static constexpr double flattest = 5e-4;
-    const double limited = (std::max)(measure(), flattest * extent());
+    static constexpr double flattest = 5e-4, rounding = 1e-15; // of a round cell
+    const double round = extent();
+    if (!(measure() > rounding * round))
+      return 0;
+    const double limited = (std::max)(measure(), flattest * round);
     return measure() / (limited * limited);
   }
 

@@ -84,17 +84,19 @@ private:
   const Vector& position(std::uint32_t v) const { return m_vertices.positions[v]; }
   const Vector& known(std::uint32_t v) const { return m_vertices.known[v - m_number_of_free]; }
 
-  // Each vertex around a phase that has a motion, with the number of the phase.
+  // The vertices around phases that have a motion, each with the number of a phase. Some may come
+  // more than once, and count for more.
   std::vector<std::pair<std::uint32_t, std::uint32_t>>
   surroundings(const std::vector<Cell>& cells) const {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> result;
+    std::vector<std::uint32_t> last_phase(m_vertices.known.size(), std::uint32_t(-1));
     for (const Cell& c : cells)
       if (m_phases[c.phase].has_motion())
         for (std::uint32_t v : c.vertices)
-          if (v >= m_number_of_free)
+          if (v >= m_number_of_free && last_phase[v - m_number_of_free] != c.phase) {
+            last_phase[v - m_number_of_free] = c.phase;
             result.emplace_back(c.phase, v);
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
+          }
     return result;
   }
 

@@ -2,12 +2,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_COMPONENT_TRACKER_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_COMPONENT_TRACKER_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_ACCOUNTS_COMPONENT_TRACKER_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_ACCOUNTS_COMPONENT_TRACKER_H
 
 #include <CGAL/Deformable_simplicial_complexes/Component_event.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Label_totals.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Marks.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Label_totals.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Marks.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -280,4 +280,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_COMPONENT_TRACKER_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_ACCOUNTS_COMPONENT_TRACKER_H

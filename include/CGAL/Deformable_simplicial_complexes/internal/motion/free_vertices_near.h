@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_FREE_VERTICES_NEAR_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_FREE_VERTICES_NEAR_H
+
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Free vertices near moving ones: those within a number of layers of edges, or all of them if much
+// of the interface moves. Those on the boundary of the domain are free if their sides permit and
+// one of these has a moving vertex, too: a line of contact takes its surroundings along.
+template <class Complex>
+std::vector<typename Complex::Vertex_handle>
+free_vertices_near(const Complex& complex,
+                   const std::vector<typename Complex::Vertex_handle>& moving, unsigned layers) {
+  using Vertex_handle = typename Complex::Vertex_handle;
+  static constexpr std::size_t much = 16;
+  std::vector<Vertex_handle> found;
+  unsigned moving_sides = 0;
+  for (Vertex_handle v : moving)
+    moving_sides |= v->boundary_class();
+  const auto is_free = [&](Vertex_handle v) {
+    if (v->is_interface() || complex.is_infinite(v))
+      return false;
+    return !complex.is_boundary(v) ||
+           ((v->boundary_class() & moving_sides) != 0 &&
+            !Boundary_class::fixes_all(v->boundary_class(), Complex::dimension));
+  };
+  if (moving.size() * much > complex.number_of_vertices()) {
+    for (Vertex_handle v : complex.finite_vertices())
+      if (is_free(v))
+        found.push_back(v);
+  } else {
+    std::vector<Vertex_handle> front = moving, next;
+    std::vector<typename Complex::Cell_handle> star;
+    for (unsigned layer = 0; layer < layers; ++layer) {
+      next.clear();
+      for (Vertex_handle v : front) {
+        complex.star(v, star);
+        for (auto c : star)
+          for (int i = 0; i < Complex::corners; ++i)
+            if (is_free(c->vertex(i)) && !is_numbered(c->vertex(i), found)) {
+              c->vertex(i)->set_scratch_index(std::uint32_t(found.size()));
+              found.push_back(c->vertex(i));
+              next.push_back(c->vertex(i));
+            }
+      }
+      front.swap(next);
+    }
+  }
+  std::sort(found.begin(), found.end(), Less_time_stamp());
+  return found;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_FREE_VERTICES_NEAR_H
