@@ -24,6 +24,7 @@
 #include <functional>
 #include <iostream>
 #include <new>
+#include <random>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -33,7 +34,8 @@
 // nothing, and take memory for what is in the file and not for what the file announces.
 //
 // A long run is the same program with the variable DSC_FUZZ_MUTATIONS, the number for each format;
-// it prints a row of a table for each.
+// it prints a row of a table for each. Many files are written: let TEST_TMPDIR be a folder in
+// memory.
 
 // Memory, counted
 
@@ -280,6 +282,30 @@ TEST(Fuzzed_readers, polygons_that_meet_themselves_take_no_memory) {
   for (int i = 0; i < n; ++i)
     file << ' ' << i * 250 % n;
   EXPECT_LT(memory_of_reading({"", ".off", {}, read_surface}, file.str()), little_memory);
+}
+
+// Corners that lie on few lines and circles, in planes that no number describes exactly.
+TEST(Fuzzed_readers, polygons_become_triangles_or_are_refused) {
+  std::mt19937_64 random(1);
+  const auto any_of = [&](std::size_t n) { return static_cast<double>(random() % n); };
+  std::size_t number_of_triangulated = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const std::size_t n = 5 + random() % 8;
+    const double a = any_of(1000) / 999, b = any_of(1000) / 999, noise = std::pow(10, -any_of(20));
+    std::vector<small_meshes::Point> corners;
+    for (std::size_t j = 0; j < n; ++j) {
+      const double angle = 2 * CGAL_PI * double(j) / double(n), radius = (1 + any_of(3)) / 3,
+                   x = i % 2 == 0 ? any_of(4) : radius * std::cos(angle),
+                   y = i % 2 == 0 ? any_of(4) : radius * std::sin(angle);
+      corners.emplace_back(x, y, a * x + b * y + noise * any_of(2));
+    }
+    const auto triangles = internal::triangulated_polygon(corners);
+    if (!triangles.empty()) {
+      ++number_of_triangulated;
+      EXPECT_EQ(triangles.size(), n - 2) << i;
+    }
+  }
+  EXPECT_GT(number_of_triangulated, 5000u);
 }
 
 // Mutations: | format | mutations | read | refused | peak memory above the file's size |

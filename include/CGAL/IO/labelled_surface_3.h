@@ -10,6 +10,7 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/read_polygons.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/triangulated_polygon.h>
 #include <CGAL/extract_interface_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -17,15 +18,8 @@
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
-#include <CGAL/Kernel_traits.h>
-#include <CGAL/Polygon_2_algorithms.h>
-#include <CGAL/Polygon_mesh_processing/compute_normal.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -42,70 +36,6 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
-
-// Whether the polygon does not meet itself where it is seen along its normal.
-template <class Mesh> bool is_simple_polygon(typename Mesh::Face_index polygon, const Mesh& mesh) {
-  using Kernel = typename Kernel_traits<typename Mesh::Point>::Kernel;
-  using Vector = typename Kernel::Vector_3;
-  const Vector normal = Polygon_mesh_processing::compute_face_normal(polygon, mesh);
-  const double length = normal.squared_length();
-  if (!(0.5 < length && length < 2)) // no unit vector: there is no area, or next to none
-    return false;
-  const double x = std::abs(normal.x()), y = std::abs(normal.y()), z = std::abs(normal.z());
-  const Vector far_from_normal(x <= y && x <= z, y < x && y <= z, z < x && z < y);
-  const Vector a = cross_product(normal, far_from_normal), b = cross_product(normal, a);
-  std::vector<typename Kernel::Point_2> corners;
-  for (const auto v : mesh.vertices_around_face(mesh.halfedge(polygon))) {
-    const Vector p = mesh.point(v) - ORIGIN;
-    corners.emplace_back(a * p, b * p);
-  }
-  return is_simple_2(corners.begin(), corners.end());
-}
-
-// The triangles of a polygon as places in it; empty if it cannot be triangulated. One of more than
-// four corners must be simple, as CGAL would cut it in all places, maybe millions, where it is not.
-template <class Point>
-std::vector<std::array<std::size_t, 3>> triangulated_polygon(const std::vector<Point>& corners) {
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
-  using Mesh = Surface_mesh<Kernel::Point_3>;
-  std::vector<std::array<std::size_t, 3>> triangles;
-  if (corners.size() == 3)
-    triangles.push_back({0, 1, 2});
-  if (corners.size() <= 3)
-    return triangles;
-
-  // Of unit size, so that products neither overflow nor vanish.
-  const auto from_first_corner = [&](const Point& p) {
-    return Kernel::Vector_3(to_double(p.x()) - to_double(corners[0].x()),
-                            to_double(p.y()) - to_double(corners[0].y()),
-                            to_double(p.z()) - to_double(corners[0].z()));
-  };
-  double size = 0;
-  for (const Point& p : corners)
-    for (int i = 0; i < 3; ++i)
-      size += std::abs(from_first_corner(p)[i]);
-  if (!std::isfinite(size) || size == 0)
-    return triangles;
-
-  Mesh mesh;
-  std::vector<Mesh::Vertex_index> vertices;
-  for (const Point& p : corners)
-    vertices.push_back(mesh.add_vertex(ORIGIN + from_first_corner(p) / size));
-  const auto polygon = mesh.add_face(vertices);
-  if ((corners.size() > 4 && !is_simple_polygon(polygon, mesh)) ||
-      !Polygon_mesh_processing::triangulate_face(polygon, mesh))
-    return triangles;
-  for (const auto face : mesh.faces()) {
-    if (mesh.degree(face) != 3) // CGAL rounds, and may leave polygons where it meets ties
-      return {};
-    std::array<std::size_t, 3> triangle;
-    auto corner = triangle.begin();
-    for (const auto v : mesh.vertices_around_face(mesh.halfedge(face)))
-      *corner++ = v.idx();
-    triangles.push_back(triangle);
-  }
-  return triangles;
-}
 
 // By the extension of the file.
 inline Surface_format surface_format(const std::string& path) {
@@ -245,10 +175,10 @@ namespace IO {
 
 reads a surface from a file in one of the formats OFF, OBJ, PLY and STL, chosen by the extension.
 
-Polygons with more than three vertices are triangulated one by one, with
-`Polygon_mesh_processing::triangulate_face()`. In STL files, where triangles share no points,
-points with the same coordinates become one. What the surface looks like is not checked:
-`make_deformable_simplicial_complex_3()` does that.
+Polygons with more than three vertices are triangulated one by one: with more than four by a
+constrained Delaunay triangulation of what is seen of them along their normals. In STL files, where
+triangles share no points, points with the same coordinates become one. What the surface looks like
+is not checked: `make_deformable_simplicial_complex_3()` does that.
 
 \tparam Point is a point type of a \cgal kernel.
 
