@@ -22,7 +22,7 @@ Vertex of a deformable simplicial complex in the plane.
 template <class Traits, class Vb = Triangulation_vertex_base_2<Traits>>
 class Deformable_simplicial_complex_vertex_base_2
     : public Vb,
-      public Deformable_simplicial_complexes::Vertex_data<typename Vb::Point>
+      public Deformable_simplicial_complexes::Vertex_data
 {
 public:
   using Cell_handle = typename Vb::Face_handle; ///< handle of a triangle

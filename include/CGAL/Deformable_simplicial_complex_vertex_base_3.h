@@ -24,7 +24,7 @@ Vertex of a deformable simplicial complex in space.
 template <class Traits, class Vb = Triangulation_vertex_base_3<Traits>>
 class Deformable_simplicial_complex_vertex_base_3
     : public Vb,
-      public Deformable_simplicial_complexes::Vertex_data<typename Vb::Point>
+      public Deformable_simplicial_complexes::Vertex_data
 {
 public:
   using Cell_handle =

@@ -9,6 +9,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface/interface_paths_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Integration_scheme.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/deform_interface_3.h>
 
 namespace CGAL {
@@ -73,7 +74,8 @@ Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& veloc
   using parameters::get_parameter;
   const Integration_scheme scheme =
       choose_parameter(get_parameter(np, tags::scheme), Integration_scheme::rk2);
-  const double tolerance = choose_parameter(get_parameter(np, tags::integration_tolerance), 1e-4);
+  const double tolerance = choose_parameter(get_parameter(np, tags::integration_tolerance),
+                                            internal::defaults::integration_tolerance);
   if (!(tolerance > 0))
     throw Deformable_simplicial_complexes::Error(
         "the tolerance of the integration is out of range: use more than 0");

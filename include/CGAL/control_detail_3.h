@@ -100,9 +100,9 @@ Improvement_report control_detail(Complex& dsc, const NamedParameters& np = Name
   auto visitor = internal::visitor_parameter<Complex>(np);
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   const internal::Detail_thresholds thresholds = {
-      internal::number_parameter(np, tags::split_length, 4),
+      internal::number_parameter(np, tags::split_length, defaults::split_length),
       internal::number_parameter(np, tags::collapse_length, infinity),
-      internal::quality_parameter(np, tags::collapse_quality, .25),
+      internal::quality_parameter(np, tags::collapse_quality, defaults::collapse_quality),
       bool(internal::parameter_or(np, tags::change_interface, false)),
       internal::number_parameter(np, tags::interface_split_length,
                                  defaults::interface_split_length),

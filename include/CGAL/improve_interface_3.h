@@ -115,16 +115,18 @@ Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = N
   auto visitor = internal::visitor_parameter<Complex>(np);
   static constexpr double degree = CGAL_PI / 180;
   const internal::Interface_thresholds thresholds = {
-      internal::number_parameter(np, tags::aggressiveness, .025),
+      internal::number_parameter(np, tags::aggressiveness, defaults::aggressiveness),
       internal::number_parameter(np, tags::interface_split_length,
                                  defaults::interface_split_length),
       internal::number_parameter(np, tags::interface_collapse_length,
                                  defaults::Interface_collapse_length::in_wanted_lengths),
-      internal::number_parameter(np, tags::swept_volume, .1),
-      internal::angle_parameter(np, tags::flip_angle, 5, 90,
+      internal::number_parameter(np, tags::swept_volume, defaults::swept_volume),
+      internal::angle_parameter(np, tags::flip_angle, defaults::flip_angle, 90,
                                 "angle up to which edges are flipped") *
           degree,
-      internal::angle_parameter(np, tags::feature_angle, 60, 180, "angle of features") * degree,
+      internal::angle_parameter(np, tags::feature_angle, defaults::feature_angle, 180,
+                                "angle of features") *
+          degree,
       internal::angle_parameter(np, tags::minimum_facet_angle,
                                 defaults::Minimum_facet_angle::of_interface, 30,
                                 "smallest angle of a facet") *

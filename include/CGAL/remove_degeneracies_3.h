@@ -75,12 +75,14 @@ Improvement_report remove_degeneracies(Complex& dsc,
                                        const NamedParameters& np = NamedParameters()) {
   namespace tags = Deformable_simplicial_complexes::internal_np;
   namespace internal = Deformable_simplicial_complexes::internal;
+  using internal::defaults::Degenerate;
   using Cell_handle = typename Complex::Cell_handle;
 
   auto visitor = internal::visitor_parameter<Complex>(np);
-  const double quality = internal::quality_parameter(np, tags::degenerate_quality, .005);
-  const double cosine = internal::number_parameter(np, tags::degenerate_cosine, .999);
-  const double length = internal::number_parameter(np, tags::degenerate_length, .5);
+  const double quality =
+      internal::quality_parameter(np, tags::degenerate_quality, Degenerate::quality);
+  const double cosine = internal::number_parameter(np, tags::degenerate_cosine, Degenerate::cosine);
+  const double length = internal::number_parameter(np, tags::degenerate_length, Degenerate::length);
   if (!(cosine >= .5 && cosine <= 1))
     throw Deformable_simplicial_complexes::Error(
         "the cosine of the smallest angle of a facet is out of range: use 0.5 to 1");

@@ -9,6 +9,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface/label_volumes_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/deform_interface_3.h>
 
@@ -76,9 +77,11 @@ Volume_report<Complex> restore_volumes(Complex& dsc,
   using Deformable_simplicial_complexes::Error;
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  const double tolerance = choose_parameter(get_parameter(np, tags::volume_tolerance), 1e-10);
-  const unsigned iterations = internal::count_parameter(np, CGAL::internal_np::number_of_iterations,
-                                                        "number_of_iterations", 5u);
+  const double tolerance = choose_parameter(get_parameter(np, tags::volume_tolerance),
+                                            internal::defaults::volume_tolerance);
+  const unsigned iterations =
+      internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                                internal::defaults::Number_of_iterations::towards_volumes);
   if (!(tolerance > 0))
     throw Error("the tolerance of volumes is out of range: use more than 0");
   double domain = 0, wanted = 0;

@@ -130,22 +130,14 @@ public:
   void set_interface_degree(std::uint32_t degree) { m_interface_degree = degree; }
   std::uint8_t boundary_class() const { return m_boundary_class; }
   void set_boundary_class(std::uint8_t boundary_class) { m_boundary_class = boundary_class; }
-  const Point& destination() const { return m_destination; }
-  bool has_destination() const { return m_has_destination; }
-  void set_destination(const Point& destination) {
-    m_destination = destination;
-    m_has_destination = true;
-  }
-  void clear_destination() { m_has_destination = false; }
   std::uint32_t scratch_index() const { return m_scratch_index; }
   void set_scratch_index(std::uint32_t index) { m_scratch_index = index; }
 
 private:
-  Point m_point, m_destination;
+  Point m_point;
   std::size_t m_time_stamp = std::size_t(-1);
   std::uint32_t m_scratch_index = 0, m_interface_degree = 0;
   std::uint8_t m_boundary_class = 0;
-  bool m_has_destination = false;
 };
 
 // DeformableSimplicialComplexCellBase_3

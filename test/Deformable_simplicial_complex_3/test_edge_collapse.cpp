@@ -171,7 +171,6 @@ TEST(Edge_split, makes_two_cells_of_each) {
     EXPECT_EQ(middle->is_interface(), is_interface);
     EXPECT_EQ(middle->boundary_class(),
               is_boundary ? v->boundary_class() & w->boundary_class() : Boundary_class::inside);
-    EXPECT_FALSE(middle->has_destination());
     on_boundary += is_boundary ? 1 : 0;
     on_interface += is_interface ? 1 : 0;
     expect_same_topology(copy, dsc);

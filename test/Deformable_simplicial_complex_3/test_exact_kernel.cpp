@@ -95,9 +95,6 @@ TEST(Exact_kernel, points_are_rounded_wherever_they_come_in) {
 
   q = near(dsc, v);
   EXPECT_EQ(dsc.admissible_destination(v, q), dsc.rounded(q));
-  dsc.set_destination(v, q);
-  EXPECT_EQ(v->destination(), dsc.rounded(q));
-  dsc.clear_destination(v);
 
   Complex::Cavity cavity(dsc);
   for (auto c : star)

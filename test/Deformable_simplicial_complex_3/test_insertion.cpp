@@ -131,7 +131,6 @@ int compare_with_brute_force(const Complex& dsc) {
     const Vertex_handle inserted = of_copy.vertices().back().handle;
     EXPECT_EQ(inserted->boundary_class(), CGAL::Boundary_class::inside);
     EXPECT_FALSE(inserted->is_interface());
-    EXPECT_FALSE(inserted->has_destination());
     for (Cell_handle c : of_copy.created()) {
       EXPECT_TRUE(c->has_vertex(inserted));
       EXPECT_EQ(c->label(), seed->label());

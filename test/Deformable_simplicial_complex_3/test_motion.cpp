@@ -142,9 +142,10 @@ TEST(Collision_order, first_collision_is_exact) {
   int blocked = 0;
   for (Vertex_handle v : inner_vertices(dsc)) {
     const Point q = shifted(dsc, v, random.vector<Complex>(1.5));
-    dsc.set_destination(v, q);
+    internal::Destinations<Complex> destinations(dsc);
+    destinations.add(v, q);
     dsc.star(v, star);
-    const Rational way = internal::first_collision(dsc, v, star);
+    const Rational way = internal::first_collision(dsc, destinations, v, star);
     EXPECT_NEAR(CGAL::to_double(way), brute_force_way(dsc, v, q), 1e-9);
     using Exact = CGAL::Simple_cartesian<Rational>;
     const auto exact = [](const Point& p) { return Exact::Point_3(p.x(), p.y(), p.z()); };
@@ -155,7 +156,6 @@ TEST(Collision_order, first_collision_is_exact) {
     });
     EXPECT_EQ(is_flat, way < 1);
     blocked += is_flat;
-    dsc.clear_destination(v);
   }
   EXPECT_GT(blocked, 3);
 }
@@ -165,17 +165,18 @@ TEST(Collision_order, is_increasing_and_stable) {
   Complex dsc = jittered_grid(4, small_meshes::uniform, .3, 3);
   Random random(4);
   std::vector<Vertex_handle> vertices = inner_vertices(dsc), sorted = vertices;
+  internal::Destinations<Complex> destinations(dsc);
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    dsc.set_destination(vertices[i], i % 2 == 0
-                                         ? vertices[i]->point()
-                                         : shifted(dsc, vertices[i], random.vector<Complex>(1.5)));
-  internal::sort_by_first_collision(dsc, sorted);
+    destinations.add(vertices[i], i % 2 == 0
+                                      ? vertices[i]->point()
+                                      : shifted(dsc, vertices[i], random.vector<Complex>(1.5)));
+  internal::sort_by_first_collision(dsc, destinations, sorted);
   EXPECT_TRUE(std::is_permutation(sorted.begin(), sorted.end(), vertices.begin()));
   std::vector<std::pair<Rational, std::size_t>> keys;
   for (Vertex_handle v : sorted) {
     std::vector<Cell_handle> star;
     dsc.star(v, star);
-    keys.emplace_back(internal::first_collision(dsc, v, star), v->time_stamp());
+    keys.emplace_back(internal::first_collision(dsc, destinations, v, star), v->time_stamp());
   }
   EXPECT_TRUE(std::is_sorted(keys.begin(), keys.end()));
   EXPECT_LT(keys.front().first, 1);

@@ -64,22 +64,6 @@ public:
   void set_boundary_class(std::uint8_t boundary_class);
 
   /// @}
-  /// \name Destination
-  /// @{
-
-  /// whether the vertex is on its way to somewhere; false for a new vertex.
-  bool has_destination() const;
-
-  /// where to. \pre `has_destination()`
-  const Point& destination() const;
-
-  /// From now on, `has_destination()` is true.
-  void set_destination(const Point& destination);
-
-  /// From now on, `has_destination()` is false.
-  void clear_destination();
-
-  /// @}
   /// \name Numbering
   /// An index into some list of vertices, for whoever makes one. Others may have overwritten it:
   /// the vertex is in a list only if the list has it at this index.

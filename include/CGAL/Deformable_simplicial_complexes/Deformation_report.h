@@ -61,7 +61,7 @@ template <class Complex> struct Deformation_report
   /// vertices inserted into cells
   std::size_t split = 0, collapsed = 0, flipped = 0, smoothed = 0, inserted = 0;
   /// vertices of the interface that were moved, from where they had come, to remove small angles:
-  /// by a twentieth of a mean edge, a quarter at most
+  /// by a twentieth of the mean edge there, a quarter at most
   std::size_t relocated = 0;
   std::size_t relabeled = 0;        ///< cells that changed their label
   std::vector<Label_change> labels; ///< one for each label of before or after, increasing

@@ -367,15 +367,6 @@ public:
   /// was.
   void relabel(Cell_handle c, Label label);
 
-  /// Sets where an interface vertex is to go, in the coordinates of the complex.
-  void set_destination(Vertex_handle v, const Point& q) { v->set_destination(rounded(q)); }
-  /// Forgets where v is to go.
-  void clear_destination(Vertex_handle v) { v->clear_destination(); }
-  /// Where v is to be in the end: its destination, or where it is if it has none.
-  Approximate_point final_position(Vertex_handle v) const {
-    return approximate(v->has_destination() ? v->destination() : v->point());
-  }
-
   /// @}
 
   /*!

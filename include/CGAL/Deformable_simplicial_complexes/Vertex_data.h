@@ -19,10 +19,8 @@ namespace Deformable_simplicial_complexes {
 What a vertex of a deformable simplicial complex carries in any dimension, besides its point: a time
 stamp that orders vertices by creation, and what the complex caches about it. The setters are for
 the complex; calling them from outside breaks what it caches.
-
-\tparam Point where vertices are
 */
-template <class Point> class Vertex_data
+class Vertex_data
 {
 public:
   using Has_timestamp = Tag_true; ///< makes the container of the vertices number them
@@ -44,30 +42,16 @@ public:
   /// Sets `boundary_class()`.
   void set_boundary_class(std::uint8_t boundary_class) { m_boundary_class = boundary_class; }
 
-  /// Where the vertex is to go in the current deformation; meaningful while `has_destination()`.
-  const Point& destination() const { return m_destination; }
-  /// Whether the vertex is on its way to somewhere.
-  bool has_destination() const { return m_has_destination; }
-  /// Sets `destination()`; `has_destination()` is true afterwards.
-  void set_destination(const Point& destination) {
-    m_destination = destination;
-    m_has_destination = true;
-  }
-  /// `has_destination()` is false afterwards.
-  void clear_destination() { m_has_destination = false; }
-
   /// A place in whatever list an algorithm numbers vertices by; the list must confirm it.
   std::uint32_t scratch_index() const { return m_scratch_index; }
   /// Sets `scratch_index()`.
   void set_scratch_index(std::uint32_t index) { m_scratch_index = index; }
 
 private:
-  Point m_destination;
   std::size_t m_time_stamp = std::size_t(-1);
   std::uint32_t m_scratch_index = 0;
   std::uint32_t m_interface_degree = 0;
   std::uint8_t m_boundary_class = 0;
-  bool m_has_destination = false;
 };
 
 } // namespace Deformable_simplicial_complexes

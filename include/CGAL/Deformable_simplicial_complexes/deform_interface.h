@@ -55,9 +55,9 @@ became bad.
                           those at parts of the interface that stayed or moved as a whole. If
                           trapped, they may join another phase as with `relabeling_threshold`.
                           Else the topology stays; the interface moves by the cell or by a tenth of
-                          the cube of a mean edge at most, or one of its vertices that moved by a
-                          twentieth of a mean edge; by up to five times as much where nothing less
-                          helps. In [0, 30]; 0 leaves what has arrived in place.}
+                          the cube of the mean edge there at most, or one of its vertices that moved
+                          by a twentieth of that edge; by up to five times as much where nothing
+                          less helps. In [0, 30]; 0 leaves what has arrived in place.}
     \cgalParamType{`double`} \cgalParamDefault{5}
   \cgalParamNEnd
   \cgalParamNBegin{minimum_facet_angle}
@@ -125,13 +125,15 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
   namespace defaults = internal::defaults;
 
   auto visitor = internal::visitor_parameter<Complex>(np);
-  const unsigned maximum_number_of_passes = internal::count_parameter(
-      np, tags::maximum_number_of_passes, "maximum_number_of_passes", 20u);
+  const unsigned maximum_number_of_passes =
+      internal::count_parameter(np, tags::maximum_number_of_passes, "maximum_number_of_passes",
+                                defaults::maximum_number_of_passes);
   const internal::Deformation_options<Complex> options = {
       internal::quality_parameter(np, tags::quality_threshold,
                                   defaults::Quality_threshold::in_motion),
-      internal::quality_parameter(np, tags::relabeling_threshold, .01),
-      internal::angle_parameter(np, tags::minimum_angle, 5, 30, "smallest angle"),
+      internal::quality_parameter(np, tags::relabeling_threshold, defaults::relabeling_threshold),
+      internal::angle_parameter(np, tags::minimum_angle, defaults::minimum_angle, 30,
+                                "smallest angle"),
       internal::angle_parameter(np, tags::minimum_facet_angle,
                                 defaults::Minimum_facet_angle::in_motion, 30,
                                 "smallest angle of a facet"),
@@ -140,8 +142,8 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
       internal::parameter_or(np, tags::topology_control,
                              Deformable_simplicial_complexes::Allow_topology_changes()),
       internal::space_motion(dsc, parameters::get_parameter(np, tags::flow))};
-  const unsigned number_of_threads =
-      internal::count_parameter(np, tags::number_of_threads, "number_of_threads", 1u);
+  const unsigned number_of_threads = internal::count_parameter(
+      np, tags::number_of_threads, "number_of_threads", defaults::number_of_threads);
 
   internal::require_interface_edge(dsc);
 

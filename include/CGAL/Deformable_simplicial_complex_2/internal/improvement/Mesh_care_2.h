@@ -9,7 +9,8 @@
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_care.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/motion/Interface_before.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
@@ -32,12 +33,12 @@ public:
   using Cell_handle = typename Complex::Cell_handle;
   using Cells = Work_list<Cell_handle>;
 
-  Mesh_care(Complex& complex, Any_visitor<Complex>& visitor,
-            const Interface_before<Complex>&, const Deformation_options<Complex>& options)
+  Mesh_care(Complex& complex, Any_visitor<Complex>& visitor, const Destinations<Complex>&,
+            const Rigid_parts<Complex>&, const Deformation_options<Complex>& options)
       : m_complex(complex), m_visitor(visitor), m_threshold(options.quality_threshold),
         m_cavity(complex) {}
 
-  void begin_pass(const std::vector<Vertex_handle>&) {}
+  void begin_pass() {}
   bool is_bad(Cell_handle c) const { return c->quality() < m_threshold; }
   void remove_obstacle(Cell_handle, bool, Cells&) {}
   void remove_degenerating_facets(Cells&) {}

@@ -11,7 +11,9 @@
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_care.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/motion/Interface_before.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
@@ -39,21 +41,30 @@ public:
   using Cells = Work_list<Cell_handle>;
 
   Mesh_care(Complex& complex, Any_visitor<Complex>& visitor,
-            const Interface_before<Complex>& before, const Deformation_options<Complex>& options)
-      : m_complex(complex), m_relabeling_threshold(options.relabeling_threshold),
+            const Destinations<Complex>& destinations, const Rigid_parts<Complex>& rigid_parts,
+            const Deformation_options<Complex>& options)
+      : m_complex(complex), m_destinations(destinations),
+        m_relabeling_threshold(options.relabeling_threshold),
         m_degenerate_cosine(std::cos(options.minimum_facet_angle * (CGAL_PI / 180))),
-        m_improver(complex, visitor, options.quality_threshold),
-        m_small_angles(complex, visitor, before, options.minimum_angle, options.quality_threshold) {}
+        m_improver(complex, visitor, destinations, options.quality_threshold),
+        m_small_angles(complex, visitor, rigid_parts, options.minimum_angle,
+                       options.quality_threshold) {}
 
   // Facets of the interface that will have a small angle at their destinations, and a smaller one
   // than now: what moves as a whole keeps its facets.
-  void begin_pass(const std::vector<Vertex_handle>& unfinished) {
+  void begin_pass() {
     using Triangle = std::array<typename Complex::Approximate_point, 3>;
     static constexpr double more = 1 + 1e-6; // than what rounding does
+    const std::vector<Vertex_handle>& unfinished = m_destinations.unfinished();
     m_degenerating.clear();
-    const auto final = [&](Vertex_handle v) { return m_complex.final_position(v); };
     const auto now = [&](Vertex_handle v) { return m_complex.position(v); };
     number_vertices(unfinished);
+    std::vector<typename Complex::Approximate_point> destinations;
+    for (Vertex_handle v : unfinished)
+      destinations.push_back(m_destinations.final_position(v));
+    const auto final = [&](Vertex_handle v) {
+      return is_numbered(v, unfinished) ? destinations[v->scratch_index()] : now(v);
+    };
     for (Cell_handle c : star_union(m_complex, unfinished))
       for (int i = 0; i < Complex::corners; ++i) {
         const Cell_handle d = c->neighbor(i);
@@ -74,10 +85,11 @@ public:
   bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
 
   void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {
-    static constexpr double cosine = .94; // of 20 degrees
-    const double shortest = .5 * m_complex.minimum_interface_edge();
-    if (may_remove_facets && (remove_degenerate_facet(c, cosine, touched) ||
-                              m_improver.remove_degenerate_edge(c, shortest, touched)))
+    static constexpr double cosine = .94;  // of 20 degrees
+    static constexpr double shortest = .2; // edge, of those around
+    if (may_remove_facets &&
+        (remove_degenerate_facet(c, cosine, touched) ||
+         m_improver.remove_degenerate_edge(c, shortest * local_edge_length(m_complex, c), touched)))
       return;
     if (c->quality() < m_relabeling_threshold)
       m_improver.remove_trapped_vertex(c, touched);
@@ -99,7 +111,9 @@ public:
 
   // Whether a cell has small angles now and in the end.
   bool keeps_small_angles(Cell_handle c) const {
-    return m_small_angles.is_bad(c) && m_small_angles.ends_bad(c);
+    return m_small_angles.is_bad(c) && m_small_angles.is_bad_with(c, [&](Vertex_handle v) {
+      return m_destinations.final_position(v);
+    });
   }
 
   template <class Relabel> void remove_small_angles(const Relabel& relabel) {
@@ -126,6 +140,7 @@ private:
   }
 
   Complex& m_complex;
+  const Destinations<Complex>& m_destinations;
   double m_relabeling_threshold;
   double m_degenerate_cosine; // of the smallest angle that a facet may come to have
   Mesh_improver_3<Complex> m_improver;

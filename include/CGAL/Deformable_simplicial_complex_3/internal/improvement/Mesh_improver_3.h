@@ -17,7 +17,9 @@
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Failure_memory.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/motion/final_quality.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
@@ -60,6 +62,13 @@ public:
                   bool is_thorough = false, bool smooths_interface = false)
       : m_complex(complex), m_visitor(visitor), m_threshold(threshold), m_is_thorough(is_thorough),
         m_smooths_interface(smooths_interface), m_cavity(complex) {}
+
+  // Within a deformation.
+  Mesh_improver_3(Complex& complex, Any_visitor<Complex>& visitor,
+                  const Destinations<Complex>& destinations, double threshold)
+      : Mesh_improver_3(complex, visitor, threshold) {
+    m_destinations = &destinations;
+  }
 
   const Improvement_report& report() const { return m_report; }
 
@@ -174,13 +183,11 @@ public:
         }
       }
     const Vertex_handle v = c->vertex(a), w = c->vertex(b);
-    const double split_length = 4 * m_complex.mean_interface_edge();
     const auto is_tied = [&](Vertex_handle u) {
       return u->is_interface() || m_complex.is_boundary(u);
     };
-    if (!(split_length > 0) || longest < split_length * split_length || !is_tied(v) ||
-        !is_tied(w) || m_complex.is_interface(typename Complex::Edge(c, a, b)) ||
-        !propose_edge_split(m_complex, c, a, b, .5, m_cavity) ||
+    if (!is_tied(v) || !is_tied(w) || m_complex.is_interface(typename Complex::Edge(c, a, b)) ||
+        !is_long(v, w, longest) || !propose_edge_split(m_complex, c, a, b, .5, m_cavity) ||
         (m_cavity.vertices().back().boundary_class & Boundary_class::fixed) != 0)
       return false;
     commit_split(m_complex, m_cavity, v, w, m_visitor, m_report);
@@ -232,6 +239,21 @@ public:
   }
 
 private:
+  // Whether an edge of a squared length is long for the mesh at its ends.
+  bool is_long(Vertex_handle v, Vertex_handle w, double squared_length) const {
+    static constexpr double long_edge = 4; // as long as those around
+    const double length =
+        (local_edge_length(m_complex, v) + local_edge_length(m_complex, w)) / 2 * long_edge;
+    return squared_length > length * length;
+  }
+
+  // Of a cell that the vertices would have at their destinations.
+  double final_quality(const std::array<Vertex_handle, 4>& v) const {
+    return apply_to_corners<4>(m_complex.quality_measure(), [&](int i) {
+      return m_destinations ? m_destinations->final_position(v[i]) : m_complex.position(v[i]);
+    });
+  }
+
   // Whether a planned tetrahedron, with the interface in place, lies flat on two neighboring facets
   // of it: it would be in the way until it is relabeled, and the interface would change where it
   // need not.
@@ -245,7 +267,7 @@ private:
             if (!v[i]->is_interface())
               return false;
           }
-          return std::abs(final_quality(m_complex, v)) < flat && number_of_interface_facets(v) > 1;
+          return std::abs(final_quality(v)) < flat && number_of_interface_facets(v) > 1;
         });
   }
 
@@ -309,6 +331,7 @@ private:
 
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
+  const Destinations<Complex>* m_destinations = nullptr;
   double m_threshold;
   bool m_is_thorough, m_smooths_interface, m_is_at_rest = false;
   Cavity_3<Complex> m_cavity;

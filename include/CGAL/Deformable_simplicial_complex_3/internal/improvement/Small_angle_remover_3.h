@@ -17,7 +17,8 @@
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Failure_memory.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/motion/Interface_before.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
@@ -51,9 +52,9 @@ public:
 
   // The angle is in degrees.
   Small_angle_remover_3(Complex& complex, Any_visitor<Complex>& visitor,
-                        const Interface_before<Complex>& before, double angle,
+                        const Rigid_parts<Complex>& rigid_parts, double angle,
                         double quality_threshold)
-      : m_complex(complex), m_visitor(visitor), m_before(before),
+      : m_complex(complex), m_visitor(visitor), m_rigid_parts(rigid_parts),
         m_wanted(std::sin(angle * CGAL_PI / 180) / sine_of_regular), m_bound(m_wanted),
         m_quality_threshold(quality_threshold), m_cavity(complex), m_best(complex) {}
 
@@ -63,13 +64,13 @@ public:
   // Whether a cell has small angles, did not move as a whole, and was not tried in vain, unless the
   // interface may change for it: how much of that is allowed differs from time to time.
   bool is_bad(Cell_handle c) const {
-    return sine(c) < m_bound && !m_before.has_moved_as_a_whole(c) &&
+    return sine(c) < m_bound && !m_rigid_parts.has_moved_as_a_whole(c) &&
            !(is_exhausted(c, to_remove_small_angles) && !may_change_interface(c));
   }
 
-  // Whether it still has them with all vertices at their destinations.
-  bool ends_bad(Cell_handle c) const {
-    return sine(c, [&](Vertex_handle v) { return m_complex.final_position(v); }) < m_bound;
+  // Whether a cell has small angles with its vertices elsewhere.
+  template <class Position_of> bool is_bad_with(Cell_handle c, const Position_of& position) const {
+    return sine(c, position) < m_bound;
   }
 
   // Those below the quality threshold, but for those at parts of the interface that stayed; by
@@ -77,7 +78,7 @@ public:
   Cells bad_cells() const {
     Cells result;
     for (Cell_handle c : m_complex.triangulation().finite_cell_handles())
-      if (c->quality() < m_quality_threshold && !m_before.has_stayed(c) && is_bad(c))
+      if (c->quality() < m_quality_threshold && !m_rigid_parts.has_stayed(c) && is_bad(c))
         result.push(c);
     result.sort();
     return result;
@@ -128,7 +129,8 @@ private:
   // Whether a cell has small angles that no part of the interface that stayed or moved as a whole
   // may dictate.
   bool is_to_be_removed(Cell_handle c) const {
-    return sine(c) < m_bound && !m_before.has_stayed(c) && !m_before.touches_rigid_part(c);
+    return sine(c) < m_bound && !m_rigid_parts.has_stayed(c) &&
+           !m_rigid_parts.touches_rigid_part(c);
   }
 
   // Whether it is for this cell that the interface may change.
@@ -175,7 +177,7 @@ private:
     return move_vertex(c, is_free, 0, touched) ||
            (may_change &&
             move_vertex(
-                c, [&](Vertex_handle v) { return m_before.has_moved(v); }, 0, touched));
+                c, [&](Vertex_handle v) { return m_rigid_parts.has_moved(v); }, 0, touched));
   }
 
   // Whether the best proposal leaves no angle below the bound.
@@ -204,19 +206,20 @@ private:
       for (int j = i + 1; j < 4; ++j)
         consider(m_complex.is_interface(typename Complex::Edge(c, i, j)) &&
                  propose_interface_edge_flip(m_complex, c, i, j, m_cavity) &&
-                 is_little(facets_changed_by_flip(Interface_edge_3<Complex>(m_complex, c, i, j))));
+                 is_little(facets_changed_by_flip(Interface_edge_3<Complex>(m_complex, c, i, j)),
+                           c->vertex(i), c->vertex(j)));
   }
 
   // Of vertices of the interface that have moved, or of those off it.
   void consider_collapses(Cell_handle c, bool of_interface) {
     for (int i = 0; i < 4; ++i) {
       const Vertex_handle v = c->vertex(i);
-      if (v->is_interface() != of_interface || (of_interface && !m_before.has_moved(v)))
+      if (v->is_interface() != of_interface || (of_interface && !m_rigid_parts.has_moved(v)))
         continue;
       for (int j = 0; j < 4; ++j)
         consider(j != i && propose_edge_collapse(m_complex, c, i, j, 0, m_cavity) &&
                  (!of_interface ||
-                  is_little(facets_changed_by_collapse(m_complex, fan(v), c->vertex(j)))));
+                  is_little(facets_changed_by_collapse(m_complex, fan(v), c->vertex(j)), v, v)));
     }
   }
 
@@ -225,10 +228,10 @@ private:
     return Interface_fan_3<Complex>(m_complex, v, m_star);
   }
 
-  // Whether the interface may change as much.
-  bool is_little(const Changed_facets_3& change) const {
-    static constexpr double little = .1; // of the cube of a mean edge
-    const double edge = m_complex.mean_interface_edge();
+  // Whether the interface may change as much at two vertices.
+  bool is_little(const Changed_facets_3& change, Vertex_handle v, Vertex_handle w) const {
+    static constexpr double little = .1; // of the cube of the edges there
+    const double edge = (local_edge_length(m_complex, v) + local_edge_length(m_complex, w)) / 2;
     return change.swept_volume < slack() * little * edge * edge * edge;
   }
 
@@ -319,12 +322,12 @@ private:
 
   // The point on the way to p that is not too far from where the vertex had arrived.
   Position near_home(Vertex_handle v, const Position& p) const {
-    static constexpr double longest_way = .05; // of a mean edge
+    static constexpr double longest_way = .05; // of the edges there
     const auto known = m_homes.find(v->time_stamp());
     const Position home = known == m_homes.end() ? m_complex.position(v) : known->second;
     const auto way = p - home;
     const double length = std::sqrt(way.squared_length()),
-                 bound = slack() * longest_way * m_complex.mean_interface_edge();
+                 bound = slack() * longest_way * local_edge_length(m_complex, v);
     return length > bound ? home + bound / length * way : p;
   }
 
@@ -357,7 +360,7 @@ private:
 
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
-  const Interface_before<Complex>& m_before;
+  const Rigid_parts<Complex>& m_rigid_parts;
   Minimum_sine_3 m_sine;
   double m_wanted, m_bound; // the latter may be higher around cells that stay
   double m_quality_threshold;

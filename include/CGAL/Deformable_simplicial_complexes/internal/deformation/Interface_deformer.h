@@ -9,10 +9,11 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_care.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/motion/Interface_before.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/collision_order.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/motion/final_quality.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/free_vertices_near.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/motion_of_space.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/simultaneous_motion.h>
@@ -46,17 +47,11 @@ public:
   Interface_deformer(Complex& complex, Any_visitor<Complex>& visitor,
                      const Deformation_options<Complex>& options,
                      const For_each_index& for_each_index)
-      : m_complex(complex), m_visitor(visitor), m_options(options), m_before(complex),
-        m_mesh(complex, visitor, m_before, options),
+      : m_complex(complex), m_visitor(visitor), m_options(options), m_destinations(complex),
+        m_rigid_parts(complex, m_destinations),
+        m_mesh(complex, visitor, m_destinations, m_rigid_parts, options),
         m_trapped_cells(complex, visitor, m_options.topology_control, options.manifold_interface),
         m_for_each_index(for_each_index) {}
-
-  // No destination survives the deformation, even if a visitor ends it by an exception.
-  ~Interface_deformer() {
-    for (const Item& item : m_unfinished)
-      if (m_complex.is_alive(item.vertex, item.time_stamp))
-        m_complex.clear_destination(item.vertex);
-  }
 
   Interface_deformer(const Interface_deformer&) = delete;
   Interface_deformer& operator=(const Interface_deformer&) = delete;
@@ -72,33 +67,31 @@ public:
     }
     require_finite(positions, "a destination");
     m_trapped_cells.log().begin();
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      m_complex.set_destination(vertices[i],
-                                m_complex.admissible_destination(vertices[i], destinations[i]));
-      m_unfinished.push_back({vertices[i], vertices[i]->time_stamp()});
-    }
-    update_unfinished();
-    for (const Item& item : m_unfinished)
-      m_before.remember(item.vertex);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      m_destinations.add(vertices[i],
+                         m_complex.admissible_destination(vertices[i], destinations[i]));
   }
 
-  bool is_complete() const { return m_unfinished.empty(); }
+  bool is_complete() const { return unfinished().empty(); }
 
   // Whether the last two passes that had all means brought vertices nearer to their destinations.
   bool is_progressing() const { return m_idle_passes < 2; }
 
   // What the mesh is like before a pass.
-  void begin_pass() { m_mesh.begin_pass(unfinished()); }
+  void begin_pass() { m_mesh.begin_pass(); }
 
   // Interface and free vertices at once: most of most motions. Free vertices follow the flow of
   // space in the first pass, where it is known.
   void move_together(unsigned pass) {
     static constexpr double far = 100;         // times the longest way: nothing to be followed
     static constexpr double negligible = 1e-6; // of the longest way
+    if (is_complete())
+      return;
     std::vector<Vertex_handle> vertices = unfinished();
-    const double longest = longest_way();
+    const std::size_t farthest = m_destinations.farthest();
+    const double longest = m_destinations.remaining_distance(farthest);
     const std::vector<Vertex_handle> free =
-        free_vertices_near(m_complex, vertices, layers(longest));
+        free_vertices_near(m_complex, vertices, number_of_layers(vertices[farthest], longest));
     const auto flow = [&](Vertex_handle v) -> std::optional<Vector> {
       if (pass > 1 || !m_options.flow)
         return {};
@@ -108,13 +101,13 @@ public:
       return {};
     };
     const auto way = [&](Vertex_handle v) {
-      return v->has_destination() ? remaining(v) : Vector(CGAL::NULL_VECTOR);
+      return m_destinations.final_position(v) - m_complex.position(v);
     };
     const std::vector<Vector> ways =
         motion_of_space(m_complex, free, way, flow, negligible * longest, m_for_each_index);
     std::vector<Point> targets;
     for (Vertex_handle v : vertices)
-      targets.push_back(v->destination());
+      targets.push_back(m_destinations[v]);
     for (std::size_t i = 0; i < free.size(); ++i) {
       const auto target = m_complex.position(free[i]) + ways[i];
       if (target != m_complex.position(free[i]) && has_finite_coordinates(target)) {
@@ -124,7 +117,7 @@ public:
     }
     for (Cell_handle c : move_simultaneously(m_complex, vertices, targets, m_for_each_index))
       touch(c);
-    update_unfinished();
+    update_destinations();
   }
 
   // Algorithm 2 for those that could not go all the way together. Where a cell is flat enough to be
@@ -133,20 +126,20 @@ public:
     static constexpr double margin = .25; // a cell that need not be thin yet can still be improved
     std::vector<Vertex_handle> vertices = unfinished();
     if (m_options.collision_order)
-      sort_by_first_collision(m_complex, vertices);
+      sort_by_first_collision(m_complex, m_destinations, vertices);
     for (Vertex_handle v : vertices) {
       m_complex.star(v, m_star);
       const bool is_at_contact = std::any_of(m_star.begin(), m_star.end(), [&](Cell_handle c) {
         return !m_complex.is_infinite(c) && c->quality() < m_options.relabeling_threshold;
       });
-      if (is_at_contact && !m_complex.is_positive_star(v, m_star, v->destination()))
+      if (is_at_contact && !m_complex.is_positive_star(v, m_star, m_destinations[v]))
         continue;
-      m_complex.move_vertex(v, v->destination(), margin);
+      m_complex.move_vertex(v, m_destinations[v], margin);
       for (Cell_handle c : m_star)
         if (!m_complex.is_infinite(c))
           touch(c);
     }
-    update_unfinished();
+    update_destinations();
   }
 
   // Cells flattened between two parts of the interface: where its topology changes.
@@ -186,9 +179,10 @@ public:
   void improve() {
     m_mesh.improve(std::move(m_touched));
     m_touched.clear();
-    update_unfinished();
-    const double distance = remaining_distance();
-    const bool is_idle = m_may_remove_facets && distance > .99 * m_last_distance;
+    update_destinations();
+    const double distance = m_destinations.remaining_distance();
+    static constexpr double same = .99; // as good as the distance before
+    const bool is_idle = m_may_remove_facets && distance > same * m_last_distance;
     m_idle_passes = is_idle ? m_idle_passes + 1 : 0;
     m_last_distance = distance;
   }
@@ -205,14 +199,14 @@ public:
     m_mesh.remove_small_angles([&](Cell_handle c, typename Complex::Label label) {
       return m_trapped_cells.relabel_if_topology_stays(c, label);
     });
-    update_unfinished();
+    update_destinations();
   }
 
   Report report(unsigned passes) {
     Report report;
     report.passes = passes;
-    for (Vertex_handle v : unfinished())
-      report.unfinished.push_back({v, remaining_distance(v)});
+    for (std::size_t k = 0; k < unfinished().size(); ++k)
+      report.unfinished.push_back({unfinished()[k], m_destinations.remaining_distance(k)});
     report.vanished = m_vanished;
     report.complete = report.unfinished.empty();
     const Improvement_report done = m_mesh.report();
@@ -230,48 +224,27 @@ public:
 private:
   void find_events(unsigned pass) { m_trapped_cells.log().find_events(pass, m_visitor); }
 
-  struct Item
-  {
-    Vertex_handle vertex;
-    std::size_t time_stamp; // the vertex may have been removed
-  };
+  const std::vector<Vertex_handle>& unfinished() const { return m_destinations.unfinished(); }
+  void update_destinations() { m_vanished += m_destinations.update(); }
+
+  double final_quality(Cell_handle c) const {
+    return m_complex.quality(c, [&](Vertex_handle v) { return m_destinations.final_position(v); });
+  }
 
   // Relabels trapped cells below a quality, but for those that are flat only on the way, or were so
   // before in a part that moves as a whole.
   void relabel(const Work_list<Cell_handle>& cells, double threshold) {
     m_trapped_cells.relabel(handles(cells), threshold, [&](Cell_handle c) {
-      return final_quality(m_complex, c) < m_options.relabeling_threshold &&
-             !m_before.moves_as_a_whole(c);
+      return final_quality(c) < m_options.relabeling_threshold &&
+             !m_rigid_parts.moves_as_a_whole(c);
     });
   }
 
-  Vector remaining(Vertex_handle v) const {
-    return m_complex.final_position(v) - m_complex.position(v);
-  }
-
-  // How far around its source a motion is felt: the farther it goes, the more space must give way.
-  unsigned layers(double longest) const {
-    const double edges = longest / m_complex.mean_interface_edge();
-    return unsigned((std::min)(6., 1 + std::ceil(2 * edges)));
-  }
-
-  double longest_way() const {
-    double longest = 0;
-    for (Vertex_handle v : unfinished())
-      longest = (std::max)(longest, remaining_distance(v));
-    return longest;
-  }
-
-  double remaining_distance() const {
-    double sum = 0;
-    for (Vertex_handle v : unfinished())
-      sum += remaining_distance(v);
-    return sum;
-  }
-
-  double remaining_distance(Vertex_handle v) const {
-    const Vector way = remaining(v);
-    return Complex::Space::length(way);
+  // How far around its source a motion is felt, in edges: the farther it goes, the more space must
+  // give way.
+  unsigned number_of_layers(Vertex_handle v, double way) const {
+    static constexpr double most = 6;
+    return unsigned((std::min)(most, 1 + std::ceil(2 * way / local_edge_length(m_complex, v))));
   }
 
   static std::vector<Cell_handle> handles(const Work_list<Cell_handle>& cells) {
@@ -286,43 +259,14 @@ private:
       m_touched.push(c);
   }
 
-  std::vector<Vertex_handle> unfinished() const {
-    std::vector<Vertex_handle> result;
-    result.reserve(m_unfinished.size());
-    for (const Item& item : m_unfinished)
-      result.push_back(item.vertex);
-    return result;
-  }
-
-  // Keeps those that still have a way to go.
-  void update_unfinished() {
-    std::vector<Item> unfinished;
-    for (const Item& item : m_unfinished) {
-      const Vertex_handle v = item.vertex;
-      if (!m_complex.is_alive(v, item.time_stamp)) {
-        ++m_vanished;
-        continue;
-      }
-      const bool has_arrived = v->point() == v->destination();
-      if (!has_arrived && v->is_interface()) {
-        unfinished.push_back(item);
-        continue;
-      }
-      if (!has_arrived)
-        ++m_vanished;
-      m_complex.clear_destination(v);
-    }
-    m_unfinished = std::move(unfinished);
-  }
-
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
   Deformation_options<Complex> m_options;
-  Interface_before<Complex> m_before;
+  Destinations<Complex> m_destinations;
+  Rigid_parts<Complex> m_rigid_parts;
   Mesh_care<Complex> m_mesh;
   Trapped_cells<Complex> m_trapped_cells;
   const For_each_index& m_for_each_index;
-  std::vector<Item> m_unfinished;
   Work_list<Cell_handle> m_touched;
   std::vector<Cell_handle> m_star;
   double m_last_distance = std::numeric_limits<double>::infinity();

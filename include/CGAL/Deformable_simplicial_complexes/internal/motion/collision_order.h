@@ -5,6 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_COLLISION_ORDER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_COLLISION_ORDER_H
 
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
+
 #include <CGAL/Exact_rational.h>
 
 #include <algorithm>
@@ -21,7 +23,8 @@ namespace internal {
 // if nothing else moves: rational, without rounding, for points with coordinates of type `double`.
 // At least 1 if it can go all the way.
 template <class Complex>
-Exact_rational first_collision(const Complex& complex, typename Complex::Vertex_handle v,
+Exact_rational first_collision(const Complex& complex, const Destinations<Complex>& destinations,
+                               typename Complex::Vertex_handle v,
                                const std::vector<typename Complex::Cell_handle>& star) {
   using Point = typename Complex::Approximate_point;
   static constexpr int d = Complex::dimension;
@@ -42,7 +45,7 @@ Exact_rational first_collision(const Complex& complex, typename Complex::Vertex_
     };
     // What a cell measures is linear along the way.
     const Exact_rational here = measure_with(complex.position(v)),
-                         there = measure_with(complex.final_position(v));
+                         there = measure_with(destinations.final_position(v));
     if (CGAL::sign(there) != CGAL::sign(here))
       first = (std::min)(first, Exact_rational(here / (here - there)));
   }
@@ -51,13 +54,13 @@ Exact_rational first_collision(const Complex& complex, typename Complex::Vertex_
 
 // Sorts vertices by their first collisions; those that collide at the same time keep their order.
 template <class Complex>
-void sort_by_first_collision(const Complex& complex,
+void sort_by_first_collision(const Complex& complex, const Destinations<Complex>& destinations,
                              std::vector<typename Complex::Vertex_handle>& vertices) {
   std::vector<std::pair<Exact_rational, std::size_t>> collisions;
   std::vector<typename Complex::Cell_handle> star;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     complex.star(vertices[i], star);
-    collisions.emplace_back(first_collision(complex, vertices[i], star), i);
+    collisions.emplace_back(first_collision(complex, destinations, vertices[i], star), i);
   }
   std::sort(collisions.begin(), collisions.end());
   std::vector<typename Complex::Vertex_handle> result;

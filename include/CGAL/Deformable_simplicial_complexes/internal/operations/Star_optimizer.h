@@ -118,7 +118,8 @@ private:
 
   // Of any other: by differences.
   template <class M> Vector gradient_of(const M&, const Function& f, long) const {
-    const double h = 1e-6 * m_length;
+    static constexpr double part = 1e-6; // of the longest edge
+    const double h = part * m_length;
     Function g = f;
     std::array<double, Complex::dimension> slopes;
     for (int axis = 0; axis < Complex::dimension; ++axis) {
@@ -155,6 +156,12 @@ private:
 
   // One step of steepest ascent with a line search. Returns whether it was worth it.
   bool step() {
+    static constexpr double close = .05;          // to the worst value: active, too
+    static constexpr double flat = 1e-3;          // slope over the longest edge: not worth a step
+    static constexpr double longest_way = .5;     // of the longest edge
+    static constexpr double shortest_part = 1e-3; // of the longest way
+    static constexpr double worth = .02;          // of the worst value: to go on
+    static constexpr int maximum_number_of_halvings = 6;
     double before = std::numeric_limits<double>::infinity();
     for (Function& f : m_functions) {
       f.value = value(f, m_position);
@@ -164,29 +171,29 @@ private:
       return false;
     // Those that are much better than the worst will not become the worst in one step. The worst
     // may be zero or less by rounding.
-    const double relevant = before + std::abs(before), active = before + .05 * std::abs(before);
+    const double relevant = before + std::abs(before), active = before + close * std::abs(before);
     for (Function& f : m_functions)
       if (f.value <= relevant)
         differentiate(f);
     const Vector d = steepest_ascent(active);
     const double rate = d.squared_length();
-    if (!(std::sqrt(rate) * m_length > 1e-3))
+    if (!(std::sqrt(rate) * m_length > flat))
       return false;
     // As far as another function becomes the worst, by linear prediction.
-    double way = .5 * m_length / std::sqrt(rate);
+    double way = longest_way * m_length / std::sqrt(rate);
     for (const Function& f : m_functions) {
       if (!(f.value <= relevant))
         continue;
       const double slope = f.gradient * d;
       if (slope < rate && f.value > before)
-        way = (std::min)(way, (std::max)(1e-3 * way, (f.value - before) / (rate - slope)));
+        way = (std::min)(way, (std::max)(shortest_part * way, (f.value - before) / (rate - slope)));
     }
-    for (int halvings = 0; halvings < 6; ++halvings, way /= 2) {
+    for (int halvings = 0; halvings < maximum_number_of_halvings; ++halvings, way /= 2) {
       const Point p = m_position + way * d;
       const double after = worst(p, before);
       if (after > before) {
         m_position = p;
-        return after > before + .02 * std::abs(before);
+        return after > before + worth * std::abs(before);
       }
     }
     return false;

@@ -9,7 +9,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The default values of those named parameters that several functions take, and why they differ.
+// The default values of named parameters that are numbers, with their units and reasons; where
+// several functions take a parameter, why they differ.
 namespace defaults {
 
 // quality_threshold: cells of lower quality are improved.
@@ -39,6 +40,59 @@ struct Minimum_facet_angle
   static constexpr double of_interface = 15;
 };
 
+// minimum_angle: tetrahedra with a smaller dihedral angle in the end are removed, in degrees. Of
+// those that flows leave, few have any; these would stay.
+inline constexpr double minimum_angle = 5;
+
+// relabeling_threshold: trapped cells below this quality take another label; the paper's.
+inline constexpr double relabeling_threshold = .01;
+
+// maximum_number_of_passes: nearly all motions end after less than ten.
+inline constexpr unsigned maximum_number_of_passes = 20;
+
+// number_of_threads
+inline constexpr unsigned number_of_threads = 1;
+
+// integration_tolerance: how far a path may end from where it should, in mean edges of the
+// interface; far below what a straight edge leaves of a curve.
+inline constexpr double integration_tolerance = 1e-4;
+
+// volume_tolerance: of the volume that is wanted; what Newton's method reaches in two steps or
+// three.
+inline constexpr double volume_tolerance = 1e-10;
+
+// split_length: longer edges off the interface are split, in units of the wanted length; the
+// paper's.
+inline constexpr double split_length = 4;
+
+// collapse_quality: the least quality of a cell that a collapse may make; the paper's.
+inline constexpr double collapse_quality = .25;
+
+// aggressiveness: up to which ratio of the eigenvalues of a vertex' quadric it may move in their
+// direction; the paper's.
+inline constexpr double aggressiveness = .025;
+
+// swept_volume: what an operation on the interface may add to a phase, in cubes of the wanted
+// length.
+inline constexpr double swept_volume = .1;
+
+// flip_angle: up to which dihedral angle edges of the interface are flipped, in degrees: what is
+// flat for the eye.
+inline constexpr double flip_angle = 5;
+
+// feature_angle: edges of the interface with a larger dihedral angle are kept, in degrees.
+inline constexpr double feature_angle = 60;
+
+// What remove_degeneracies() removes; the paper's: degenerate_quality of tetrahedra,
+// degenerate_cosine of the smallest angle of facets (2.6 degrees), degenerate_length of edges, in
+// units of the shortest of the input.
+struct Degenerate
+{
+  static constexpr double quality = .005;
+  static constexpr double cosine = .999;
+  static constexpr double length = .5;
+};
+
 // interface_split_length: longer edges of the interface are split, in units of the wanted length;
 // the paper's.
 inline constexpr double interface_split_length = 2;
@@ -59,6 +113,8 @@ struct Number_of_iterations
   static constexpr unsigned over_mesh = 10;
   // Each goes over the whole interface again and smooths it a little more.
   static constexpr unsigned over_interface = 1;
+  // Steps towards volumes, each with several steps of Newton's method.
+  static constexpr unsigned towards_volumes = 5;
 };
 
 } // namespace defaults

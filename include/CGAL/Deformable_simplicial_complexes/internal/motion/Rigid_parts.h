@@ -2,37 +2,34 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_INTERFACE_BEFORE_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_INTERFACE_BEFORE_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_RIGID_PARTS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_RIGID_PARTS_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
 
 #include <CGAL/Origin.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Where the vertices of the interface were before a motion: tells which parts stay or move as a
-// whole, and so keep their interface.
-template <class Complex> class Interface_before
+// Tells which parts of the interface stay or move as a whole in a deformation, and so keep their
+// facets.
+template <class Complex> class Rigid_parts
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
   using Position = typename Complex::Approximate_point;
 
-  explicit Interface_before(const Complex& complex) : m_complex(complex) {}
+  Rigid_parts(const Complex& complex, const Destinations<Complex>& destinations)
+      : m_complex(complex), m_destinations(destinations) {}
 
-  // A vertex before it moves; by increasing time stamp.
-  void remember(Vertex_handle v) { m_before.push_back({v->time_stamp(), m_complex.position(v)}); }
-
-  bool has_moved(Vertex_handle v) const {
-    return v->is_interface() && find_before(v) != m_before.end();
-  }
+  bool has_moved(Vertex_handle v) const { return v->is_interface() && m_destinations.had(v); }
 
   // Whether a cell has vertices on the interface, none of which moved.
   bool has_stayed(Cell_handle c) const {
@@ -53,8 +50,9 @@ public:
 
   // Whether they will be so in the end.
   bool moves_as_a_whole(Cell_handle c) const {
-    return number_of_rigid_vertices(
-               c, [&](Vertex_handle v) { return m_complex.final_position(v); }) == Complex::corners;
+    return number_of_rigid_vertices(c, [&](Vertex_handle v) {
+             return m_destinations.final_position(v);
+           }) == Complex::corners;
   }
 
   // Whether the part of the interface that a cell touches has moved as a whole: the vertices of the
@@ -70,12 +68,6 @@ public:
   }
 
 private:
-  struct Placed_vertex
-  {
-    std::size_t time_stamp;
-    Position position;
-  };
-
   auto now() const {
     return [this](Vertex_handle v) { return m_complex.position(v); };
   }
@@ -112,25 +104,14 @@ private:
     static constexpr double same = 1e-6, precision = 1e-15;
     const Position p = position(v);
     const double rounding = precision * precision * (p - CGAL::ORIGIN).squared_length();
-    const double before = (position_before(v) - position_before(w)).squared_length(),
+    const double before = (m_destinations.position_before(v) - m_destinations.position_before(w))
+                              .squared_length(),
                  after = (p - position(w)).squared_length();
     return std::abs(after - before) <= same * before + rounding / same;
   }
 
-  typename std::vector<Placed_vertex>::const_iterator find_before(Vertex_handle v) const {
-    const auto it = std::lower_bound(
-        m_before.begin(), m_before.end(), v->time_stamp(),
-        [](const Placed_vertex& p, std::size_t time_stamp) { return p.time_stamp < time_stamp; });
-    return it != m_before.end() && it->time_stamp == v->time_stamp() ? it : m_before.end();
-  }
-
-  Position position_before(Vertex_handle v) const {
-    const auto it = find_before(v);
-    return it == m_before.end() ? m_complex.position(v) : it->position;
-  }
-
   const Complex& m_complex;
-  std::vector<Placed_vertex> m_before; // by time stamp
+  const Destinations<Complex>& m_destinations;
   mutable std::vector<Cell_handle> m_star;
 };
 
@@ -138,4 +119,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_INTERFACE_BEFORE_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_RIGID_PARTS_H
