@@ -130,6 +130,8 @@ public:
   void set_interface_degree(std::uint32_t degree) { m_interface_degree = degree; }
   std::uint8_t boundary_class() const { return m_boundary_class; }
   void set_boundary_class(std::uint8_t boundary_class) { m_boundary_class = boundary_class; }
+  float spacing() const { return m_spacing; }
+  void set_spacing(float spacing) { m_spacing = spacing; }
   std::uint32_t scratch_index() const { return m_scratch_index; }
   void set_scratch_index(std::uint32_t index) { m_scratch_index = index; }
 
@@ -137,6 +139,7 @@ private:
   Point m_point;
   std::size_t m_time_stamp = std::size_t(-1);
   std::uint32_t m_scratch_index = 0, m_interface_degree = 0;
+  float m_spacing = 0;
   std::uint8_t m_boundary_class = 0;
 };
 

@@ -63,6 +63,13 @@ public:
   /// sets `boundary_class()`.
   void set_boundary_class(std::uint8_t boundary_class);
 
+  /// how long edges of the interface at the vertex were when it was built or last refined there; 0
+  /// for a new vertex.
+  float spacing() const;
+
+  /// sets `spacing()`.
+  void set_spacing(float spacing);
+
   /// @}
   /// \name Numbering
   /// An index into some list of vertices, for whoever makes one. Others may have overwritten it:

@@ -247,13 +247,17 @@ public:
     return result;
   }
 
-  /// Mean length of the edges of the interface when the complex was built, the unit of lengths
-  /// everywhere; 0 without an interface.
+  /// The mean length of the edges of the interface at v now; 0 if it is not on it. Linear in its
+  /// star.
+  double interface_edge_length(Vertex_handle v) const;
+  /// Mean length of the edges of the interface when the complex was built, the unit of wanted
+  /// lengths where none are given; 0 without an interface.
   double mean_interface_edge() const { return m_mean_interface_edge; }
   /// The smallest length of such an edge; 0 without an interface.
   double minimum_interface_edge() const { return m_minimum_interface_edge; }
   /// Makes the edges of the present interface the unit of lengths, instead of those when the
-  /// complex was built: where labels came later. Linear.
+  /// complex was built: where labels came later. So does each vertex with those at it, see
+  /// `Vertex_data::spacing()`. Linear.
   void measure_interface_edges();
 
   /// @}

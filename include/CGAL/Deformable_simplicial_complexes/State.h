@@ -43,6 +43,9 @@ template <int d> struct State
   /// the boundary classes of the finite vertices
   std::vector<std::uint8_t> boundary_classes;
 
+  /// for each of the finite vertices its `spacing()`
+  std::vector<float> spacings;
+
   /// for each vertex the index in `cells` of the cell stored with it: first that of the infinite
   /// vertex, then at `i + 1` that of the vertex `i`
   std::vector<std::uint32_t> vertex_cells;
@@ -84,18 +87,20 @@ namespace internal {
 // References to all members: the one list that comparison and files are made of. It does not
 // compile with a member too few.
 template <class State_d> auto members(State_d& state) {
-  auto& [points, boundary_classes, vertex_cells, cells, cell_labels, noted_qualities, failures,
-         cell_components, component_volumes, mean_interface_edge, minimum_interface_edge,
+  auto& [points, boundary_classes, spacings, vertex_cells, cells, cell_labels, noted_qualities,
+         failures, cell_components, component_volumes, mean_interface_edge, minimum_interface_edge,
          normalization_translation, normalization_scale] = state;
-  return std::tie(points, boundary_classes, vertex_cells, cells, cell_labels, noted_qualities,
-                  failures, cell_components, component_volumes, mean_interface_edge,
-                  minimum_interface_edge, normalization_translation, normalization_scale);
+  return std::tie(points, boundary_classes, spacings, vertex_cells, cells, cell_labels,
+                  noted_qualities, failures, cell_components, component_volumes,
+                  mean_interface_edge, minimum_interface_edge, normalization_translation,
+                  normalization_scale);
 }
 
 // Whether the arrays that run parallel have the same size.
 template <int d> bool has_consistent_sizes(const State<d>& state) {
   const std::size_t infinite = state.cells.empty() ? 0 : 1;
   return state.boundary_classes.size() == state.points.size() &&
+         state.spacings.size() == state.points.size() &&
          state.vertex_cells.size() == state.points.size() + infinite &&
          state.cell_labels.size() == state.cells.size() &&
          state.noted_qualities.size() == state.cells.size() &&

@@ -42,6 +42,12 @@ public:
   /// Sets `boundary_class()`.
   void set_boundary_class(std::uint8_t boundary_class) { m_boundary_class = boundary_class; }
 
+  /// How long edges of the interface at the vertex were, in the mean, when it was built or last
+  /// refined there: motion does not change it. 0 for a vertex that was not on it then.
+  float spacing() const { return m_spacing; }
+  /// Sets `spacing()`.
+  void set_spacing(float spacing) { m_spacing = spacing; }
+
   /// A place in whatever list an algorithm numbers vertices by; the list must confirm it.
   std::uint32_t scratch_index() const { return m_scratch_index; }
   /// Sets `scratch_index()`.
@@ -51,6 +57,7 @@ private:
   std::size_t m_time_stamp = std::size_t(-1);
   std::uint32_t m_scratch_index = 0;
   std::uint32_t m_interface_degree = 0;
+  float m_spacing = 0;
   std::uint8_t m_boundary_class = 0;
 };
 

@@ -41,6 +41,7 @@ constexpr std::size_t checkpoint_header_size = 24;
 using Checkpoint_members =
     std::tuple<std::vector<std::array<double, 3>>&,        // points
                std::vector<std::uint8_t>&,                 // boundary_classes
+               std::vector<float>&,                        // spacings
                std::vector<std::uint32_t>&,                // vertex_cells
                std::vector<std::array<std::uint32_t, 4>>&, // cells
                std::vector<std::int32_t>&,                 // cell_labels

@@ -87,9 +87,9 @@ public:
   void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {
     static constexpr double cosine = .94;  // of 20 degrees
     static constexpr double shortest = .2; // edge, of those around
-    if (may_remove_facets &&
-        (remove_degenerate_facet(c, cosine, touched) ||
-         m_improver.remove_degenerate_edge(c, shortest * local_edge_length(m_complex, c), touched)))
+    if (may_remove_facets && (remove_degenerate_facet(c, cosine, touched) ||
+                              m_improver.remove_degenerate_edge(
+                                  c, shortest * local_edge_length(m_complex, {c}), touched)))
       return;
     if (c->quality() < m_relabeling_threshold)
       m_improver.remove_trapped_vertex(c, touched);

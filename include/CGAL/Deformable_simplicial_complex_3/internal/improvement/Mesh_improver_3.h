@@ -239,12 +239,14 @@ public:
   }
 
 private:
-  // Whether an edge of a squared length is long for the mesh at its ends.
+  // Whether an edge of a squared length is long for the interface at its ends, or for that of the
+  // input between two of the boundary.
   bool is_long(Vertex_handle v, Vertex_handle w, double squared_length) const {
-    static constexpr double long_edge = 4; // as long as those around
-    const double length =
-        (local_edge_length(m_complex, v) + local_edge_length(m_complex, w)) / 2 * long_edge;
-    return squared_length > length * length;
+    static constexpr double long_edge = 4; // as long as those of the interface
+    const double here = local_edge_length(m_complex, v), there = local_edge_length(m_complex, w);
+    const double length = here + there == 0 ? m_complex.mean_interface_edge()
+                                            : (here + there) / (here * there == 0 ? 1 : 2);
+    return length > 0 && squared_length > long_edge * long_edge * length * length;
   }
 
   // Of a cell that the vertices would have at their destinations.

@@ -62,6 +62,29 @@ void CGAL_DSC_CLASS::star(Vertex_handle v, std::vector<Cell_handle>& star) const
   }
 }
 
+CGAL_DSC_TEMPLATE
+double CGAL_DSC_CLASS::interface_edge_length(Vertex_handle v) const {
+  if (!v->is_interface())
+    return 0;
+  std::vector<Cell_handle> star;
+  this->star(v, star);
+  double sum = 0;
+  size_type number = 0;
+  for (Cell_handle c : star) {
+    if (is_infinite(c))
+      continue;
+    const int apex = c->index(v);
+    for (int facet = 0; facet < corners; ++facet)
+      if (facet != apex && is_interface(Facet(c, facet)))
+        for (int i = 0; i < corners; ++i)
+          if (i != apex && i != facet) {
+            sum += Space::length(displacement(c, apex, i));
+            ++number;
+          }
+  }
+  return sum / double(number);
+}
+
 // Labels, interface, measures
 
 CGAL_DSC_TEMPLATE

@@ -194,6 +194,7 @@ void CGAL_DSC_CLASS::sort_storage() {
     vertex_rank[vertex_order[i] + 1] = std::uint32_t(i + 1);
     after.points[i] = before.points[vertex_order[i]];
     after.boundary_classes[i] = before.boundary_classes[vertex_order[i]];
+    after.spacings[i] = before.spacings[vertex_order[i]];
   }
   for (size_type i = 0; i < cell_order.size(); ++i) {
     const size_type old = cell_order[i];
@@ -239,6 +240,7 @@ auto CGAL_DSC_CLASS::state() const -> State {
     if (i > 0) {
       result.points.push_back(internal::coordinates_of<dimension>(this->position(vertices[i])));
       result.boundary_classes.push_back(vertices[i]->boundary_class());
+      result.spacings.push_back(vertices[i]->spacing());
     }
   }
   for (Cell_handle c : cells) {
@@ -282,6 +284,7 @@ void CGAL_DSC_CLASS::create_items(const State& state) {
     vertices.push_back(m_triangulation.tds().create_vertex());
     vertices.back()->set_point(exact(internal::point_at<Labelled_complex>(state.points[i])));
     vertices.back()->set_boundary_class(state.boundary_classes[i]);
+    vertices.back()->set_spacing(state.spacings[i]);
   }
   std::vector<Cell_vertices> indices(state.cells.size());
   for (size_type c = 0; c < indices.size(); ++c)
@@ -376,6 +379,8 @@ void CGAL_DSC_CLASS::measure_interface_edges() {
   }
   m_mean_interface_edge = n == 0 ? 0 : sum / n;
   m_minimum_interface_edge = minimum;
+  for (Vertex_handle v : finite_vertices())
+    v->set_spacing(float(interface_edge_length(v)));
 }
 
 CGAL_DSC_TEMPLATE

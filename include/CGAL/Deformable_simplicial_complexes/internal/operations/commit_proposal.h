@@ -44,7 +44,11 @@ void commit_split(Complex& complex, Cavity<Complex>& cavity, typename Complex::V
   CGAL_precondition(cavity.kind() == Proposal_kind::split);
   replace_cavity(complex, cavity, visitor);
   ++report.split;
-  visitor.after_split(cavity.vertices().back().handle, v, w);
+  const auto middle = cavity.vertices().back().handle;
+  if (middle->is_interface())
+    for (auto refined : {v, middle, w})
+      refined->set_spacing(float(complex.interface_edge_length(refined)));
+  visitor.after_split(middle, v, w);
 }
 
 // Commits a collapse, an insertion or a flip and counts it.

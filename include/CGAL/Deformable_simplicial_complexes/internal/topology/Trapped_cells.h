@@ -9,7 +9,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Manifold_relabeling.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Topology_log.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 #include <CGAL/Deformable_simplicial_complexes/relabeling.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_of_relabeling.h>
 
@@ -40,7 +39,6 @@ using Topology_control =
 template <class Complex> class Trapped_cells
 {
 public:
-  using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
   using Label = typename Complex::Label;
 
@@ -103,26 +101,17 @@ public:
   }
 
 private:
-  // Finds the component of a cell if it has few cells and is small for the mesh around it, and for
-  // the interface as it was built: of a solid of few cells in wide space, too, there may be no
-  // other. If not, the cells that were met join those in `large`, by time stamps, so that none of
-  // them is looked at again.
+  // Finds the component of a cell if it has few cells and is small for the interface around it. If
+  // not, the cells that were met join those in `large`, by time stamps, so that none of them is
+  // looked at again.
   bool is_small_component(Cell_handle seed, std::vector<Cell_handle>& component,
                           std::unordered_set<std::size_t>& large) const {
     static constexpr std::size_t few = 30;
-    const auto find_large = [&] {
-      for (Cell_handle d : component)
-        large.insert(d->time_stamp());
-      return false;
-    };
-    const double largest = regular_measure(m_complex.mean_interface_edge());
-    double sum = 0;
+    bool is_small = true;
     component.assign(1, seed);
-    for (std::size_t i = 0; i < component.size(); ++i) {
+    for (std::size_t i = 0; i < component.size() && is_small; ++i) {
       const Cell_handle c = component[i];
-      sum += m_complex.measure(c);
-      if (component.size() > few || sum > largest || large.count(c->time_stamp()) != 0)
-        return find_large();
+      is_small = component.size() <= few && large.count(c->time_stamp()) == 0;
       for (int k = 0; k < Complex::corners; ++k) {
         const Cell_handle n = c->neighbor(k);
         if (!m_complex.is_infinite(n) && n->label() == c->label() &&
@@ -130,24 +119,15 @@ private:
           component.push_back(n);
       }
     }
-    return sum < regular_measure(length_of_edges_away(component)) || find_large();
+    is_small = is_small && volume(component) < small_volume(component);
+    for (std::size_t i = 0; i < component.size() && !is_small; ++i)
+      large.insert(component[i]->time_stamp());
+    return is_small;
   }
 
-  static double regular_measure(double edge) { return Complex::Space::regular_measure(edge); }
-
-  // The mean length of the edges that lead away from a component.
-  double length_of_edges_away(const std::vector<Cell_handle>& component) const {
-    const std::vector<Vertex_handle> vertices = numbered_vertices_of<Complex>(component);
-    double sum = 0;
-    std::size_t number = 0;
-    for (Cell_handle c : star_union(m_complex, vertices))
-      for (int i = 0; i < Complex::corners; ++i)
-        for (int j = 0; j < Complex::corners; ++j)
-          if (is_numbered(c->vertex(i), vertices) && !is_numbered(c->vertex(j), vertices)) {
-            sum += Complex::Space::length(m_complex.displacement(c, i, j));
-            ++number;
-          }
-    return number > 0 ? sum / double(number) : 0;
+  // That of a regular cell whose edges are as long as those of the interface at some cells.
+  double small_volume(const std::vector<Cell_handle>& cells) const {
+    return Complex::Space::regular_measure(local_edge_length(m_complex, cells));
   }
 
   double volume(const std::vector<Cell_handle>& cells) const {
@@ -191,8 +171,7 @@ private:
     if (is_done(c) || !propose_relabeling(m_complex, c, threshold, label) || !is_flat(c))
       return false;
     cells.assign(1, c);
-    return complete(cells, label) &&
-           volume(cells) - volume({c}) < regular_measure(local_edge_length(m_complex, c)) &&
+    return complete(cells, label) && volume(cells) - volume({c}) < small_volume({c}) &&
            std::none_of(cells.begin(), cells.end(), [&](Cell_handle d) { return is_done(d); });
   }
 
