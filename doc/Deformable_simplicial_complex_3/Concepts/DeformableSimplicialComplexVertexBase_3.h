@@ -63,8 +63,8 @@ public:
   /// sets `boundary_class()`.
   void set_boundary_class(std::uint8_t boundary_class);
 
-  /// how long edges of the interface at the vertex were when it was built or last refined there; 0
-  /// for a new vertex.
+  /// how long edges of the interface at the vertex were when it was built or last made finer or
+  /// coarser there; 0 for a new vertex.
   float spacing() const;
 
   /// sets `spacing()`.

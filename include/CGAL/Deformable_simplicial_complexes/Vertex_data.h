@@ -43,7 +43,8 @@ public:
   void set_boundary_class(std::uint8_t boundary_class) { m_boundary_class = boundary_class; }
 
   /// How long edges of the interface at the vertex were, in the mean, when it was built or last
-  /// refined there: motion does not change it. 0 for a vertex that was not on it then.
+  /// made finer or coarser there: motion does not change it. 0 for a vertex that was not on it
+  /// then.
   float spacing() const { return m_spacing; }
   /// Sets `spacing()`.
   void set_spacing(float spacing) { m_spacing = spacing; }

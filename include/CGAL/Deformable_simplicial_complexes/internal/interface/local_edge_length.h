@@ -7,7 +7,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -16,11 +15,11 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // What limits of lengths are measured by, so that they follow the mesh from place to place and as
-// it is refined or stretched. Where the interface only shrinks, its edges count as long as they
-// were: what is left of it is to go when it is smaller than these.
+// it is made finer or coarser, but not as motion stretches or shrinks it: what has become smaller
+// than the edges that the user has chosen is to go.
 template <class Complex>
 double local_edge_length(const Complex& complex, typename Complex::Vertex_handle v) {
-  return (std::max)(complex.interface_edge_length(v), double(v->spacing()));
+  return v->spacing() > 0 ? v->spacing() : complex.interface_edge_length(v);
 }
 
 // The mean of these lengths at those vertices of cells that are on the interface; 0 if none is.

@@ -11,6 +11,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -34,6 +35,14 @@ void smooth_vertex(Complex& complex, typename Complex::Vertex_handle v,
   visitor.before_smoothing(v, star, target);
   complex.set_point(v, star, target);
   visitor.after_smoothing(v, star);
+}
+
+// The spacing where a vertex of the interface was collapsed into this one: not less than before, as
+// the interface may have shrunk.
+template <class Complex>
+void coarsen_spacing(const Complex& complex, typename Complex::Vertex_handle kept) {
+  if (kept->spacing() > 0)
+    kept->set_spacing((std::max)(kept->spacing(), float(complex.interface_edge_length(kept))));
 }
 
 // Commits the split of the edge between v and w and counts it.
@@ -60,6 +69,7 @@ void commit_proposal(Complex& complex, Cavity<Complex>& cavity, Any_visitor<Comp
     visitor.before_collapse(cavity.vanishing_vertex(), cavity.kept_vertex());
     replace_cavity(complex, cavity, visitor);
     ++report.collapsed;
+    coarsen_spacing(complex, cavity.kept_vertex());
     break;
   case Proposal_kind::insertion:
     replace_cavity(complex, cavity, visitor);
