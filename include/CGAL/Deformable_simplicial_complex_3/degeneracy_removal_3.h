@@ -27,13 +27,6 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-template <class Complex>
-bool propose_collapse_either_way(const Complex& complex, typename Complex::Cell_handle cell, int i,
-                                 int j, double minimum_quality, Cavity_3<Complex>& cavity) {
-  return propose_edge_collapse(complex, cell, i, j, minimum_quality, cavity) ||
-         propose_edge_collapse(complex, cell, j, i, minimum_quality, cavity);
-}
-
 // Proposes to remove an edge of a flat cell. An interface that bends around the cell there may do
 // so on its other side.
 template <class Complex>
@@ -48,31 +41,6 @@ bool propose_removal_from_flat_cell(const Complex& complex, typename Complex::Ce
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
-
-/*!
-\ingroup PkgDeformableSimplicialComplex3Ref
-
-Proposes to remove an edge that is too short: it is collapsed, in whichever direction is possible.
-
-\param complex is not changed.
-\param cell, i, j the edge between the finite vertices i and j of the cell.
-\param minimum_length only shorter edges are considered; the paper takes half the length of the
-       shortest edge of the input's interface.
-\param minimum_quality no new tetrahedron may be worse.
-\param cavity filled with the proposal if there is one.
-\return whether the edge is short and `propose_edge_collapse()` proposes its collapse.
-
-As `propose_edge_collapse()`. Section 3.2.1 of the paper, degeneracy removal (c).
-*/
-template <class Complex>
-bool propose_degenerate_edge_removal(const Complex& complex, typename Complex::Cell_handle cell,
-                                     int i, int j, double minimum_length, double minimum_quality,
-                                     Cavity_3<Complex>& cavity) {
-  using namespace Deformable_simplicial_complexes::internal;
-  const auto edge = complex.position(cell->vertex(j)) - complex.position(cell->vertex(i));
-  return edge.squared_length() < minimum_length * minimum_length &&
-         propose_collapse_either_way(complex, cell, i, j, minimum_quality, cavity);
-}
 
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref

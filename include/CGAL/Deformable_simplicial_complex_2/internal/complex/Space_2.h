@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -102,6 +103,12 @@ public:
   static const auto& cell_container(const Triangulation_data_structure& tds) { return tds.faces(); }
   static Cell_handle create_cell(Triangulation_data_structure& tds) { return tds.create_face(); }
   static void delete_cell(Triangulation_data_structure& tds, Cell_handle c) { tds.delete_face(c); }
+
+  // Both cells with the edge between two vertices of a cell, that cell first.
+  static void cells_around_edge(const Triangulation&, Cell_handle c, int i, int j,
+                                std::vector<Cell_handle>& cells) {
+    cells = {c, c->neighbor(3 - i - j)};
+  }
 
   // Whether a closed, connected 1-manifold with so many vertices and facets is a circle: always.
   static bool is_sphere(std::size_t vertices, std::size_t facets) { return vertices == facets; }

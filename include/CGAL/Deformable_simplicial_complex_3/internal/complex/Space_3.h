@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -108,6 +109,17 @@ public:
   static const auto& cell_container(const Triangulation_data_structure& tds) { return tds.cells(); }
   static Cell_handle create_cell(Triangulation_data_structure& tds) { return tds.create_cell(); }
   static void delete_cell(Triangulation_data_structure& tds, Cell_handle c) { tds.delete_cell(c); }
+
+  // All cells with the edge between two vertices of a cell, that cell first.
+  static void cells_around_edge(const Triangulation& t, Cell_handle c, int i, int j,
+                                std::vector<Cell_handle>& cells) {
+    cells.clear();
+    auto around = t.tds().incident_cells(c, i, j);
+    const auto first = around;
+    do
+      cells.push_back(around);
+    while (++around != first);
+  }
 
   // Whether a closed, connected 2-manifold with so many vertices and facets is a sphere. Three
   // edges for two facets: V - E + F = V - F / 2.

@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IMPROVEMENT_OWN_OPERATIONS_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IMPROVEMENT_OWN_OPERATIONS_2_H
+
+#include <CGAL/Deformable_simplicial_complex_2/edge_flip_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Own_operations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+template <class Complex> struct Own_operations<Complex, 2>
+{
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+
+  template <class Accept>
+  static bool propose_reconnection(const Complex& complex, Cell_handle c, bool /*is_thorough*/,
+                                   Cavity<Complex>& cavity, const Accept& accept) {
+    for (int i = 0; i < 3; ++i)
+      if (propose_edge_flip(complex, c, i, cavity) && accept())
+        return true;
+    return false;
+  }
+
+  // Where needles stay after flips, smoothing and collapses, a vertex has no place between them.
+  static bool propose_insertion(const Complex&, Cell_handle, Cavity<Complex>&) { return false; }
+
+  static bool propose_optimal_position(const Complex& complex, Vertex_handle v,
+                                       const std::vector<Cell_handle>& star,
+                                       typename Complex::Point& target) {
+    if (complex.is_boundary(v) || v->is_interface())
+      return false;
+    const auto to = Star_optimizer<Complex>(complex, complex.quality_measure(), v, star).run();
+    target = complex.exact(to);
+    return to != complex.position(v) && complex.is_positive_star(v, star, target);
+  }
+
+  static bool is_interface_edge(const Complex& complex, Cell_handle c, int i, int j) {
+    return complex.is_interface(typename Complex::Facet(c, 3 - i - j));
+  }
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IMPROVEMENT_OWN_OPERATIONS_2_H

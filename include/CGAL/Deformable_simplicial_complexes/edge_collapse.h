@@ -1,0 +1,290 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_COLLAPSE_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_COLLAPSE_H
+
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The links of the two ends of an edge, in the cells and in the interface, compared.
+template <class Complex> class Collapse_test
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Star = std::vector<Cell_handle>;
+  static constexpr int d = Complex::dimension;
+
+  Collapse_test(const Complex& complex, Vertex_handle a, Vertex_handle b)
+      : m_complex(complex), m_a(a), m_b(b) {}
+
+  // Whether the removed vertex is no more singular than the edge: the sectors of one label (the
+  // outside of the domain being one) that meet in its star are those around the edge. A vertex in a
+  // sheet may thus go along the sheet, one on a triple line along the line, and a point where more
+  // meet stays.
+  bool has_same_stratum(const Star& star_a) const {
+    Star around_edge;
+    for (Cell_handle c : star_a)
+      if (c->has_vertex(m_b))
+        around_edge.push_back(c);
+    const Sectors at_vertex = sectors(star_a), at_edge = sectors(around_edge);
+    return at_vertex.number == at_vertex.number_at_edge && at_vertex.number == at_edge.number;
+  }
+
+  // Lk(a) and Lk(b) meet in Lk(ab), exactly: then the collapse keeps the topology of space, and if
+  // the same holds in the walls between labels and in the lines where more than two walls meet,
+  // that of these. The outside is a label like any other.
+  bool fulfills_link_condition(const Star& star_a, const Star& star_b) const {
+    Links volume, walls, lines;
+    collect(star_a, m_a, m_b, volume.a, walls.a, lines.a);
+    collect(star_b, m_b, m_a, volume.b, walls.b, lines.b);
+    for (Cell_handle c : star_a) {
+      if (!c->has_vertex(m_b)) {
+        if (c->neighbor(c->index(m_a))->has_vertex(m_b))
+          return false; // a facet in both links
+        continue;
+      }
+      const int ia = c->index(m_a), ib = c->index(m_b);
+      std::array<std::size_t, d - 1> ring;
+      auto out = ring.begin();
+      for (int i = 0; i <= d; ++i)
+        if (i != ia && i != ib) {
+          *out = c->vertex(i)->time_stamp();
+          volume.ab.push_back({*out, *out});
+          if constexpr (d == 3)
+            if (is_wall(c, 6 - ia - ib - i)) // opposite to the fourth vertex
+              walls.ab.push_back({*out, *out});
+          ++out;
+        }
+      if constexpr (d == 3)
+        volume.ab.push_back(std::minmax(ring[0], ring[1]));
+    }
+    return volume.agree() && walls.agree() && lines.agree();
+  }
+
+private:
+  // A vertex (v, v) or an edge (v, w) of a link, by time stamps.
+  using Simplex = std::pair<std::size_t, std::size_t>;
+
+  struct Links
+  {
+    std::vector<Simplex> a, b, ab;
+
+    bool agree() {
+      for (std::vector<Simplex>* link : {&a, &b, &ab}) {
+        std::sort(link->begin(), link->end());
+        link->erase(std::unique(link->begin(), link->end()), link->end());
+      }
+      std::vector<Simplex> common;
+      std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
+      return common == ab;
+    }
+  };
+
+  bool has_same_label(Cell_handle c, Cell_handle d) const {
+    return m_complex.is_infinite(c) == m_complex.is_infinite(d) && c->label() == d->label();
+  }
+
+  bool is_wall(Cell_handle c, int i) const { return !has_same_label(c, c->neighbor(i)); }
+
+  // Vertices and edges of the links of `center`, without `other`: in space, in the walls, and in
+  // the lines.
+  void collect(const Star& star, Vertex_handle center, Vertex_handle other,
+               std::vector<Simplex>& volume, std::vector<Simplex>& walls,
+               std::vector<Simplex>& lines) const {
+    std::vector<Simplex> ends_of_walls; // one for each side of a wall
+    for (Cell_handle c : star)
+      for (int i = 0; i <= d; ++i) {
+        if (c->vertex(i) == center)
+          continue;
+        std::array<Vertex_handle, d - 1> ends; // the facet opposite to i, without the center
+        auto out = ends.begin();
+        for (int j = 0; j <= d; ++j)
+          if (j != i && c->vertex(j) != center)
+            *out++ = c->vertex(j);
+        const bool is_in_wall = is_wall(c, i);
+        const auto add = [&](Simplex s) {
+          volume.push_back(s);
+          if (is_in_wall)
+            walls.push_back(s);
+        };
+        for (Vertex_handle v : ends)
+          if (v != other) {
+            add({v->time_stamp(), v->time_stamp()});
+            if (is_in_wall)
+              ends_of_walls.push_back(walls.back());
+          }
+        if constexpr (d == 3)
+          if (ends[0] != other && ends[1] != other)
+            add(std::minmax(ends[0]->time_stamp(), ends[1]->time_stamp()));
+      }
+    std::sort(ends_of_walls.begin(), ends_of_walls.end());
+    static constexpr std::ptrdiff_t sides_in_a_sheet = 4; // of the two walls at an edge
+    for (auto first = ends_of_walls.begin(); first != ends_of_walls.end();) {
+      const auto last = std::upper_bound(first, ends_of_walls.end(), *first);
+      if (last - first > sides_in_a_sheet)
+        lines.push_back(*first);
+      first = last;
+    }
+  }
+
+  struct Sectors
+  {
+    std::size_t number = 0, number_at_edge = 0;
+  };
+
+  // Connected sets of cells of one label, infinite cells having a label of their own.
+  Sectors sectors(const Star& cells) const {
+    Sectors result;
+    Star front;
+    for (Cell_handle c : cells)
+      c->tds_data().mark_in_conflict();
+    for (Cell_handle seed : cells) {
+      if (!seed->tds_data().is_in_conflict())
+        continue;
+      bool is_at_edge = false;
+      seed->tds_data().clear();
+      front.push_back(seed);
+      while (!front.empty()) {
+        const Cell_handle c = front.back();
+        front.pop_back();
+        is_at_edge = is_at_edge || c->has_vertex(m_b);
+        for (int i = 0; i <= d; ++i)
+          if (c->neighbor(i)->tds_data().is_in_conflict() && has_same_label(c, c->neighbor(i))) {
+            c->neighbor(i)->tds_data().clear();
+            front.push_back(c->neighbor(i));
+          }
+      }
+      ++result.number;
+      result.number_at_edge += is_at_edge;
+    }
+    return result;
+  }
+
+  const Complex& m_complex;
+  Vertex_handle m_a, m_b;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Proposes to collapse an edge: its first vertex is removed, its second one stays where it is.
+
+\param complex is not changed.
+\param cell, i, j the vertex i of the cell goes, the vertex j stays.
+\param minimum_quality no new cell may be worse.
+\param cavity filled with the proposal if there is one.
+\return whether the collapse keeps every topology (exact link conditions, in the cells, in the
+       interface, and in the lines where labels meet), leaves sides of the domain, sheets, lines
+and points where labels meet in place or moves them only along themselves, and makes only positive
+       cells of sufficient quality.
+
+n log n in the size of the two stars.
+*/
+template <class Complex>
+bool propose_edge_collapse(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,
+                           double minimum_quality,
+                           Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
+  const auto a = cell->vertex(i), b = cell->vertex(j);
+  if (complex.is_infinite(a) || complex.is_infinite(b) ||
+      !Boundary_class::contains(b->boundary_class(), a->boundary_class()) ||
+      (a->boundary_class() & Boundary_class::fixed) != 0 ||
+      (a->is_interface() && !b->is_interface()))
+    return false;
+
+  static constexpr std::size_t many = 64; // cells; few vertices have more
+  std::vector<typename Complex::Cell_handle> star_a, star_b;
+  star_a.reserve(many);
+  complex.star(a, star_a);
+  // Most proposals fail here, before anything is planned.
+  const bool is_good_enough = std::all_of(star_a.begin(), star_a.end(), [&](auto c) {
+    if (c->has_vertex(b) || complex.is_infinite(c))
+      return true;
+    return complex.quality(c, [&](auto v) { return complex.position(v == a ? b : v); }) >=
+           minimum_quality;
+  });
+  if (!is_good_enough)
+    return false;
+
+  cavity.begin(Deformable_simplicial_complexes::Proposal_kind::collapse);
+  for (auto c : star_a)
+    cavity.remove(c);
+  cavity.collapse(a, b);
+  const auto b_index = cavity.add(b);
+  for (auto c : star_a) {
+    if (c->has_vertex(b))
+      continue;
+    typename Deformable_simplicial_complexes::Cavity<Complex>::Indices corners;
+    for (int k = 0; k < Complex::corners; ++k)
+      corners[k] = c->vertex(k) == a ? b_index : cavity.add(c->vertex(k));
+    cavity.create(corners, c);
+  }
+  if (!cavity.is_positive())
+    return false;
+
+  const Deformable_simplicial_complexes::internal::Collapse_test<Complex> test(complex, a, b);
+  if (!test.has_same_stratum(star_a))
+    return false;
+  complex.star(b, star_b);
+  return test.fulfills_link_condition(star_a, star_b);
+}
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+template <class Complex>
+bool propose_collapse_either_way(const Complex& complex, typename Complex::Cell_handle cell, int i,
+                                 int j, double minimum_quality, Cavity<Complex>& cavity) {
+  return propose_edge_collapse(complex, cell, i, j, minimum_quality, cavity) ||
+         propose_edge_collapse(complex, cell, j, i, minimum_quality, cavity);
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Proposes to remove an edge that is too short: it is collapsed, in whichever direction is possible.
+
+\param complex is not changed.
+\param cell, i, j the edge between the finite vertices i and j of the cell.
+\param minimum_length only shorter edges are considered; the paper takes half the length of the
+       shortest edge of the input's interface.
+\param minimum_quality no new cell may be worse.
+\param cavity filled with the proposal if there is one.
+\return whether the edge is short and `propose_edge_collapse()` proposes its collapse.
+
+As `propose_edge_collapse()`. Section 3.2.1 of the paper, degeneracy removal (c).
+*/
+template <class Complex>
+bool propose_degenerate_edge_removal(const Complex& complex, typename Complex::Cell_handle cell,
+                                     int i, int j, double minimum_length, double minimum_quality,
+                                     Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
+  using namespace Deformable_simplicial_complexes::internal;
+  const auto edge = complex.position(cell->vertex(j)) - complex.position(cell->vertex(i));
+  return edge.squared_length() < minimum_length * minimum_length &&
+         propose_collapse_either_way(complex, cell, i, j, minimum_quality, cavity);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_COLLAPSE_H

@@ -1,0 +1,322 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_MESH_IMPROVER_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_MESH_IMPROVER_H
+
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_split.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Failure_memory.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Own_operations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Whether two facets of a cell are on the interface, which thus dictates their angle.
+template <class Complex>
+bool has_dictated_angle(const Complex& complex, typename Complex::Cell_handle c) {
+  int number = 0;
+  for (int i = 0; i < Complex::corners; ++i)
+    number += complex.is_interface(std::make_pair(c, i));
+  return number > 1;
+}
+
+// The operations of Algorithm 3, each applied to one bad cell: every function tries to improve the
+// cell and says whether it did; cells that an operation made or touched go into `touched`.
+template <class Complex> class Mesh_improver
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Cells = Work_list<Cell_handle>;
+  using Own = Own_operations<Complex>;
+
+  // Where nothing else helps, one that is thorough triangulates sets of facets anew and inserts
+  // vertices. Vertices of the interface may be smoothed within their plane or line.
+  Mesh_improver(Complex& complex, Any_visitor<Complex>& visitor, double threshold,
+                bool is_thorough = false, bool smooths_interface = false)
+      : m_complex(complex), m_visitor(visitor), m_threshold(threshold), m_is_thorough(is_thorough),
+        m_smooths_interface(smooths_interface), m_cavity(complex) {}
+
+  // Within a deformation.
+  Mesh_improver(Complex& complex, Any_visitor<Complex>& visitor,
+                const Destinations<Complex>& destinations, double threshold)
+      : Mesh_improver(complex, visitor, threshold) {
+    m_destinations = &destinations;
+  }
+
+  const Improvement_report& report() const { return m_report; }
+
+  // Improves all cells below a threshold. Those that stay are often held by neighbors that are but
+  // a little better: in a number of attempts, the cells around them are improved to higher ones. A
+  // cell to which smoothing has given another shape is tried again.
+  void improve_all(double threshold, unsigned rounds, int number_of_attempts) {
+    static constexpr double higher = 1.1;
+    m_threshold = threshold;
+    m_is_at_rest = true;
+    Cells cells;
+    for (Cell_handle c : m_complex.finite_cells())
+      push_afresh(c, cells);
+    improve(std::move(cells), rounds);
+    for (int i = 0; i < number_of_attempts; ++i) {
+      m_threshold = (std::min)(1., higher * m_threshold);
+      cells.clear();
+      push_neighbors_of_stuck(threshold, cells);
+      improve(std::move(cells), rounds);
+    }
+  }
+
+  // Improves the cells below the threshold, then those that arose from them, and so on.
+  void improve(Cells cells, unsigned rounds) {
+    work_in_rounds(m_complex, std::move(cells), rounds, [&](Cell_handle c, Cells& touched) {
+      const double before = c->quality();
+      if (!is_bad(c) || reconnect(c, touched))
+        return;
+      const bool is_smoothed = smooth(c, touched);
+      if (!is_smoothed &&
+          (collapse(c, touched) || split(c, touched) || (m_is_thorough && insert(c, touched))))
+        return;
+      if (!is_smoothed)
+        set_exhausted(c, to_improve_quality);
+      else if (!is_essential_change(before, c->quality()))
+        m_settled.push(c);
+    });
+  }
+
+  // Cells that smoothing made but little better count as tried in vain: more of it is not worth it.
+  void settle() {
+    for (const auto& item : m_settled)
+      if (m_complex.is_alive(item.cell, item.time_stamp))
+        set_exhausted(item.cell, to_improve_quality);
+    m_settled.clear();
+  }
+
+  // Whether the cell is below the threshold and was not tried in vain.
+  bool is_bad(Cell_handle c) const {
+    return c->quality() < m_threshold && !is_exhausted(c, to_improve_quality);
+  }
+
+  bool reconnect(Cell_handle c, Cells& touched) {
+    const auto accept = [&] { return !covers_interface(); };
+    return Own::propose_reconnection(m_complex, c, m_is_thorough, m_cavity, accept) &&
+           commit(touched);
+  }
+
+  bool smooth(Cell_handle c, Cells& touched) {
+    const double before = c->quality();
+    typename Complex::Point target;
+    for (int i = 0; i < Complex::corners && c->quality() < m_threshold; ++i) {
+      const Vertex_handle v = c->vertex(i);
+      if (v->is_interface() && !m_smooths_interface)
+        continue;
+      m_complex.star(v, m_star);
+      if (!propose_smart_laplacian(m_complex, v, m_star, target) &&
+          !Own::propose_optimal_position(m_complex, v, m_star, target))
+        continue;
+      m_qualities.clear();
+      for (Cell_handle d : m_star)
+        m_qualities.push_back(d->quality());
+      smooth_vertex(m_complex, v, m_star, target, m_visitor);
+      ++m_report.smoothed;
+      for (std::size_t k = 0; k < m_star.size(); ++k) {
+        if (m_is_at_rest && is_essential_change(m_qualities[k], m_star[k]->quality()))
+          clear_exhausted(m_star[k], to_improve_quality);
+        touch(m_star[k], touched);
+      }
+    }
+    return c->quality() > before;
+  }
+
+  bool collapse(Cell_handle c, Cells& touched) {
+    for (int i = 0; i < Complex::corners; ++i)
+      for (int j = 0; j < Complex::corners; ++j)
+        if (i != j && !c->vertex(i)->is_interface() && collapse_edge(c, i, j, touched))
+          return true;
+    return false;
+  }
+
+  // Splits the longest edge if it is long and its ends cannot move freely (Algorithm 3, line 1).
+  bool split(Cell_handle c, Cells& touched) {
+    int a = 0, b = 1;
+    double longest = 0;
+    for (int i = 0; i < Complex::corners; ++i)
+      for (int j = i + 1; j < Complex::corners; ++j) {
+        const double length =
+            (m_complex.position(c->vertex(i)) - m_complex.position(c->vertex(j))).squared_length();
+        if (length > longest) {
+          longest = length;
+          a = i;
+          b = j;
+        }
+      }
+    const Vertex_handle v = c->vertex(a), w = c->vertex(b);
+    const auto is_tied = [&](Vertex_handle u) {
+      return u->is_interface() || m_complex.is_boundary(u);
+    };
+    if (!is_tied(v) || !is_tied(w) || Own::is_interface_edge(m_complex, c, a, b) ||
+        !is_long(v, w, longest) || !propose_edge_split(m_complex, c, a, b, .5, m_cavity) ||
+        (m_cavity.vertices().back().boundary_class & Boundary_class::fixed) != 0)
+      return false;
+    commit_split(m_complex, m_cavity, v, w, m_visitor, m_report);
+    touch_created(touched);
+    return true;
+  }
+
+  // Puts a new vertex into the cell and gives it the cells around that it improves.
+  bool insert(Cell_handle c, Cells& touched) {
+    return Own::propose_insertion(m_complex, c, m_cavity) && commit(touched);
+  }
+
+  // Collapses an edge of the interface shorter than a bound. What is around may be as flat as
+  // before.
+  bool remove_degenerate_edge(Cell_handle c, double minimum_length, Cells& touched) {
+    for (int i = 0; i < Complex::corners; ++i)
+      for (int j = i + 1; j < Complex::corners; ++j)
+        if (Own::is_interface_edge(m_complex, c, i, j) &&
+            propose_degenerate_edge_removal(m_complex, c, i, j, minimum_length, 0, m_cavity))
+          return commit(touched);
+    return false;
+  }
+
+  // Collapses a vertex of a flat cell into the interface, which traps it. The cells around may be
+  // as flat as before, but the interface alone holds them then.
+  bool remove_trapped_vertex(Cell_handle c, Cells& touched) {
+    for (int i = 0; i < Complex::corners; ++i)
+      for (int j = 0; j < Complex::corners; ++j)
+        if (!c->vertex(i)->is_interface() && c->vertex(j)->is_interface() &&
+            propose_edge_collapse(m_complex, c, i, j, 0, m_cavity))
+          return commit(touched);
+    return false;
+  }
+
+protected:
+  // Whether an edge of a squared length is long for the interface at its ends, or for that of the
+  // input between two of the boundary.
+  bool is_long(Vertex_handle v, Vertex_handle w, double squared_length) const {
+    static constexpr double long_edge = 4; // as long as those of the interface
+    const double here = local_edge_length(m_complex, v), there = local_edge_length(m_complex, w);
+    const double length = here + there == 0 ? m_complex.mean_interface_edge()
+                                            : (here + there) / (here * there == 0 ? 1 : 2);
+    return length > 0 && squared_length > long_edge * long_edge * length * length;
+  }
+
+  // Of a cell that the vertices would have at their destinations.
+  double final_quality(const std::array<Vertex_handle, Complex::corners>& v) const {
+    return apply_to_corners<Complex::corners>(m_complex.quality_measure(), [&](int i) {
+      return m_destinations ? m_destinations->final_position(v[i]) : m_complex.position(v[i]);
+    });
+  }
+
+  // Whether a planned cell, with the interface in place, lies flat on two neighboring facets
+  // of it: it would be in the way until it is relabeled, and the interface would change where it
+  // need not.
+  bool covers_interface() const {
+    const auto& vertices = m_cavity.vertices();
+    return std::any_of(m_cavity.planned().begin(), m_cavity.planned().end(), [&](const auto& t) {
+      std::array<Vertex_handle, Complex::corners> v;
+      for (int i = 0; i < Complex::corners; ++i) {
+        v[i] = vertices[t.vertices[i]].handle;
+        if (!v[i]->is_interface())
+          return false;
+      }
+      return std::abs(final_quality(v)) < flat && number_of_interface_facets(v) > 1;
+    });
+  }
+
+  // Adds the cells below the threshold around those that stayed below a bound.
+  void push_neighbors_of_stuck(double bound, Cells& cells) {
+    std::vector<Cell_handle> stuck;
+    for (Cell_handle c : m_complex.finite_cells())
+      if (c->quality() < bound && !has_dictated_angle(m_complex, c))
+        stuck.push_back(c);
+    for (Cell_handle c : star_union(m_complex, numbered_vertices_of<Complex>(stuck)))
+      push_afresh(c, cells);
+  }
+
+  // Adds a cell below the threshold, whether or not it was tried in vain.
+  void push_afresh(Cell_handle c, Cells& cells) {
+    clear_exhausted(c, to_improve_quality);
+    if (!m_complex.is_infinite(c) && is_bad(c))
+      cells.push(c);
+  }
+
+  // How many facets of a planned cell are on the interface.
+  int number_of_interface_facets(
+      const std::array<Vertex_handle, Complex::corners>& vertices) const {
+    int result = 0;
+    for (Cell_handle c : m_cavity.removed())
+      for (int i = 0; i < Complex::corners; ++i) {
+        const std::pair<Cell_handle, int> facet(c, i);
+        if (!m_complex.is_interface(facet))
+          continue;
+        const auto corners = m_complex.facet_vertices(facet);
+        result += std::all_of(corners.begin(), corners.end(), [&](Vertex_handle v) {
+          return std::find(vertices.begin(), vertices.end(), v) != vertices.end();
+        });
+      }
+    return result;
+  }
+
+  // Collapses vertex i of a cell into vertex j if that makes the cell's surroundings better.
+  bool collapse_edge(Cell_handle c, int i, int j, Cells& touched) {
+    return propose_edge_collapse(m_complex, c, i, j, better * c->quality(), m_cavity) &&
+           !covers_interface() && commit(touched);
+  }
+
+  bool commit(Cells& touched) {
+    commit_proposal(m_complex, m_cavity, m_visitor, m_report);
+    touch_created(touched);
+    return true;
+  }
+
+  void touch_created(Cells& touched) {
+    for (Cell_handle c : m_cavity.created())
+      touch(c, touched);
+  }
+
+  void touch(Cell_handle c, Cells& touched) {
+    if (!m_complex.is_infinite(c) && is_bad(c))
+      touched.push(c);
+  }
+
+  static constexpr double flat = 1e-9;  // a quality that is zero up to rounding
+  static constexpr double better = 1.1; // times the quality of a cell that a collapse is to remove
+
+  Complex& m_complex;
+  Any_visitor<Complex>& m_visitor;
+  const Destinations<Complex>* m_destinations = nullptr;
+  double m_threshold;
+  bool m_is_thorough, m_smooths_interface, m_is_at_rest = false;
+  Cavity<Complex> m_cavity;
+  Cells m_settled;
+  std::vector<Cell_handle> m_star;
+  std::vector<double> m_qualities; // of its cells
+  Improvement_report m_report;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_MESH_IMPROVER_H
