@@ -6,12 +6,17 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORM_INTERFACE_H
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Interface_deformer.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
+
+#include <vector>
 
 namespace CGAL {
 
@@ -169,6 +174,37 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
   Deformation_report<Complex> report = deformer.report(pass);
   report.stopped = is_stopped;
   return report;
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Deforms the interface as `deform_interface()` does, with destinations in the order of a snapshot.
+
+\param dsc the complex
+\param interface_ its interface. \pre the complex has not changed since
+\param destinations one for each vertex of the snapshot, in the coordinates of the complex
+\param np the named parameters of `deform_interface()`
+\return what that returns
+\throws Deformable_simplicial_complexes::Invalid_destination_error if a destination is not finite;
+       and whatever that throws
+*/
+template <class Complex, class NamedParameters =
+                             Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Deformation_report<Complex>
+deform_interface_to(Complex& dsc,
+                    const Deformable_simplicial_complexes::Interface_snapshot<Complex>& interface_,
+                    const std::vector<typename Complex::Approximate_point>& destinations,
+                    const NamedParameters& np = NamedParameters()) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  internal::require_finite(destinations, "a destination"); // exact numbers could not express it
+  internal::number_vertices(interface_.vertices);
+  return deform_interface(
+      dsc,
+      [&](typename Complex::Vertex_handle v) {
+        return dsc.exact(destinations[v->scratch_index()]);
+      },
+      np);
 }
 
 } // namespace CGAL

@@ -2,11 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_INTERFACE_PATHS_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_INTERFACE_PATHS_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_PATHS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_PATHS_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Integration_scheme.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
@@ -17,6 +17,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
@@ -29,13 +30,12 @@ namespace internal {
 // Velocities of all vertices of a snapshot at given positions, from a field of velocities
 // (position, time) or from a function of the whole interface.
 template <class Complex, class Velocity>
-std::vector<typename Complex::Approximate_vector_3>
-velocities_at(const Interface_snapshot_3<Complex>& interface_,
-              const std::vector<typename Complex::Approximate_point_3>& positions, double t,
+std::vector<typename Complex::Approximate_vector>
+velocities_at(const Interface_snapshot<Complex>& interface_,
+              const std::vector<typename Complex::Approximate_point>& positions, double t,
               const Velocity& velocity) {
-  std::vector<typename Complex::Approximate_vector_3> result;
-  if constexpr (std::is_invocable_v<const Velocity&, typename Complex::Approximate_point_3,
-                                    double>) {
+  std::vector<typename Complex::Approximate_vector> result;
+  if constexpr (std::is_invocable_v<const Velocity&, typename Complex::Approximate_point, double>) {
     for (const auto& p : positions)
       result.push_back(velocity(p, t));
   } else {
@@ -54,26 +54,31 @@ constexpr double smallest_adaptive_part = 1e-6;
 
 // Paths by the rule of Dormand and Prince, in as many steps as it takes to stay below a tolerance.
 template <class Complex, class Velocity>
-std::vector<typename Complex::Approximate_point_3>
-integrate_adaptively(const Interface_snapshot_3<Complex>& interface_,
-                     const std::vector<typename Complex::Approximate_point_3>& start,
+std::vector<typename Complex::Approximate_point>
+integrate_adaptively(const Interface_snapshot<Complex>& interface_,
+                     const std::vector<typename Complex::Approximate_point>& start,
                      const Velocity& velocity, double t, double dt, double tolerance) {
   namespace odeint = boost::numeric::odeint;
   using State = std::vector<double>; // coordinates of all vertices
-  using Points = std::vector<typename Complex::Approximate_point_3>;
+  using Points = std::vector<typename Complex::Approximate_point>;
+  static constexpr int d = Complex::dimension;
   const auto points = [](const State& state) {
     Points result;
-    for (std::size_t i = 0; i < state.size(); i += 3)
-      result.emplace_back(state[i], state[i + 1], state[i + 2]);
+    for (std::size_t i = 0; i < state.size(); i += d) {
+      std::array<double, d> coordinates;
+      std::copy_n(state.begin() + std::ptrdiff_t(i), d, coordinates.begin());
+      result.push_back(point_at<Complex>(coordinates));
+    }
     return result;
   };
   State state;
   for (const auto& p : start)
-    state.insert(state.end(), {p.x(), p.y(), p.z()});
+    for (int i = 0; i < d; ++i)
+      state.push_back(p[i]);
   const auto derivative = [&](const State& x, State& derivatives, double time) {
     double* out = derivatives.data();
     for (const auto& v : velocities_at(interface_, points(x), time, velocity))
-      for (int i = 0; i < 3; ++i)
+      for (int i = 0; i < d; ++i)
         *out++ = v[i];
   };
   auto stepper = odeint::make_controlled(tolerance, 0., odeint::runge_kutta_dopri5<State>());
@@ -123,13 +128,13 @@ Place follow_rate(const Place& start, double t, double dt, Integration_scheme sc
 
 // Paths by a rule of Runge and Kutta in one step.
 template <class Complex, class Velocity>
-std::vector<typename Complex::Approximate_point_3>
-integrate_with_fixed_steps(const Interface_snapshot_3<Complex>& interface_,
-                           const std::vector<typename Complex::Approximate_point_3>& start,
+std::vector<typename Complex::Approximate_point>
+integrate_with_fixed_steps(const Interface_snapshot<Complex>& interface_,
+                           const std::vector<typename Complex::Approximate_point>& start,
                            const Velocity& velocity, double t, double dt,
                            Integration_scheme scheme) {
-  using Points = std::vector<typename Complex::Approximate_point_3>;
-  using Vectors = std::vector<typename Complex::Approximate_vector_3>;
+  using Points = std::vector<typename Complex::Approximate_point>;
+  using Vectors = std::vector<typename Complex::Approximate_vector>;
   const auto rate = [&](const Points& positions, double time) {
     return velocities_at(interface_, positions, time, velocity);
   };
@@ -142,11 +147,11 @@ integrate_with_fixed_steps(const Interface_snapshot_3<Complex>& interface_,
 }
 
 // The forms of velocities that `advect_interface()` takes; the first that fits counts.
-template <class Complex, class Velocity, class Point = typename Complex::Approximate_point_3>
+template <class Complex, class Velocity, class Point = typename Complex::Approximate_point>
 constexpr bool is_flow_map = std::is_invocable_v<const Velocity&, Point, double, double>;
-template <class Complex, class Velocity, class Point = typename Complex::Approximate_point_3>
+template <class Complex, class Velocity, class Point = typename Complex::Approximate_point>
 constexpr bool is_interface_step =
-    std::is_invocable_v<const Velocity&, const Interface_snapshot_3<Complex>&,
+    std::is_invocable_v<const Velocity&, const Interface_snapshot<Complex>&,
                         const std::vector<Point>&, double, double, std::vector<Point>&>;
 
 // Whether a flow map says so.
@@ -159,7 +164,7 @@ struct Is_invertible<Map, std::void_t<typename Map::Is_invertible>> : Map::Is_in
 };
 
 // Whether space goes with a velocity: a field, or a flow map that does not fold or collapse it.
-template <class Complex, class Velocity, class Point = typename Complex::Approximate_point_3>
+template <class Complex, class Velocity, class Point = typename Complex::Approximate_point>
 constexpr bool is_flow_of_space = is_flow_map<Complex, Velocity>
                                       ? Is_invertible<Velocity>::value
                                       : (!is_interface_step<Complex, Velocity> &&
@@ -168,13 +173,13 @@ constexpr bool is_flow_of_space = is_flow_map<Complex, Velocity>
 // Where what is at p at t is at t + dt, as a guide, for which a rule of Runge and Kutta will do.
 // Not finite if a velocity is not. \pre is_flow_of_space
 template <class Complex, class Velocity>
-typename Complex::Approximate_point_3 follow_flow(const typename Complex::Approximate_point_3& p,
-                                                  const Velocity& velocity, double t, double dt) {
+typename Complex::Approximate_point follow_flow(const typename Complex::Approximate_point& p,
+                                                const Velocity& velocity, double t, double dt) {
   if constexpr (is_flow_map<Complex, Velocity>) {
     return velocity(p, t, dt);
   } else {
-    using Point = typename Complex::Approximate_point_3;
-    using Vector = typename Complex::Approximate_vector_3;
+    using Point = typename Complex::Approximate_point;
+    using Vector = typename Complex::Approximate_vector;
     const auto rate = [&](const Point& q, double time) -> Vector {
       if (!has_finite_coordinates(q)) // nobody is asked for what is nowhere
         return q - ORIGIN;
@@ -187,12 +192,12 @@ typename Complex::Approximate_point_3 follow_flow(const typename Complex::Approx
 
 // Where the vertices of a snapshot are at t + dt, for all that `advect_interface()` takes.
 template <class Complex, class Velocity>
-std::vector<typename Complex::Approximate_point_3>
-find_destinations(const Interface_snapshot_3<Complex>& interface_,
-                  const std::vector<typename Complex::Approximate_point_3>& start,
+std::vector<typename Complex::Approximate_point>
+find_destinations(const Interface_snapshot<Complex>& interface_,
+                  const std::vector<typename Complex::Approximate_point>& start,
                   const Velocity& velocity, double t, double dt, Integration_scheme scheme,
                   double tolerance) {
-  using Point = typename Complex::Approximate_point_3;
+  using Point = typename Complex::Approximate_point;
   if constexpr (is_flow_map<Complex, Velocity>) {
     std::vector<Point> result;
     for (const Point& p : start)
@@ -216,4 +221,4 @@ find_destinations(const Interface_snapshot_3<Complex>& interface_,
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_INTERFACE_PATHS_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_PATHS_H
