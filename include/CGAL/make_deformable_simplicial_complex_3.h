@@ -10,10 +10,10 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/check_surfaces_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/check_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/enclosing_box_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/building/label_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_improver_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
@@ -69,7 +69,7 @@ Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
   check_distinct(soup);
   check_enclosed(soup, box);
 
-  std::vector<Wall> walls;
+  std::vector<Wall<3>> walls;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t)
     walls.push_back(make_wall(soup.triangles[t], soup.triangle_origins[t].surface));
   append(soup, box_surface(box, subdivision));
@@ -89,7 +89,7 @@ Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
       throw Tetrahedralization_error("the tetrahedralizer names a point that does not exist: use "
                                      "another one");
   Complex dsc;
-  dsc.assign(points, mesh.tetrahedra, label_tetrahedra(mesh.tetrahedra, walls, surface_labels));
+  dsc.assign(points, mesh.tetrahedra, label_cells<3>(mesh.tetrahedra, walls, surface_labels));
   const Coordinates_3& t = frame.translation();
   dsc.set_normalization({{t[0], t[1], t[2]}, frame.scale()});
   finish(dsc, np);

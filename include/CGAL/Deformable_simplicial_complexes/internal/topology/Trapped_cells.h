@@ -101,17 +101,22 @@ public:
   }
 
 private:
-  // Finds the component of a cell if it has few cells and is small for the interface around it. If
-  // not, the cells that were met join those in `large`, by time stamps, so that none of them is
-  // looked at again.
+  // Finds the component of a cell if it is small for the interface around it, and has few cells or
+  // lies within an edge. If not, the cells that were met join those in `large`, by time stamps, so
+  // that none of them is looked at again.
   bool is_small_component(Cell_handle seed, std::vector<Cell_handle>& component,
                           std::unordered_set<std::size_t>& large) const {
     static constexpr std::size_t few = 30;
-    bool is_small = true;
+    const auto center = m_complex.position(seed->vertex(0));
+    const double edge = local_edge_length<Complex>(m_complex, {seed});
+    bool is_small = true, is_near = true;
     component.assign(1, seed);
     for (std::size_t i = 0; i < component.size() && is_small; ++i) {
       const Cell_handle c = component[i];
-      is_small = component.size() <= few && large.count(c->time_stamp()) == 0;
+      for (int k = 0; k < Complex::corners; ++k)
+        is_near =
+            is_near && Complex::Space::length(m_complex.position(c->vertex(k)) - center) < edge;
+      is_small = (component.size() <= few || is_near) && large.count(c->time_stamp()) == 0;
       for (int k = 0; k < Complex::corners; ++k) {
         const Cell_handle n = c->neighbor(k);
         if (!m_complex.is_infinite(n) && n->label() == c->label() &&

@@ -2,10 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_LABEL_TETRAHEDRA_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_LABEL_TETRAHEDRA_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_LABEL_CELLS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_LABEL_CELLS_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/building/Triangle_soup_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 
@@ -20,44 +19,46 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A triangle of one of several closed surfaces that do not cross.
-struct Wall
+// A facet of one of several closed surfaces, or curves in the plane, that do not cross.
+template <int d> struct Wall
 {
-  Triangle_indices vertices; // sorted
+  std::array<std::size_t, d> vertices; // sorted
   std::size_t surface;
 
   friend bool operator<(const Wall& a, const Wall& b) { return a.vertices < b.vertices; }
 };
 
-inline Wall make_wall(Triangle_indices vertices, std::size_t surface) {
+template <std::size_t d>
+Wall<int(d)> make_wall(std::array<std::size_t, d> vertices, std::size_t surface) {
   std::sort(vertices.begin(), vertices.end());
   return {vertices, surface};
 }
 
-// What is behind a facet of a tetrahedron.
+// What is behind a facet of a cell.
 struct Facet_side
 {
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  std::size_t tetrahedron = none; // none: the facet is on the boundary of the mesh
-  std::size_t surface = none;     // none: the facet is no wall
+  std::size_t cell = none;    // none: the facet is on the boundary of the mesh
+  std::size_t surface = none; // none: the facet is no wall
 };
-using Facet_sides = std::array<Facet_side, 4>;
+template <int d> using Facet_sides = std::array<Facet_side, d + 1>;
 
-// Throws Tetrahedralization_error unless each wall is a facet of two tetrahedra.
-inline std::vector<Facet_sides> find_sides(const std::vector<Cell_vertices<3>>& tetrahedra,
-                                           std::vector<Wall> walls) {
+// Throws Tetrahedralization_error unless each wall is a facet of two cells.
+template <int d>
+std::vector<Facet_sides<d>> find_sides(const std::vector<Cell_vertices<d>>& cells,
+                                       std::vector<Wall<d>> walls) {
   std::sort(walls.begin(), walls.end());
   std::size_t walls_found = 0;
-  std::vector<Facet_sides> sides(tetrahedra.size());
-  const auto facets = sorted_facets(tetrahedra);
+  std::vector<Facet_sides<d>> sides(cells.size());
+  const auto facets = sorted_facets(cells);
   for (std::size_t i = 1; i < facets.size(); ++i) {
     const auto &f = facets[i - 1], &g = facets[i];
     if (f.vertices != g.vertices)
       continue;
     Facet_side &behind_f = sides[f.cell][f.index], &behind_g = sides[g.cell][g.index];
-    behind_f.tetrahedron = g.cell;
-    behind_g.tetrahedron = f.cell;
-    const auto wall = std::lower_bound(walls.begin(), walls.end(), Wall{f.vertices, 0});
+    behind_f.cell = g.cell;
+    behind_g.cell = f.cell;
+    const auto wall = std::lower_bound(walls.begin(), walls.end(), Wall<d>{f.vertices, 0});
     if (wall != walls.end() && wall->vertices == f.vertices) {
       behind_f.surface = behind_g.surface = wall->surface;
       ++walls_found;
@@ -69,29 +70,30 @@ inline std::vector<Facet_sides> find_sides(const std::vector<Cell_vertices<3>>& 
   return sides;
 }
 
-// The label of each tetrahedron, found by walking in from the boundary of the mesh through as few
+// The label of each cell, found by walking in from the boundary of the mesh through as few
 // walls as possible: that of the surface that was entered last and not left again, 0 outside all
 // surfaces. A step through a wall leaves its surface if it is inside, and enters it otherwise:
 // orientations do not matter, and a surface nested in itself bounds a cavity. n log n.
-inline std::vector<int> label_tetrahedra(const std::vector<Cell_vertices<3>>& tetrahedra,
-                                         const std::vector<Wall>& walls,
-                                         const std::vector<int>& surface_labels) {
-  const std::vector<Facet_sides> sides = find_sides(tetrahedra, walls);
-  const auto is_on_boundary = [](const Facet_sides& s) {
+template <int d>
+std::vector<int> label_cells(const std::vector<Cell_vertices<d>>& cells,
+                             const std::vector<Wall<d>>& walls,
+                             const std::vector<int>& surface_labels) {
+  const std::vector<Facet_sides<d>> sides = find_sides(cells, walls);
+  const auto is_on_boundary = [](const Facet_sides<d>& s) {
     return std::any_of(s.begin(), s.end(),
-                       [](const Facet_side& side) { return side.tetrahedron == Facet_side::none; });
+                       [](const Facet_side& side) { return side.cell == Facet_side::none; });
   };
 
   // A region is what can be reached without passing a wall; its surfaces are those it is inside of,
   // in the order in which they were entered.
   struct Entrance
   {
-    std::size_t tetrahedron, surface, from_region;
+    std::size_t cell, surface, from_region;
   };
   std::vector<std::vector<std::size_t>> regions;
   std::vector<Entrance> entrances;
-  std::vector<int> labels(tetrahedra.size(), 0);
-  std::vector<char> is_visited(tetrahedra.size(), 0);
+  std::vector<int> labels(cells.size(), 0);
+  std::vector<char> is_visited(cells.size(), 0);
   std::vector<std::size_t> stack;
 
   const auto fill = [&](std::size_t first, std::vector<std::size_t> surfaces) {
@@ -104,13 +106,13 @@ inline std::vector<int> label_tetrahedra(const std::vector<Cell_vertices<3>>& te
       stack.pop_back();
       labels[t] = label;
       for (const Facet_side& side : sides[t]) {
-        if (side.tetrahedron == Facet_side::none || is_visited[side.tetrahedron])
+        if (side.cell == Facet_side::none || is_visited[side.cell])
           continue;
         if (side.surface != Facet_side::none)
-          entrances.push_back({side.tetrahedron, side.surface, regions.size() - 1});
+          entrances.push_back({side.cell, side.surface, regions.size() - 1});
         else {
-          is_visited[side.tetrahedron] = 1;
-          stack.push_back(side.tetrahedron);
+          is_visited[side.cell] = 1;
+          stack.push_back(side.cell);
         }
       }
     }
@@ -119,7 +121,7 @@ inline std::vector<int> label_tetrahedra(const std::vector<Cell_vertices<3>>& te
   fill(std::find_if(sides.begin(), sides.end(), is_on_boundary) - sides.begin(), {});
   for (std::size_t i = 0; i < entrances.size(); ++i) {
     const Entrance entrance = entrances[i];
-    if (is_visited[entrance.tetrahedron])
+    if (is_visited[entrance.cell])
       continue;
     std::vector<std::size_t> surfaces = regions[entrance.from_region];
     const auto entered = std::find(surfaces.begin(), surfaces.end(), entrance.surface);
@@ -127,7 +129,7 @@ inline std::vector<int> label_tetrahedra(const std::vector<Cell_vertices<3>>& te
       surfaces.erase(entered);
     else
       surfaces.push_back(entrance.surface);
-    fill(entrance.tetrahedron, std::move(surfaces));
+    fill(entrance.cell, std::move(surfaces));
   }
   return labels;
 }
@@ -136,4 +138,4 @@ inline std::vector<int> label_tetrahedra(const std::vector<Cell_vertices<3>>& te
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_LABEL_TETRAHEDRA_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_LABEL_CELLS_H

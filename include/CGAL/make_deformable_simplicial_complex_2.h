@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_2_H
+#define CGAL_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_2_H
+
+#include <CGAL/Deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/Labelled_curve_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/building/Curve_soup_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/building/Graded_points_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/improvement/Own_operations_2.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The square about the barycenter of points whose half side is 2.5 times the largest distance of
+// one from it, as in space.
+inline Bbox_2 default_box(const std::vector<Planar_kernel::Point_2>& points) {
+  static constexpr double margin = 2.5;
+  double x = 0, y = 0, radius = 0;
+  for (const auto& p : points) {
+    x += p.x() / double(points.size());
+    y += p.y() / double(points.size());
+  }
+  for (const auto& p : points)
+    radius = (std::max)(radius, std::hypot(p.x() - x, p.y() - y));
+  return {x - margin * radius, y - margin * radius, x + margin * radius, y + margin * radius};
+}
+
+inline Bbox_2 box_of(const Bbox_2& given) { return given; }
+template <class Box> Bbox_2 box_of(const Box& given) { return given.bbox(); }
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Makes a complex of regions of the plane that are bounded by closed polylines, in a rectangle that
+belongs to the outside: the twin of `make_deformable_simplicial_complex_3()`.
+
+A curve is a set of segments, an even number of them at each point. Curves may be nested in any way,
+and may touch in common ends of segments, but not cross or overlap. A point inside several curves
+gets the label of the one that is entered last on a way from the outside that crosses as few
+segments as possible; outside all of them is label 0.
+
+Space is filled by CGAL's constrained Delaunay triangulation, with points as dense as those of the
+curves near them and sparser away from them. Points of the curves keep their coordinates, bit for
+bit.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_2`
+\tparam NP a sequence of named parameters
+
+\param curves with the labels of what they enclose; coordinates are rounded to `double`
+\param np named parameters:
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{enclosing_box}
+    \cgalParamDescription{The domain, in which the curves must be strictly inside.}
+    \cgalParamType{`Bbox_2` or a class with `bbox()`, such as `Iso_rectangle_2`}
+    \cgalParamDefault{the square about the barycenter of the points whose half side is 2.5 times the
+                      largest distance of a point from it}
+  \cgalParamNEnd
+  \cgalParamNBegin{improve}
+    \cgalParamDescription{Whether the mesh is improved at the end, as it will be in each step of a
+                          deformation.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{quality_threshold}
+    \cgalParamDescription{Only cells of lower quality are improved, in [0, 1].}
+    \cgalParamType{`double`}
+    \cgalParamDefault{0.3}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{How many rounds of improvement at the most.}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{10}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\throws Deformable_simplicial_complexes::Invalid_surface_error if a curve is not as described above,
+        or reaches the box: its facets are segments
+\throws Deformable_simplicial_complexes::Error if there is no curve, or parameters are out of range
+
+n log n in the number of segments and triangles.
+*/
+template <class Complex,
+          class NP = Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Complex make_deformable_simplicial_complex_2(
+    const std::vector<Labelled_curve_2<typename Complex::Point_2>>& curves,
+    const NP& np = Deformable_simplicial_complexes::parameters::default_values()) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  namespace tags = Deformable_simplicial_complexes::internal_np;
+  namespace defaults = internal::defaults;
+  using Deformable_simplicial_complexes::Error;
+  using Deformable_simplicial_complexes::Invalid_surface_error;
+  if (curves.empty())
+    throw Error("there are no curves: give one at least");
+
+  internal::Curve_soup_2 soup;
+  std::vector<typename Complex::Label> labels;
+  for (const auto& curve : curves) {
+    internal::add_curve(curve, labels.size(), soup);
+    labels.push_back(curve.label);
+  }
+  internal::check_crossings(soup);
+  Bbox_2 box = internal::default_box(soup.points);
+  const auto given = CGAL::parameters::get_parameter(np, tags::enclosing_box);
+  if constexpr (!CGAL::parameters::is_default_parameter<NP, tags::enclosing_box_t>::value)
+    box = internal::box_of(given);
+  for (const auto& p : soup.points)
+    if (!(box.xmin() < p.x() && p.x() < box.xmax() && box.ymin() < p.y() && p.y() < box.ymax()))
+      throw Error("a curve is not strictly inside the enclosing box: give a larger box");
+
+  using Kernel = internal::Planar_kernel;
+  using Tds =
+      Triangulation_data_structure_2<Triangulation_vertex_base_with_info_2<std::size_t, Kernel>,
+                                     Constrained_triangulation_face_base_2<Kernel>>;
+  Constrained_Delaunay_triangulation_2<Kernel, Tds, No_constraint_intersection_tag> triangulation;
+  std::vector<typename Tds::Vertex_handle> handles;
+  for (const auto& p : soup.points)
+    handles.push_back(triangulation.insert(p));
+  for (const auto& wall : soup.walls)
+    triangulation.insert_constraint(handles[wall.vertices[0]], handles[wall.vertices[1]]);
+  const internal::Graded_points_2 graded(soup, box);
+  triangulation.insert(graded.points().begin(), graded.points().end());
+
+  for (auto v : triangulation.finite_vertex_handles())
+    v->info() = std::size_t(-1);
+  std::vector<typename Complex::Point_2> points;
+  for (auto v : handles) {
+    v->info() = points.size();
+    points.emplace_back(v->point().x(), v->point().y());
+  }
+  for (auto v : triangulation.finite_vertex_handles())
+    if (v->info() == std::size_t(-1)) {
+      v->info() = points.size();
+      points.emplace_back(v->point().x(), v->point().y());
+    }
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for (auto f : triangulation.finite_face_handles())
+    triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+
+  Complex dsc;
+  dsc.assign(points, triangles, internal::label_cells<2>(triangles, soup.walls, labels));
+  const double threshold = internal::quality_parameter(np, tags::quality_threshold,
+                                                       defaults::Quality_threshold::of_new_mesh);
+  const unsigned rounds =
+      internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                                defaults::Number_of_iterations::over_mesh);
+  if (internal::parameter_or(np, tags::improve, true)) {
+    internal::Any_visitor<Complex> visitor;
+    internal::Mesh_improver<Complex> improver(dsc, visitor, threshold);
+    improver.improve_all(threshold, rounds, 0);
+  }
+  dsc.sort_storage();
+  return dsc;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_2_H
