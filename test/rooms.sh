@@ -5,8 +5,8 @@
 set -euo pipefail
 cd "$1/CGAL"
 
-rooms=(accounts complex traversal geometry interface operations parameters topology motion improvement deformation
-  building values IO)
+rooms=(accounts complex traversal geometry interface operations parameters topology motion improvement
+  remeshing deformation building values IO)
 maximum_lines=2000
 
 rank_of() { # ROOM

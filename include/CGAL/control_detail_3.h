@@ -5,7 +5,7 @@
 #ifndef CGAL_CONTROL_DETAIL_3_H
 #define CGAL_CONTROL_DETAIL_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Detail_controller_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/remeshing/Detail_controller_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>

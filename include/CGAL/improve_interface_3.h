@@ -5,7 +5,7 @@
 #ifndef CGAL_IMPROVE_INTERFACE_3_H
 #define CGAL_IMPROVE_INTERFACE_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Interface_improver_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/remeshing/Interface_improver_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>

@@ -6,7 +6,7 @@
 #define CGAL_IMPROVE_MESH_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_improver_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Patch_improver_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/remeshing/Patch_improver_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
