@@ -16,7 +16,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/relabeling_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/vertex_optimization_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/vertex_smoothing_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/motion/harmonic_extension.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Harmonic_extension.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
 
@@ -134,7 +134,7 @@ void add_passes(const Complex& complex) {
                                  state.counters["cells"] = double(cells.size());
                                })
       ->Unit(benchmark::kMillisecond);
-  benchmark::RegisterBenchmark("harmonic_extension of a rotation to all free vertices",
+  benchmark::RegisterBenchmark("harmonic extension of a rotation to all free vertices",
                                [&complex](benchmark::State& state) {
                                  std::vector<Vertex_handle> free;
                                  for (const Vertex_handle v : complex.vertices())
@@ -146,8 +146,9 @@ void add_passes(const Complex& complex) {
                                                             : Vector(0, 0, 0);
                                  };
                                  for ([[maybe_unused]] auto _ : state)
-                                   benchmark::DoNotOptimize(internal::harmonic_extension(
-                                       complex, free, displacement, internal::For_each_index()));
+                                   benchmark::DoNotOptimize(internal::Harmonic_extension<Complex>(
+                                                                complex, free, displacement)
+                                                                .solve(internal::For_each_index()));
                                  state.counters["vertices"] = double(free.size());
                                })
       ->Unit(benchmark::kMillisecond);

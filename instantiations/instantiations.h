@@ -86,7 +86,7 @@ DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Trapp
     instantiations::Complex>;
 DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Interface_deformer<
     instantiations::Complex>;
-DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Detail_controller_3<
+DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Detail_controller<
     instantiations::Complex>;
 DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Interface_improver_3<
     instantiations::Complex>;

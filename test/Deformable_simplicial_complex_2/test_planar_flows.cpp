@@ -2,8 +2,10 @@
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/advect_interface_2.h>
+#include <CGAL/control_detail_2.h>
 #include <CGAL/interface_flows_2.h>
 #include <CGAL/make_deformable_simplicial_complex_2.h>
+#include <CGAL/velocity_fields_2.h>
 
 #include <gtest/gtest.h>
 
@@ -221,6 +223,39 @@ TEST(Planar_flows, hole_of_a_ring_closes) {
   }
   EXPECT_EQ(dsc.number_of_components(0), 1u);
   EXPECT_NEAR(dsc.area(1), pi * 1.24 * 1.24, .01 * pi);
+}
+
+// A disk is drawn out to almost twice its circumference and comes back; detail follows it.
+TEST(Planar_flows, vortex_there_and_back) {
+  const double radius = .15, edge = 2 * pi * radius / 80;
+  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+      {circle(.5, .75, radius, 80)}, parameters::enclosing_box(CGAL::Bbox_2(0, 0, 1, 1)));
+  const double area = dsc.area(1);
+  const auto length = [&] {
+    double sum = 0;
+    for (const auto& f : dsc.interface_facets())
+      sum += dsc.measure(f);
+    return sum;
+  };
+  const double start = length();
+  double longest = 0;
+  const CGAL::Single_vortex_velocity_2 vortex(2);
+  for (int step = 0; step < 80; ++step) {
+    const Report report = CGAL::advect_interface(
+        dsc, vortex, step * .025, .025,
+        parameters::scheme(CGAL::Deformable_simplicial_complexes::Integration_scheme::rk4));
+    EXPECT_TRUE(report.complete);
+    CGAL::control_detail(
+        dsc, parameters::change_interface(true).size_field([=](const Position&) { return edge; }));
+    ASSERT_TRUE(dsc.is_valid(true));
+    EXPECT_NEAR(dsc.area(1), area, .005 * area);
+    longest = (std::max)(longest, length());
+  }
+  EXPECT_GT(longest, 1.8 * start);
+  EXPECT_NEAR(length(), start, .01 * start);
+  EXPECT_EQ(dsc.number_of_components(1), 1u);
+  for (const Position& p : positions(dsc))
+    EXPECT_NEAR(std::hypot(p.x() - .5, p.y() - .75), radius, .1 * edge);
 }
 
 // Whatever the field, the complex stays valid, and space is filled.

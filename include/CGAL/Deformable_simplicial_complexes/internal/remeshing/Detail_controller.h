@@ -2,14 +2,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_REMESHING_DETAIL_CONTROLLER_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_REMESHING_DETAIL_CONTROLLER_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_DETAIL_CONTROLLER_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_DETAIL_CONTROLLER_H
 
-#include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Own_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
@@ -39,16 +40,16 @@ inline void check_detail_thresholds(const Detail_thresholds& t) {
 
 // Splits long edges and collapses short ones, cell by cell. No collapse makes an edge that would be
 // split.
-template <class Complex> class Detail_controller_3
+template <class Complex> class Detail_controller
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
 
   // Interface edges are collapsed by `short_unit`, everything else is measured by `unit`.
-  Detail_controller_3(Complex& complex, Any_visitor<Complex>& visitor,
-                      const Detail_thresholds& thresholds, const Edge_unit<Complex>& unit,
-                      const Edge_unit<Complex>& short_unit)
+  Detail_controller(Complex& complex, Any_visitor<Complex>& visitor,
+                    const Detail_thresholds& thresholds, const Edge_unit<Complex>& unit,
+                    const Edge_unit<Complex>& short_unit)
       : m_complex(complex), m_visitor(visitor), m_thresholds(thresholds), m_unit(unit),
         m_short_unit(short_unit), m_cavity(complex) {}
 
@@ -57,7 +58,7 @@ public:
   // Works on all cells, then on those that arose from them, and so on.
   void run(unsigned rounds) {
     Work_list<Cell_handle> cells;
-    for (Cell_handle c : m_complex.triangulation().finite_cell_handles())
+    for (Cell_handle c : m_complex.finite_cells())
       cells.push(c);
     work_in_rounds(m_complex, std::move(cells), rounds,
                    [&](Cell_handle c, Work_list<Cell_handle>& touched) {
@@ -71,8 +72,8 @@ private:
   bool split(Cell_handle c) {
     int a = 0, b = 0;
     double longest = 1;
-    for (int i = 0; i < 4; ++i)
-      for (int j = i + 1; j < 4; ++j) {
+    for (int i = 0; i < Complex::corners; ++i)
+      for (int j = i + 1; j < Complex::corners; ++j) {
         const double length = length_by_split_threshold(c, i, j);
         if (length > longest) {
           longest = length;
@@ -87,8 +88,8 @@ private:
   }
 
   bool collapse(Cell_handle c) {
-    for (int i = 0; i < 4; ++i)
-      for (int j = i + 1; j < 4; ++j)
+    for (int i = 0; i < Complex::corners; ++i)
+      for (int j = i + 1; j < Complex::corners; ++j)
         if (is_short(c, i, j) && (collapse(c, i, j) || collapse(c, j, i)))
           return true;
     return false;
@@ -106,7 +107,7 @@ private:
   double length_by_split_threshold(Cell_handle c, int i, int j) const {
     const Vertex_handle v = c->vertex(i), w = c->vertex(j);
     const bool is_interface = v->is_interface() && w->is_interface() &&
-                              m_complex.is_interface(typename Complex::Edge(c, i, j));
+                              Own_operations<Complex>::is_interface_edge(m_complex, c, i, j);
     return length_by_split_threshold(v, w, is_interface);
   }
 
@@ -126,7 +127,7 @@ private:
       return length(v, w, m_unit) < m_thresholds.collapse;
     return m_thresholds.change_interface && v->is_interface() && w->is_interface() &&
            length(v, w, m_short_unit) < m_thresholds.interface_collapse &&
-           m_complex.is_interface(typename Complex::Edge(c, i, j));
+           Own_operations<Complex>::is_interface_edge(m_complex, c, i, j);
   }
 
   // All vertices around the vanishing vertex become neighbors of the other one. Between vertices of
@@ -153,7 +154,7 @@ private:
   Any_visitor<Complex>& m_visitor;
   Detail_thresholds m_thresholds;
   Edge_unit<Complex> m_unit, m_short_unit;
-  Cavity_3<Complex> m_cavity;
+  Cavity<Complex> m_cavity;
   Improvement_report m_report;
 };
 
@@ -161,4 +162,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_REMESHING_DETAIL_CONTROLLER_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_DETAIL_CONTROLLER_H

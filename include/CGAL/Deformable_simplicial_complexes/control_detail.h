@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CONTROL_DETAIL_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CONTROL_DETAIL_H
+
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Detail_controller.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+
+#include <limits>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Splits long edges at their midpoints and collapses short ones ("detail control", sections 3.2.1 and
+3.2.2 of the paper). Lengths are given in units of the mean edge of the input's interface, or of a
+size field. Without a size field, an edge inside a label is split only if it connects the interface
+with itself or with the boundary of the domain, which gives the interface room to move and leaves
+the mesh coarse elsewhere. Edges inside a label are collapsed if neither end is on the interface or
+on the boundary of the domain.
+
+Unless it may change, the interface stays as it is, bit for bit. If it may, its topology stays, and
+so do the lines and points where labels meet; splits move it by the rounding of the midpoints,
+collapses by what is between the old and the new facets. No collapse makes an edge that would be
+split.
+
+\param dsc the complex.
+\param np named parameters:
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{size_field}
+    \cgalParamDescription{the wanted length of edges, a positive function of position:
+                          `double size_field(Approximate_point_3 p)`, callable as `const`, asked
+                          at midpoints of edges, in the coordinates of the complex}
+    \cgalParamType{function object, by value or `std::reference_wrapper`}
+    \cgalParamDefault{`dsc.mean_interface_edge()` everywhere}
+  \cgalParamNEnd
+  \cgalParamNBegin{split_length}
+    \cgalParamDescription{longer edges inside a label are split, in units of the wanted length,
+                          positive}
+    \cgalParamType{`double`} \cgalParamDefault{4, the paper's}
+  \cgalParamNEnd
+  \cgalParamNBegin{collapse_length}
+    \cgalParamDescription{shorter edges inside a label are collapsed, in units of the wanted length,
+                          not negative}
+    \cgalParamType{`double`} \cgalParamDefault{infinity, as in the paper: the mesh becomes as coarse
+                          as its quality allows}
+  \cgalParamNEnd
+  \cgalParamNBegin{collapse_quality}
+    \cgalParamDescription{no collapse makes a cell of lower quality, in [0, 1]}
+    \cgalParamType{`double`} \cgalParamDefault{0.25, the paper's}
+  \cgalParamNEnd
+  \cgalParamNBegin{change_interface}
+    \cgalParamDescription{whether to split and collapse edges of the interface, too}
+    \cgalParamType{`bool`} \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{interface_split_length}
+    \cgalParamDescription{longer edges of the interface are split, in units of the wanted length,
+                          positive}
+    \cgalParamType{`double`} \cgalParamDefault{2, the paper's}
+  \cgalParamNEnd
+  \cgalParamNBegin{interface_collapse_length}
+    \cgalParamDescription{shorter edges of the interface are collapsed, in units of the size field
+                          or, without one, of `dsc.minimum_interface_edge()`, not negative}
+    \cgalParamType{`double`} \cgalParamDefault{0.5, the paper's}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{how many rounds at the most: each round works on what the last one made}
+    \cgalParamType{`unsigned int`} \cgalParamDefault{10}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told of each change of the mesh}
+    \cgalParamType{model of `DeformationVisitor_3`, by value or `std::reference_wrapper`}
+    \cgalParamDefault{`Deformation_visitor_3`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return what was done.
+\throws Deformable_simplicial_complexes::Error if a parameter is out of its range, or there is an
+       interface, but neither a size field nor `dsc.mean_interface_edge()`, the complex then being
+       unchanged, or if the size field has a value that is not positive. An exception of the
+       size field or of the visitor leaves a valid complex.
+
+A pass over the cells, with the stars of the ends of edges to be collapsed; then n log n in the
+number of changed cells.
+*/
+template <class Complex, class NamedParameters =
+                             Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Improvement_report control_detail(Complex& dsc, const NamedParameters& np = NamedParameters()) {
+  namespace tags = Deformable_simplicial_complexes::internal_np;
+  namespace internal = Deformable_simplicial_complexes::internal;
+  namespace defaults = internal::defaults;
+
+  auto visitor = internal::visitor_parameter<Complex>(np);
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  const internal::Detail_thresholds thresholds = {
+      internal::number_parameter(np, tags::split_length, defaults::split_length),
+      internal::number_parameter(np, tags::collapse_length, infinity),
+      internal::quality_parameter(np, tags::collapse_quality, defaults::collapse_quality),
+      bool(internal::parameter_or(np, tags::change_interface, false)),
+      internal::number_parameter(np, tags::interface_split_length,
+                                 defaults::interface_split_length),
+      internal::number_parameter(np, tags::interface_collapse_length,
+                                 defaults::Interface_collapse_length::in_shortest_edges)};
+  internal::check_detail_thresholds(thresholds);
+  const unsigned rounds =
+      internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                                defaults::Number_of_iterations::over_mesh);
+  const auto unit = internal::wanted_length(dsc, np),
+             short_unit = internal::shortest_wanted_length(dsc, np);
+
+  internal::Detail_controller<Complex> controller(dsc, visitor.any(), thresholds, unit, short_unit);
+  controller.run(rounds);
+  return controller.report();
+}
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CONTROL_DETAIL_H
