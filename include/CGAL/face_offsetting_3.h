@@ -7,10 +7,10 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/geometry/Vertex_quadric_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/interface_paths.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface/interface_triangles_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Integration_scheme.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/interface_paths.h>
 
 #include <cmath>
 #include <cstddef>

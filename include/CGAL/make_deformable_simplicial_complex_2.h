@@ -11,6 +11,8 @@
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/Graded_points_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/improvement/Own_operations_2.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
@@ -43,6 +45,33 @@ inline Bbox_2 default_box(const std::vector<Planar_kernel::Point_2>& points) {
   for (const auto& p : points)
     radius = (std::max)(radius, std::hypot(p.x() - x, p.y() - y));
   return {x - margin * radius, y - margin * radius, x + margin * radius, y + margin * radius};
+}
+
+// Refuses boxes and curves that are too large or too small to be measured, and curves that reach
+// the box.
+inline void check_enclosed(const Curve_soup_2& soup, const Bbox_2& box) {
+  const auto is_measurable = [](const std::vector<std::array<double, 2>>& points) {
+    return std::all_of(points.begin(), points.end(),
+                       has_finite_coordinates<std::array<double, 2>>) &&
+           extent_of<2>(points).is_measurable();
+  };
+  std::vector<std::array<double, 2>> points;
+  for (const auto& p : soup.points)
+    points.push_back({p.x(), p.y()});
+  if (!is_measurable(points) ||
+      !is_measurable({{box.xmin(), box.ymin()}, {box.xmax(), box.ymax()}}))
+    throw Error(
+        "the size of the curves or of the enclosing box is not between 1e-30 and 1e30: scale "
+        "the curves, or give another box");
+  const auto is_inside = [&](const Planar_kernel::Point_2& p) {
+    return box.xmin() < p.x() && p.x() < box.xmax() && box.ymin() < p.y() && p.y() < box.ymax();
+  };
+  for (std::size_t w = 0; w < soup.walls.size(); ++w)
+    for (std::size_t v : soup.walls[w].vertices)
+      if (!is_inside(soup.points[v]))
+        refuse_curve(Invalid_surface_error::Reason::outside_enclosing_box,
+                     "is not strictly inside the enclosing box: give a larger box",
+                     soup.walls[w].surface, soup.walls[w].surface, {soup.segments[w]});
 }
 
 inline Bbox_2 box_of(const Bbox_2& given) { return given; }
@@ -99,7 +128,8 @@ bit.
 
 \throws Deformable_simplicial_complexes::Invalid_surface_error if a curve is not as described above,
         or reaches the box: its facets are segments
-\throws Deformable_simplicial_complexes::Error if there is no curve, or parameters are out of range
+\throws Deformable_simplicial_complexes::Error if there is no curve, or parameters or the extent of the
+        domain are out of range
 
 n log n in the number of segments and triangles.
 */
@@ -112,7 +142,11 @@ Complex make_deformable_simplicial_complex_2(
   namespace tags = Deformable_simplicial_complexes::internal_np;
   namespace defaults = internal::defaults;
   using Deformable_simplicial_complexes::Error;
-  using Deformable_simplicial_complexes::Invalid_surface_error;
+  const double threshold = internal::quality_parameter(np, tags::quality_threshold,
+                                                       defaults::Quality_threshold::of_new_mesh);
+  const unsigned rounds =
+      internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                                defaults::Number_of_iterations::over_mesh);
   if (curves.empty())
     throw Error("there are no curves: give one at least");
 
@@ -127,9 +161,7 @@ Complex make_deformable_simplicial_complex_2(
   const auto given = CGAL::parameters::get_parameter(np, tags::enclosing_box);
   if constexpr (!CGAL::parameters::is_default_parameter<NP, tags::enclosing_box_t>::value)
     box = internal::box_of(given);
-  for (const auto& p : soup.points)
-    if (!(box.xmin() < p.x() && p.x() < box.xmax() && box.ymin() < p.y() && p.y() < box.ymax()))
-      throw Error("a curve is not strictly inside the enclosing box: give a larger box");
+  internal::check_enclosed(soup, box);
 
   using Kernel = internal::Planar_kernel;
   using Tds =
@@ -162,11 +194,6 @@ Complex make_deformable_simplicial_complex_2(
 
   Complex dsc;
   dsc.assign(points, triangles, internal::label_cells<2>(triangles, soup.walls, labels));
-  const double threshold = internal::quality_parameter(np, tags::quality_threshold,
-                                                       defaults::Quality_threshold::of_new_mesh);
-  const unsigned rounds =
-      internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                                defaults::Number_of_iterations::over_mesh);
   if (internal::parameter_or(np, tags::improve, true)) {
     internal::Any_visitor<Complex> visitor;
     internal::Mesh_improver<Complex> improver(dsc, visitor, threshold);

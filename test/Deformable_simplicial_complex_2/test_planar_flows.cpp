@@ -150,7 +150,68 @@ TEST(Make_2, refuses_what_bounds_nothing) {
   EXPECT_THROW(make({}), CGAL::Deformable_simplicial_complexes::Error);
   EXPECT_THROW(CGAL::make_deformable_simplicial_complex_2<Complex>(
                    {circle(0, 0, 1, 8)}, parameters::enclosing_box(CGAL::Bbox_2(-1, -1, 1, 1))),
-               CGAL::Deformable_simplicial_complexes::Error);
+               Invalid_surface_error);
+  for (double size : {1e-170, 1e160})
+    EXPECT_THROW(make({polygon({{0, 0}, {size, 0}, {0, size}})}),
+                 CGAL::Deformable_simplicial_complexes::Error);
+}
+
+// Points of space keep off long segments beside short ones.
+TEST(Make_2, of_long_segments_beside_short_ones) {
+  const Curve curve = polygon(
+      {{.25, .5625}, {3.25, .5625}, {3.25, .7625}, {3.45, .7625}, {3.45, 3.5625}, {.25, 3.5625}});
+  const Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+      {curve}, parameters::enclosing_box(CGAL::Iso_rectangle_2<CGAL::Epick>(-4, -4, 4, 4)));
+  EXPECT_TRUE(dsc.is_valid(true));
+  EXPECT_EQ(dsc.interface_vertices().size(), 6u);
+  EXPECT_NEAR(dsc.area(1), 3.2 * 3 - .2 * .2, 1e-12);
+}
+
+TEST(Make_2, of_polygons_with_holes_in_a_flat_box) {
+  CGAL::Polygon_with_holes_2<CGAL::Epick> polygon;
+  for (const Point& p : circle(0, 0, .3, 64).points)
+    polygon.outer_boundary().push_back(p);
+  CGAL::Polygon_2<CGAL::Epick> hole;
+  for (const Point& p : circle(0, 0, .1, 16).points)
+    hole.push_back(p);
+  polygon.add_hole(hole);
+  Curve curve;
+  curve.add_polygon(polygon);
+  const Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+      {curve}, parameters::enclosing_box(CGAL::Bbox_2(-50, -.5, 50, .5)).improve(false));
+  EXPECT_TRUE(dsc.is_valid(true));
+  EXPECT_EQ(dsc.number_of_components(0), 2u);
+  EXPECT_LT(dsc.number_of_vertices(), 3000u);
+}
+
+// What limits are measured by follows splits and collapses of the interface, and nothing else.
+TEST(Spacing, follows_refinement_and_not_motion) {
+  Complex dsc = make({circle(0, 0, 1, 24)});
+  const double edge = 2 * std::sin(pi / 24);
+  const auto expect_edge = [&] {
+    for (auto v : dsc.interface_vertices())
+      EXPECT_NEAR(v->spacing(), edge, 1e-6 * edge);
+  };
+  expect_edge();
+  for (int step = 0; step < 10; ++step)
+    CGAL::advect_interface(dsc, CGAL::Normal_offset_2{.1}, step, 1.);
+  EXPECT_EQ(dsc.interface_vertices().size(), 24u);
+  expect_edge(); // of edges that are twice as long now
+  CGAL::control_detail(dsc, parameters::change_interface(true).size_field(
+                                [=](const Position&) { return edge / 2; }));
+  EXPECT_GT(dsc.interface_vertices().size(), 60u);
+  for (auto v : dsc.interface_vertices())
+    EXPECT_NEAR(v->spacing(), dsc.interface_edge_length(v), 1e-6 * edge);
+  CGAL::control_detail(dsc, parameters::change_interface(true)
+                                .interface_split_length(4)
+                                .interface_collapse_length(1)
+                                .collapse_quality(.1)
+                                .size_field([=](const Position&) { return 2 * edge; }));
+  EXPECT_LT(dsc.interface_vertices().size(), 60u);
+  double longest = 0;
+  for (auto v : dsc.interface_vertices())
+    longest = (std::max)(longest, double(v->spacing()));
+  EXPECT_GT(longest, 1.2 * edge);
 }
 
 TEST(Make_2, refuses_crossings_with_their_segments) {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -154,6 +155,8 @@ TEST(Complex_storage, impossible_states_are_refused) {
   };
   expect_refusal([](auto& s) { s.cell_labels.pop_back(); });
   expect_refusal([](auto& s) { s.points[0][1] = std::nan(""); });
+  expect_refusal([](auto& s) { s.spacings[0] = std::numeric_limits<float>::infinity(); });
+  expect_refusal([](auto& s) { s.spacings.pop_back(); });
   expect_refusal([](auto& s) { s.vertex_cells[3] = std::uint32_t(s.cells.size()); });
   expect_refusal([](auto& s) { s.cells[3][2] = std::uint32_t(s.points.size() + 1); });
   expect_refusal([](auto& s) { s.cells[3][2] = s.cells[3][1]; });

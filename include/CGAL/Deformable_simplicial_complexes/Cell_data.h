@@ -46,12 +46,12 @@ public:
   /// Sets `component()`.
   void set_component(std::uint32_t component) { m_component = component; }
 
-  /// Quality when the shape of the cell last changed essentially.
+  /// Quality when the shape of the cell last changed essentially, by motion or by smoothing.
   float noted_quality() const { return m_noted_quality; }
   /// Sets `noted_quality()`.
   void set_noted_quality(float quality) { m_noted_quality = quality; }
 
-  /// What was tried in vain since then, as bits.
+  /// What was tried in vain since motion last changed that shape, as bits.
   std::uint8_t failures() const { return m_failures; }
   /// Sets `failures()`.
   void set_failures(std::uint8_t bits) { m_failures = bits; }

@@ -110,9 +110,11 @@ template <int d> bool has_consistent_sizes(const State<d>& state) {
 
 // Whether the arrays fit together, all coordinates are finite, and no cell has a vertex twice.
 template <int d> bool is_consistent(const State<d>& state) {
+  const auto is_length = [](double length) { return length >= 0 && std::isfinite(length); };
   if (!has_consistent_sizes(state) || state.cells.size() >= std::uint32_t(-1) ||
       !(state.normalization_scale > 0) || !std::isfinite(state.normalization_scale) ||
-      !(state.mean_interface_edge >= 0) || !(state.minimum_interface_edge >= 0))
+      !is_length(state.mean_interface_edge) || !is_length(state.minimum_interface_edge) ||
+      !std::all_of(state.spacings.begin(), state.spacings.end(), is_length))
     return false;
   const auto is_cell = [&](std::array<std::uint32_t, d + 1> c) {
     std::sort(c.begin(), c.end());

@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_ADVECT_INTERFACE_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_ADVECT_INTERFACE_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Integration_scheme.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/interface_paths.h>

@@ -186,8 +186,8 @@ Deforms the interface as `deform_interface()` does, with destinations in the ord
 \param destinations one for each vertex of the snapshot, in the coordinates of the complex
 \param np the named parameters of `deform_interface()`
 \return what that returns
-\throws Deformable_simplicial_complexes::Invalid_destination_error if a destination is not finite;
-       and whatever that throws
+\throws Deformable_simplicial_complexes::Invalid_destination_error if a destination is not finite
+       or their number is wrong; and whatever that throws
 */
 template <class Complex, class NamedParameters =
                              Deformable_simplicial_complexes::parameters::Default_named_parameters>
@@ -197,6 +197,9 @@ deform_interface_to(Complex& dsc,
                     const std::vector<typename Complex::Approximate_point>& destinations,
                     const NamedParameters& np = NamedParameters()) {
   namespace internal = Deformable_simplicial_complexes::internal;
+  if (destinations.size() != interface_.vertices.size())
+    throw Deformable_simplicial_complexes::Invalid_destination_error(
+        "a destination must be given for each vertex of the interface, no more and no fewer", {});
   internal::require_finite(destinations, "a destination"); // exact numbers could not express it
   internal::number_vertices(interface_.vertices);
   return deform_interface(

@@ -65,8 +65,8 @@ std::vector<Facet_sides<d>> find_sides(const std::vector<Cell_vertices<d>>& cell
     }
   }
   if (walls_found != walls.size())
-    throw Tetrahedralization_error("facets of the surfaces are missing in the tetrahedralization: "
-                                   "use another tetrahedralizer, or remesh the surfaces");
+    throw Tetrahedralization_error("facets of the input are missing in the mesh made of it: use "
+                                   "another tetrahedralizer, or remesh the input");
   return sides;
 }
 

@@ -67,6 +67,9 @@ public:
     }
     require_finite(positions, "a destination");
     m_trapped_cells.log().begin();
+    for (Vertex_handle v : vertices) // that came to the interface later
+      if (!(v->spacing() > 0))
+        v->set_spacing(float(m_complex.interface_edge_length(v)));
     for (std::size_t i = 0; i < vertices.size(); ++i)
       m_destinations.add(vertices[i],
                          m_complex.admissible_destination(vertices[i], destinations[i]));

@@ -44,8 +44,8 @@ void hold(Matrix& matrix, Vector& right, const IsHeld& is_held) {
 Extends displacements from the interface into the space around: each component solves the Laplace
 equation by linear finite elements, with a conductivity that is inverse to what a cell measures. So
 all cells withstand a change of their shape alike, and small ones, where the interface is fine, keep
-theirs at the cost of large ones. A rigid or affine motion of a closed interface is reproduced
-inside: what is solved for is the deviation from the affine motion that fits best.
+theirs at the cost of large ones. If all of the closed interface around a phase moves affinely, so
+does the phase: what is solved for is the deviation from the affine motion that fits best.
 */
 template <class Complex> class Harmonic_extension
 {

@@ -65,12 +65,15 @@ template <class Complex>
 void commit_proposal(Complex& complex, Cavity<Complex>& cavity, Any_visitor<Complex>& visitor,
                      Improvement_report& report) {
   switch (cavity.kind()) {
-  case Proposal_kind::collapse:
+  case Proposal_kind::collapse: {
+    const bool is_of_interface = cavity.vanishing_vertex()->is_interface();
     visitor.before_collapse(cavity.vanishing_vertex(), cavity.kept_vertex());
     replace_cavity(complex, cavity, visitor);
     ++report.collapsed;
-    coarsen_spacing(complex, cavity.kept_vertex());
+    if (is_of_interface)
+      coarsen_spacing(complex, cavity.kept_vertex());
     break;
+  }
   case Proposal_kind::insertion:
     replace_cavity(complex, cavity, visitor);
     ++report.inserted;
