@@ -171,6 +171,8 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
   }
   if (pass > 0 && !is_stopped)
     deformer.remove_small_angles(pass);
+  if (pass > 0)
+    deformer.measure_new_spacings();
   Deformation_report<Complex> report = deformer.report(pass);
   report.stopped = is_stopped;
   return report;

@@ -67,9 +67,6 @@ public:
     }
     require_finite(positions, "a destination");
     m_trapped_cells.log().begin();
-    for (Vertex_handle v : vertices) // that came to the interface later
-      if (!(v->spacing() > 0))
-        v->set_spacing(float(m_complex.interface_edge_length(v)));
     for (std::size_t i = 0; i < vertices.size(); ++i)
       m_destinations.add(vertices[i],
                          m_complex.admissible_destination(vertices[i], destinations[i]));
@@ -203,6 +200,13 @@ public:
       return m_trapped_cells.relabel_if_topology_stays(c, label);
     });
     update_destinations();
+  }
+
+  // Vertices that came to the interface after it was built know from now on how dense it is.
+  void measure_new_spacings() {
+    for (Vertex_handle v : m_complex.finite_vertices())
+      if (v->is_interface() && !(v->spacing() > 0))
+        v->set_spacing(float(m_complex.interface_edge_length(v)));
   }
 
   Report report(unsigned passes) {
