@@ -76,6 +76,8 @@ DSC_EXTERN template bool CGAL::propose_manifold_relabeling(const instantiations:
 
 DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Star_optimizer<
     instantiations::Complex, instantiations::Complex::Quality_measure>;
+DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Mesh_improver<
+    instantiations::Complex>;
 DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Mesh_improver_3<
     instantiations::Complex>;
 DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Small_angle_remover_3<

@@ -5,14 +5,12 @@
 #ifndef CGAL_INTERFACE_FLOWS_2_H
 #define CGAL_INTERFACE_FLOWS_2_H
 
-#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/Normal_offset.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/tags.h>
 
 #include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace CGAL {
 
@@ -48,43 +46,9 @@ private:
   double m_angular_velocity;
 };
 
-/*!
-\ingroup PkgDeformableSimplicialComplex3Ref
-
-Motion along the normals of the interface: labelled phases grow into the outside, label 0, or shrink
-if the speed is negative. The normal of a vertex is the mean of the normals of its edges that face
-label 0, weighted by their lengths; vertices without such an edge stay. The twin of
-`Normal_offset_3`.
-
-\cgalModels `InterfaceVelocity_3`
-*/
-struct Normal_offset_2
-{
-  double speed; ///< length per unit of time, in the coordinates of the complex
-
-  /// computes the velocities of vertices at positions, as `InterfaceVelocity_3` says. Linear in the
-  /// size of the interface.
-  template <class Complex>
-  void operator()(const Interface_snapshot_2<Complex>& interface_,
-                  const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
-                  std::vector<typename Complex::Approximate_vector>& velocities) const {
-    using Vector = typename Complex::Approximate_vector;
-    velocities.assign(positions.size(), Vector(0, 0));
-    for (const auto& segment : interface_.segments) {
-      if (segment.in_front != 0 && segment.behind != 0)
-        continue;
-      const auto& v = segment.vertices;
-      const Vector edge = positions[v[1]] - positions[v[0]];
-      const Vector normal = Vector(edge.y(), -edge.x()) * (segment.in_front == 0 ? 1. : -1.);
-      for (std::size_t i : v)
-        velocities[i] = velocities[i] + normal;
-    }
-    for (Vector& v : velocities) {
-      const double length = std::hypot(v.x(), v.y());
-      v = length == 0 ? Vector(0, 0) : speed * (v / length);
-    }
-  }
-};
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// Motion along the normals of the interface in the plane.
+using Normal_offset_2 = Deformable_simplicial_complexes::Normal_offset;
 
 } // namespace CGAL
 

@@ -5,12 +5,11 @@
 #ifndef CGAL_INTERFACE_FLOWS_3_H
 #define CGAL_INTERFACE_FLOWS_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Normal_offset.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/tags.h>
 
 #include <cmath>
-#include <vector>
 
 namespace CGAL {
 
@@ -49,43 +48,9 @@ private:
   double m_angular_velocity;
 };
 
-/*!
-\ingroup PkgDeformableSimplicialComplex3Ref
-
-Motion along the normals of the interface: labelled phases grow into the outside, label 0, or shrink
-if the speed is negative. The normal of a vertex is the mean of the normals of its facets that face
-label 0, weighted by their areas; vertices without such a facet stay.
-
-\cgalModels `InterfaceVelocity_3`
-*/
-struct Normal_offset_3
-{
-  double speed; ///< length per unit of time, in the coordinates of the complex
-
-  /// computes the velocities of vertices at positions, as `InterfaceVelocity_3` says. Linear in the
-  /// size of the interface.
-  template <class Complex>
-  void operator()(const Interface_snapshot_3<Complex>& interface_,
-                  const std::vector<typename Complex::Approximate_point_3>& positions, double /*t*/,
-                  std::vector<typename Complex::Approximate_vector_3>& velocities) const {
-    using Vector = typename Complex::Approximate_vector_3;
-    velocities.assign(positions.size(), Vector(0, 0, 0));
-    for (const auto& triangle : interface_.triangles) {
-      if (triangle.in_front != 0 && triangle.behind != 0)
-        continue;
-      const auto& v = triangle.vertices;
-      const Vector normal =
-          cross_product(positions[v[1]] - positions[v[0]], positions[v[2]] - positions[v[0]]) *
-          (triangle.in_front == 0 ? 1. : -1.);
-      for (std::size_t i : v)
-        velocities[i] = velocities[i] + normal;
-    }
-    for (Vector& v : velocities) {
-      const double length = std::hypot(v.x(), v.y(), v.z());
-      v = length == 0 ? Vector(0, 0, 0) : speed * (v / length);
-    }
-  }
-};
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// Motion along the normals of the interface in space.
+using Normal_offset_3 = Deformable_simplicial_complexes::Normal_offset;
 
 } // namespace CGAL
 

@@ -13,9 +13,7 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/improve_new_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <CGAL/Bbox_2.h>
@@ -140,13 +138,8 @@ Complex make_deformable_simplicial_complex_2(
     const NP& np = Deformable_simplicial_complexes::parameters::default_values()) {
   namespace internal = Deformable_simplicial_complexes::internal;
   namespace tags = Deformable_simplicial_complexes::internal_np;
-  namespace defaults = internal::defaults;
   using Deformable_simplicial_complexes::Error;
-  const double threshold = internal::quality_parameter(np, tags::quality_threshold,
-                                                       defaults::Quality_threshold::of_new_mesh);
-  const unsigned rounds =
-      internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                                defaults::Number_of_iterations::over_mesh);
+  const internal::New_mesh_options options = internal::new_mesh_options(np);
   if (curves.empty())
     throw Error("there are no curves: give one at least");
 
@@ -194,12 +187,7 @@ Complex make_deformable_simplicial_complex_2(
 
   Complex dsc;
   dsc.assign(points, triangles, internal::label_cells<2>(triangles, soup.walls, labels));
-  if (internal::parameter_or(np, tags::improve, true)) {
-    internal::Any_visitor<Complex> visitor;
-    internal::Mesh_improver<Complex> improver(dsc, visitor, threshold);
-    improver.improve_all(threshold, rounds, 0);
-  }
-  dsc.sort_storage();
+  internal::improve_new_mesh(dsc, options);
   return dsc;
 }
 

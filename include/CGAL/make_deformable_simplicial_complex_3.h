@@ -10,11 +10,11 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/check_surfaces_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/check_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/enclosing_box_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_improver_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Own_operations_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/improve_new_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
@@ -34,21 +34,6 @@ namespace CGAL {
 
 namespace Deformable_simplicial_complexes {
 namespace internal {
-
-// Improves the mesh as each step of a deformation will. More vertices would only slow that down.
-template <class Complex, class NP> void finish(Complex& dsc, const NP& np) {
-  const double threshold = quality_parameter(np, internal_np::quality_threshold,
-                                             defaults::Quality_threshold::of_new_mesh);
-  const unsigned rounds =
-      count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                      defaults::Number_of_iterations::over_mesh);
-  if (parameter_or(np, internal_np::improve, true)) {
-    Any_visitor<Complex> visitor;
-    Mesh_improver_3<Complex> improver(dsc, visitor, threshold);
-    improver.improve_all(threshold, rounds, 0);
-  }
-  dsc.sort_storage();
-}
 
 // check, normalize, enclose, tetrahedralize, label, assign, improve
 template <class Complex, class Tetrahedralizer, class NP>
@@ -92,7 +77,7 @@ Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
   dsc.assign(points, mesh.tetrahedra, label_cells<3>(mesh.tetrahedra, walls, surface_labels));
   const Coordinates_3& t = frame.translation();
   dsc.set_normalization({{t[0], t[1], t[2]}, frame.scale()});
-  finish(dsc, np);
+  improve_new_mesh(dsc, new_mesh_options(np));
   return dsc;
 }
 
@@ -267,7 +252,7 @@ Complex make_deformable_simplicial_complex_3(
   Complex dsc;
   internal::orient_tetrahedra(points, tetrahedra, dsc.geom_traits());
   dsc.assign(points, tetrahedra, labels);
-  internal::finish(dsc, np);
+  internal::improve_new_mesh(dsc, internal::new_mesh_options(np));
   return dsc;
 }
 

@@ -7,6 +7,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/velocity_fields_2.h>
 
 #include <cmath>
 #include <cstdint>
@@ -65,18 +66,16 @@ public:
   using Vector_3 = Simple_cartesian<double>::Vector_3; ///< in the coordinates of the unit cube
 
   /// \param period velocities are multiplied by \f$\cos(\pi t / T)\f$ with this T, positive.
-  explicit Single_vortex_velocity_3(double period = 8) : m_period(period) {}
+  explicit Single_vortex_velocity_3(double period = 8) : m_in_plane(period) {}
 
   /// The velocity at p at the time t.
   Vector_3 operator()(const Point_3& p, double t) const {
-    const double sx = std::sin(CGAL_PI * p.x()), cx = std::cos(CGAL_PI * p.x());
-    const double sy = std::sin(CGAL_PI * p.y()), cy = std::cos(CGAL_PI * p.y());
-    const double f = 2 * sx * sy * std::cos(CGAL_PI * t / m_period);
-    return f * Vector_3(-sx * cy, cx * sy, 0);
+    const auto in_plane = m_in_plane({p.x(), p.y()}, t);
+    return {in_plane.x(), in_plane.y(), 0};
   }
 
 private:
-  double m_period;
+  Single_vortex_velocity_2 m_in_plane;
 };
 
 /*!

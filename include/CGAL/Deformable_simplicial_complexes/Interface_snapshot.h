@@ -23,6 +23,15 @@ integrator asks for velocities at positions that the vertices never take.
 */
 template <class Complex> struct Interface_vertices
 {
+  /// A facet of the interface; its vertices are indices into `vertices`.
+  struct Facet
+  {
+    std::array<std::size_t, Complex::dimension> vertices; ///< counterclockwise seen from the front,
+                                                          ///< or the larger label on the left
+    typename Complex::Label behind;                       ///< the larger label
+    typename Complex::Label in_front;                     ///< the smaller label
+  };
+
   std::vector<typename Complex::Vertex_handle> vertices; ///< by increasing time stamp
 
   /// Where the vertices are.
@@ -40,13 +49,15 @@ protected:
       vertices[i]->set_scratch_index(i);
   }
 
-  /// The numbers of the vertices of a facet.
-  static std::array<std::size_t, Complex::dimension> numbers(const Complex& complex,
-                                                             const typename Complex::Facet& f) {
-    std::array<std::size_t, Complex::dimension> result;
-    const auto v = complex.facet_vertices(f);
-    for (int i = 0; i < Complex::dimension; ++i)
-      result[i] = v[i]->scratch_index();
+  /// The facets, in the order of `interface_facets()`. \pre the vertices are numbered
+  static std::vector<Facet> numbered_facets(const Complex& complex) {
+    std::vector<Facet> result;
+    for (const auto& f : complex.interface_facets()) {
+      result.push_back({{}, f.first->label(), f.first->neighbor(f.second)->label()});
+      const auto v = complex.facet_vertices(f);
+      for (int i = 0; i < Complex::dimension; ++i)
+        result.back().vertices[i] = v[i]->scratch_index();
+    }
     return result;
   }
 };
@@ -64,43 +75,31 @@ template <class Complex, int dimension = Complex::dimension> struct Interface_sn
 /// The vertices and facets of an interface in space.
 template <class Complex> struct Interface_snapshot<Complex, 3> : public Interface_vertices<Complex>
 {
-  /// A facet of the interface; its vertices are indices into `vertices`.
-  struct Triangle
-  {
-    std::array<std::size_t, 3> vertices; ///< counterclockwise seen from the front
-    typename Complex::Label behind;      ///< the larger label
-    typename Complex::Label in_front;    ///< the smaller label
-  };
+  using Triangle = typename Interface_vertices<Complex>::Facet; ///< a facet
 
   std::vector<Triangle> triangles; ///< in the order of `interface_facets()`
 
   /// Takes the snapshot. n log n in the size of the interface, plus a pass over the cells.
-  explicit Interface_snapshot(const Complex& complex) : Interface_vertices<Complex>(complex) {
-    for (const auto& f : complex.interface_facets())
-      triangles.push_back(
-          {this->numbers(complex, f), f.first->label(), f.first->neighbor(f.second)->label()});
-  }
+  explicit Interface_snapshot(const Complex& complex)
+      : Interface_vertices<Complex>(complex), triangles(this->numbered_facets(complex)) {}
+
+  /// The triangles, by the name that holds in any dimension.
+  const std::vector<Triangle>& facets() const { return triangles; }
 };
 
 /// The vertices and edges of an interface in the plane.
 template <class Complex> struct Interface_snapshot<Complex, 2> : public Interface_vertices<Complex>
 {
-  /// An edge of the interface; its vertices are indices into `vertices`.
-  struct Segment
-  {
-    std::array<std::size_t, 2> vertices; ///< the larger label is on the left
-    typename Complex::Label behind;      ///< the larger label
-    typename Complex::Label in_front;    ///< the smaller label
-  };
+  using Segment = typename Interface_vertices<Complex>::Facet; ///< a facet
 
   std::vector<Segment> segments; ///< in the order of `interface_facets()`
 
   /// Takes the snapshot. n log n in the size of the interface, plus a pass over the cells.
-  explicit Interface_snapshot(const Complex& complex) : Interface_vertices<Complex>(complex) {
-    for (const auto& f : complex.interface_facets())
-      segments.push_back(
-          {this->numbers(complex, f), f.first->label(), f.first->neighbor(f.second)->label()});
-  }
+  explicit Interface_snapshot(const Complex& complex)
+      : Interface_vertices<Complex>(complex), segments(this->numbered_facets(complex)) {}
+
+  /// The segments, by the name that holds in any dimension.
+  const std::vector<Segment>& facets() const { return segments; }
 };
 
 } // namespace Deformable_simplicial_complexes

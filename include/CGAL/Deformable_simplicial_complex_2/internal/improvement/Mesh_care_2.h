@@ -10,7 +10,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_care.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
@@ -34,16 +33,14 @@ public:
   Mesh_care(Complex& complex, Any_visitor<Complex>& visitor,
             const Destinations<Complex>& destinations, const Rigid_parts<Complex>&,
             const Deformation_options<Complex>& options)
-      : m_complex(complex), m_relabeling_threshold(options.relabeling_threshold),
+      : m_relabeling_threshold(options.relabeling_threshold),
         m_improver(complex, visitor, destinations, options.quality_threshold) {}
 
   void begin_pass() {}
   bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
 
   void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {
-    static constexpr double shortest = .2; // edge, of those around
-    if (may_remove_facets && m_improver.remove_degenerate_edge(
-                                 c, shortest * local_edge_length<Complex>(m_complex, {c}), touched))
+    if (may_remove_facets && m_improver.remove_short_edge(c, touched))
       return;
     if (c->quality() < m_relabeling_threshold)
       m_improver.remove_trapped_vertex(c, touched);
@@ -65,7 +62,6 @@ public:
   std::size_t number_of_relocated() const { return 0; }
 
 private:
-  Complex& m_complex;
   double m_relabeling_threshold;
   Mesh_improver<Complex> m_improver;
 };

@@ -11,7 +11,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_care.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
@@ -60,8 +59,8 @@ public:
     const auto now = [&](Vertex_handle v) { return m_complex.position(v); };
     number_vertices(unfinished);
     std::vector<typename Complex::Approximate_point> destinations;
-    for (Vertex_handle v : unfinished)
-      destinations.push_back(m_destinations.final_position(v));
+    for (std::size_t k = 0; k < unfinished.size(); ++k)
+      destinations.push_back(m_complex.approximate(m_destinations.destination(k)));
     const auto final = [&](Vertex_handle v) {
       return is_numbered(v, unfinished) ? destinations[v->scratch_index()] : now(v);
     };
@@ -85,11 +84,9 @@ public:
   bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
 
   void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {
-    static constexpr double cosine = .94;  // of 20 degrees
-    static constexpr double shortest = .2; // edge, of those around
-    if (may_remove_facets && (remove_degenerate_facet(c, cosine, touched) ||
-                              m_improver.remove_degenerate_edge(
-                                  c, shortest * local_edge_length(m_complex, {c}), touched)))
+    static constexpr double cosine = .94; // of 20 degrees
+    if (may_remove_facets &&
+        (remove_degenerate_facet(c, cosine, touched) || m_improver.remove_short_edge(c, touched)))
       return;
     if (c->quality() < m_relabeling_threshold)
       m_improver.remove_trapped_vertex(c, touched);

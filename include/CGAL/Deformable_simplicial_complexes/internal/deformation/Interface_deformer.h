@@ -106,8 +106,8 @@ public:
     const std::vector<Vector> ways =
         motion_of_space(m_complex, free, way, flow, negligible * longest, m_for_each_index);
     std::vector<Point> targets;
-    for (Vertex_handle v : vertices)
-      targets.push_back(m_destinations[v]);
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+      targets.push_back(m_destinations.destination(k));
     for (std::size_t i = 0; i < free.size(); ++i) {
       const auto target = m_complex.position(free[i]) + ways[i];
       if (target != m_complex.position(free[i]) && has_finite_coordinates(target)) {

@@ -188,13 +188,15 @@ public:
     return Own::propose_insertion(m_complex, c, m_cavity) && commit(touched);
   }
 
-  // Collapses an edge of the interface shorter than a bound. What is around may be as flat as
-  // before.
-  bool remove_degenerate_edge(Cell_handle c, double minimum_length, Cells& touched) {
+  // Collapses an edge of the interface that is short beside those around. What is around may be as
+  // flat as before.
+  bool remove_short_edge(Cell_handle c, Cells& touched) {
+    static constexpr double shortest = .2; // edge, of those around
+    const double bound = shortest * local_edge_length<Complex>(m_complex, {c});
     for (int i = 0; i < Complex::corners; ++i)
       for (int j = i + 1; j < Complex::corners; ++j)
         if (Own::is_interface_edge(m_complex, c, i, j) &&
-            propose_degenerate_edge_removal(m_complex, c, i, j, minimum_length, 0, m_cavity))
+            propose_degenerate_edge_removal(m_complex, c, i, j, bound, 0, m_cavity))
           return commit(touched);
     return false;
   }

@@ -86,7 +86,8 @@ public:
   // Whether it was at another place than its destination.
   bool had(Vertex_handle v) const { return find(v) != nullptr; }
 
-  // How far one of the unfinished vertices still has to go.
+  // Where one of the unfinished vertices goes, and how far it still has to.
+  const Point& destination(std::size_t k) const { return m_ways[m_open[k]].destination; }
   double remaining_distance(std::size_t k) const {
     const Way& way = m_ways[m_open[k]];
     const auto rest = m_complex.approximate(way.destination) - m_complex.position(way.vertex);
@@ -104,9 +105,12 @@ public:
   // The one of them with the longest way, if there is one.
   std::size_t farthest() const {
     std::size_t result = 0;
-    for (std::size_t k = 1; k < m_open.size(); ++k)
-      if (remaining_distance(k) > remaining_distance(result))
+    double longest = 0;
+    for (std::size_t k = 0; k < m_open.size(); ++k)
+      if (const double distance = remaining_distance(k); distance > longest) {
         result = k;
+        longest = distance;
+      }
     return result;
   }
 

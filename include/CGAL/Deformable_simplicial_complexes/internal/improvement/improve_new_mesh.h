@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_IMPROVE_NEW_MESH_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_IMPROVE_NEW_MESH_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// What the functions that make a complex read of their named parameters for its improvement.
+struct New_mesh_options
+{
+  double threshold;
+  unsigned rounds;
+  bool improve;
+};
+
+template <class NP> New_mesh_options new_mesh_options(const NP& np) {
+  return {quality_parameter(np, internal_np::quality_threshold,
+                            defaults::Quality_threshold::of_new_mesh),
+          count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                          defaults::Number_of_iterations::over_mesh),
+          parameter_or(np, internal_np::improve, true)};
+}
+
+// Improves the mesh as each step of a deformation will. More vertices would only slow that down.
+template <class Complex> void improve_new_mesh(Complex& dsc, const New_mesh_options& options) {
+  if (options.improve) {
+    Any_visitor<Complex> visitor;
+    Mesh_improver<Complex> improver(dsc, visitor, options.threshold);
+    improver.improve_all(options.threshold, options.rounds, 0);
+  }
+  dsc.sort_storage();
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_IMPROVE_NEW_MESH_H
