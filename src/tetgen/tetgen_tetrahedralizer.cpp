@@ -66,7 +66,8 @@ enum class Cause {
   INPUT,    // is said to be bad
   RESULT,   // there is none, or a bad one
   CRASH,    // of TetGen
-  RESOURCES // are not enough
+  TIME,     // is not enough
+  MEMORY    // is not enough
 };
 
 class Failed_attempt : public Tetrahedralization_error
@@ -81,7 +82,7 @@ public:
 Failed_attempt tetgen_failure(int code) {
   Cause cause = Cause::RESULT;
   if (code == out_of_memory)
-    cause = Cause::RESOURCES;
+    cause = Cause::MEMORY;
   else if (code == 3 || code == 4 || code == 5 || code == 10)
     cause = Cause::INPUT;
   return {cause, "TetGen failed with code " + std::to_string(code) + ", " + explanation(code),
@@ -95,11 +96,11 @@ Failed_attempt failure(const Child_process::Outcome& outcome) {
             "TetGen crashed with signal " + std::to_string(outcome.code) +
                 ": remesh the surfaces, or separate vertices and surfaces that are very close"};
   case Child_process::End::KILLED:
-    return {Cause::RESOURCES, "TetGen was killed, as happens when memory is exhausted: use larger "
-                              "bounds for the tetrahedra or a coarser surface"};
+    return {Cause::MEMORY, "TetGen was killed, as happens when memory is exhausted: use larger "
+                           "bounds for the tetrahedra or a coarser surface"};
   case Child_process::End::TIMED_OUT:
-    return {Cause::RESOURCES, "TetGen reached its time limit: use a higher one, larger bounds for "
-                              "the tetrahedra or a coarser surface"};
+    return {Cause::TIME, "TetGen reached its time limit: use a higher one, larger bounds for the "
+                         "tetrahedra or a coarser surface"};
   default:
     return tetgen_failure(outcome.code);
   }
@@ -256,8 +257,8 @@ Tetrahedralization_3 tetrahedralize_once(const Job& job, double seconds) try {
                          "surfaces");
   return mesh;
 } catch (const std::system_error& e) {
-  throw Failed_attempt(Cause::RESOURCES, std::string("TetGen could not be started, ") + e.what() +
-                                             ": free memory, or end other programs");
+  throw Failed_attempt(Cause::MEMORY, std::string("TetGen could not be started, ") + e.what() +
+                                          ": free memory, or end other programs");
 }
 
 struct Attempt
@@ -272,6 +273,9 @@ struct Attempt
 constexpr Attempt attempts[] = {
     {1e-8, true, 0}, {1e-14, true, 0}, {1e-8, false, 0}, {1e-8, false, 1}};
 
+// The part of the time limit after which there are no more attempts with bounds.
+constexpr double share_of_bounds = .5;
+
 // Whether an attempt is of use after a failure.
 bool may_help(const Attempt& attempt, Cause cause) {
   switch (cause) {
@@ -280,6 +284,7 @@ bool may_help(const Attempt& attempt, Cause cause) {
   case Cause::RESULT:
     return true;
   case Cause::CRASH:
+  case Cause::TIME:
     return !attempt.has_bounds;
   default:
     return false;
@@ -336,9 +341,10 @@ Tetrahedralization_3 Tetgen_tetrahedralizer_3::operator()(const Points& points,
     if (!attempt.has_bounds)
       job.behavior.quality = job.behavior.fixedvolume = 0;
     job.order = order_of_points(points.size(), attempt.seed);
+    const double end = (attempt.has_bounds ? share_of_bounds : 1) * m_time_limit;
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     try {
-      return tetrahedralize_once(job, m_time_limit - elapsed.count());
+      return tetrahedralize_once(job, end - elapsed.count());
     } catch (const Failed_attempt& e) {
       failure = e;
     }

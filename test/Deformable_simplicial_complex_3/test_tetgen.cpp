@@ -259,4 +259,10 @@ TEST(Tetgen, has_a_time_limit) {
   EXPECT_THROW(Tetgen_tetrahedralizer_3(2.5, 10, infinity, std::nan("")), Error);
 }
 
+// A billion tetrahedra are not made in a second, and not to be made without the bounds.
+TEST(Tetgen, does_without_bounds_after_half_of_the_time) {
+  const auto mesh = fill(Tetgen_tetrahedralizer_3(2.5, 10, 1e-9, 2), cube);
+  EXPECT_LT(mesh.tetrahedra.size(), 100000u);
+}
+
 } // namespace
