@@ -25,8 +25,8 @@ distributed under the AGPL-3.0.
 
 TetGen guards its algorithms with `assert()`, which surfaces may violate that are valid, but large,
 almost touching or made of extremely thin triangles. So it runs in a child of this process, made by
-`fork()`: if it crashes or walks around for ever, it is run again without bounds, and an exception is
-thrown if that fails, too, or memory is exhausted. What it allocates is given back to the system.
+`fork()`: if it crashes or walks around for ever, it is run again, and an exception is thrown if that
+fails, too, or memory is exhausted. What it allocates is given back to the system.
 Where there is no `fork()`, as on Windows, TetGen runs in this process and may end it.
 
 \cgalModels `ConstrainedTetrahedralizer_3`
@@ -44,9 +44,10 @@ public:
   \param minimum_dihedral_angle lower bound of dihedral angles in degrees, 0 to 18
   \param maximum_volume upper bound of the volume of a tetrahedron, more than 0, in the coordinates
          that `operator()` gets
-  \param time_limit the seconds that a call may take, more than 0; infinity for no limit. After half
-         of it there are no bounds any more, so what becomes of a surface that takes so long depends
-         on the speed of the machine. 1.6 million triangles take about five minutes.
+  \param time_limit the seconds that a call may take, more than 0; infinity for no limit. After one
+         third of it another order of points is tried, after two thirds there are no bounds any
+         more; so what becomes of a surface that takes so long depends on the speed of the machine.
+         1.6 million triangles take about five minutes.
 
   \throws Deformable_simplicial_complexes::Error if a bound is out of range, as TetGen might not end
   */
@@ -66,9 +67,9 @@ public:
 
   /*!
   Fills the space inside a closed surface of `triangles`, which may enclose other ones. If TetGen
-  fails, it tries a smaller tolerance, unless it crashed or took half of the time; then, unless the
-  input is said to be bad, it does without the bounds, with the points in their order and in another
-  one, so that tetrahedra are worse. Within the time limit, the result is the same each time.
+  fails, it tries a smaller tolerance, unless it crashed or was too slow; then, unless the input is
+  said to be bad, the points in another order; and at last it does without the bounds, so that
+  tetrahedra are worse. Within a third of the time limit, the result is the same each time.
 
   Several threads may call this at the same time where there is `fork()`.
 

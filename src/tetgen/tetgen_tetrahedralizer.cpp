@@ -266,26 +266,28 @@ struct Attempt
   double tolerance; // TetGen takes what is closer for equal, in units of the extent
   bool has_bounds;  // of the shapes of tetrahedra
   unsigned seed;    // of the order of points
+  double end;       // the part of the time limit after which it is given up
 };
 
 // TetGen is less robust with a tolerance below its own, which is the first. Where it crashes or
-// walks around for ever, it inserts points for the sake of the bounds.
-constexpr Attempt attempts[] = {
-    {1e-8, true, 0}, {1e-14, true, 0}, {1e-8, false, 0}, {1e-8, false, 1}};
-
-// The part of the time limit after which there are no more attempts with bounds.
-constexpr double share_of_bounds = .5;
+// walks around for ever, it inserts points for the sake of the bounds; with points in another order
+// these are others.
+constexpr Attempt attempts[] = {{1e-8, true, 0, 1. / 3},
+                                {1e-14, true, 0, 1. / 3},
+                                {1e-8, true, 1, 2. / 3},
+                                {1e-8, false, 0, 1},
+                                {1e-8, false, 1, 1}};
 
 // Whether an attempt is of use after a failure.
 bool may_help(const Attempt& attempt, Cause cause) {
   switch (cause) {
   case Cause::INPUT:
-    return attempt.has_bounds;
+    return attempt.has_bounds && attempt.seed == 0;
   case Cause::RESULT:
     return true;
   case Cause::CRASH:
   case Cause::TIME:
-    return !attempt.has_bounds;
+    return !attempt.has_bounds || attempt.seed != 0;
   default:
     return false;
   }
@@ -341,10 +343,9 @@ Tetrahedralization_3 Tetgen_tetrahedralizer_3::operator()(const Points& points,
     if (!attempt.has_bounds)
       job.behavior.quality = job.behavior.fixedvolume = 0;
     job.order = order_of_points(points.size(), attempt.seed);
-    const double end = (attempt.has_bounds ? share_of_bounds : 1) * m_time_limit;
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     try {
-      return tetrahedralize_once(job, end - elapsed.count());
+      return tetrahedralize_once(job, attempt.end * m_time_limit - elapsed.count());
     } catch (const Failed_attempt& e) {
       failure = e;
     }
