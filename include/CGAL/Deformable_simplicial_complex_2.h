@@ -20,25 +20,27 @@ namespace CGAL {
 
 A triangulated domain of the plane each triangle of which carries a label. The *interface* is the
 set of edges between triangles of different labels. The domain is a disk, in most cases a rectangle
-whose sides are known to the complex.
+whose sides are known to the complex, or a flat torus.
 
 All that holds in any dimension is inherited from `Labelled_complex`: its cells are triangles and
 its facets edges.
 
 \tparam Traits_ model of `DeformableSimplicialComplexTraits_2`
 \tparam Tds_ a `Triangulation_data_structure_2` with the vertices and faces of this package
+\tparam Domain_ `Ball_domain`, or `Torus_domain<2>`
 */
-template <class Traits_ = Deformable_simplicial_complex_traits_2<>, class Tds_ = Default>
+template <class Traits_ = Deformable_simplicial_complex_traits_2<>, class Tds_ = Default,
+          class Domain_ = Deformable_simplicial_complexes::Ball_domain>
 class Deformable_simplicial_complex_2
     : public Deformable_simplicial_complexes::Labelled_complex<
-          Deformable_simplicial_complex_2<Traits_, Tds_>,
+          Deformable_simplicial_complex_2<Traits_, Tds_, Domain_>,
           Deformable_simplicial_complexes::internal::Space_2<Traits_, Tds_>, Area_length_ratio_2,
-          Deformable_simplicial_complexes::Ball_domain>
+          Domain_>
 {
   using Base = Deformable_simplicial_complexes::Labelled_complex<
       Deformable_simplicial_complex_2,
       Deformable_simplicial_complexes::internal::Space_2<Traits_, Tds_>, Area_length_ratio_2,
-      Deformable_simplicial_complexes::Ball_domain>;
+      Domain_>;
 
 public:
   using typename Base::Label;
@@ -51,8 +53,12 @@ public:
   using Approximate_vector_2 = typename Base::Approximate_vector;
 
   /// An empty complex.
-  explicit Deformable_simplicial_complex_2(const Traits_& traits = Traits_())
-      : Base(traits, Area_length_ratio_2(), Deformable_simplicial_complexes::Ball_domain()) {}
+  explicit Deformable_simplicial_complex_2(const Traits_& traits = Traits_(),
+                                           const Domain_& domain = Domain_())
+      : Base(traits, Area_length_ratio_2(), domain) {}
+  /// An empty complex in a domain.
+  explicit Deformable_simplicial_complex_2(const Domain_& domain)
+      : Deformable_simplicial_complex_2(Traits_(), domain) {}
 
   double area(Label label) const { return this->measure(label); } ///< constant time
 };

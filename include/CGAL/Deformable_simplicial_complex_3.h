@@ -26,7 +26,7 @@ namespace CGAL {
 
 A tetrahedralized domain each cell of which carries a label. The *interface* is the set of facets
 between cells of different labels; it may be non-manifold, and any number of labels may meet. The
-domain is a ball, in most cases a box whose sides are known to the complex.
+domain is a ball, in most cases a box whose sides are known to the complex, or a flat torus.
 
 All that holds in any dimension is inherited from `Labelled_complex`; its `Point` is called
 `Point_3` here, and so on.
@@ -35,19 +35,21 @@ All that holds in any dimension is inherited from `Labelled_complex`; its `Point
 \tparam Tds_ a `Triangulation_data_structure_3` whose items are models of
         `DeformableSimplicialComplexVertexBase_3` and `DeformableSimplicialComplexCellBase_3`
 \tparam QualityMeasure_ model of `TetrahedronQualityMeasure_3`: the quality that cells cache
+\tparam Domain_ `Ball_domain`, or `Torus_domain<3>`
 */
 template <class Traits_ = Deformable_simplicial_complex_traits_3<>, class Tds_ = Default,
-          class QualityMeasure_ = Volume_length_ratio_3>
+          class QualityMeasure_ = Volume_length_ratio_3,
+          class Domain_ = Deformable_simplicial_complexes::Ball_domain>
 class Deformable_simplicial_complex_3
     : public Deformable_simplicial_complexes::Labelled_complex<
-          Deformable_simplicial_complex_3<Traits_, Tds_, QualityMeasure_>,
+          Deformable_simplicial_complex_3<Traits_, Tds_, QualityMeasure_, Domain_>,
           Deformable_simplicial_complexes::internal::Space_3<Traits_, Tds_>, QualityMeasure_,
-          Deformable_simplicial_complexes::Ball_domain>
+          Domain_>
 {
   using Base = Deformable_simplicial_complexes::Labelled_complex<
       Deformable_simplicial_complex_3,
       Deformable_simplicial_complexes::internal::Space_3<Traits_, Tds_>, QualityMeasure_,
-      Deformable_simplicial_complexes::Ball_domain>;
+      Domain_>;
 
 public:
   using Base::interface_facets;
@@ -70,8 +72,12 @@ public:
 
   /// An empty complex.
   explicit Deformable_simplicial_complex_3(const Geom_traits& traits = Geom_traits(),
-                                           const Quality_measure& quality = Quality_measure())
-      : Base(traits, quality, Deformable_simplicial_complexes::Ball_domain()) {}
+                                           const Quality_measure& quality = Quality_measure(),
+                                           const Domain_& domain = Domain_())
+      : Base(traits, quality, domain) {}
+  /// An empty complex in a domain.
+  explicit Deformable_simplicial_complex_3(const Domain_& domain)
+      : Deformable_simplicial_complex_3(Geom_traits(), Quality_measure(), domain) {}
 
   /// Whether a facet of the interface contains the edge. Linear in the number of cells around it.
   bool is_interface(const Edge& e) const;
@@ -94,8 +100,8 @@ public:
   std::vector<Label_interface> label_interfaces() const;
 };
 
-template <class Tr, class Tds, class Qm>
-bool Deformable_simplicial_complex_3<Tr, Tds, Qm>::is_interface(const Edge& e) const {
+template <class Tr, class Tds, class Qm, class D>
+bool Deformable_simplicial_complex_3<Tr, Tds, Qm, D>::is_interface(const Edge& e) const {
   auto facet = this->triangulation().tds().incident_facets(e), last = facet;
   do {
     if (is_interface(Facet(*facet)))
@@ -104,8 +110,8 @@ bool Deformable_simplicial_complex_3<Tr, Tds, Qm>::is_interface(const Edge& e) c
   return false;
 }
 
-template <class Tr, class Tds, class Qm>
-double Deformable_simplicial_complex_3<Tr, Tds, Qm>::area(Label label) const {
+template <class Tr, class Tds, class Qm, class D>
+double Deformable_simplicial_complex_3<Tr, Tds, Qm, D>::area(Label label) const {
   double result = 0;
   for (const Facet& f : interface_facets())
     if (f.first->label() == label || f.first->neighbor(f.second)->label() == label)
@@ -113,16 +119,16 @@ double Deformable_simplicial_complex_3<Tr, Tds, Qm>::area(Label label) const {
   return result;
 }
 
-template <class Tr, class Tds, class Qm>
-double Deformable_simplicial_complex_3<Tr, Tds, Qm>::area(Label a, Label b) const {
+template <class Tr, class Tds, class Qm, class D>
+double Deformable_simplicial_complex_3<Tr, Tds, Qm, D>::area(Label a, Label b) const {
   double result = 0;
   for (const Facet& f : interface_facets(a, b))
     result += area(f);
   return result;
 }
 
-template <class Tr, class Tds, class Qm>
-int Deformable_simplicial_complex_3<Tr, Tds, Qm>::euler_characteristic(Label label) const {
+template <class Tr, class Tds, class Qm, class D>
+int Deformable_simplicial_complex_3<Tr, Tds, Qm, D>::euler_characteristic(Label label) const {
   std::vector<std::size_t> vertices;
   std::vector<std::pair<std::size_t, std::size_t>> edges;
   int facets = 0;
@@ -144,8 +150,8 @@ int Deformable_simplicial_complex_3<Tr, Tds, Qm>::euler_characteristic(Label lab
   return count_distinct(vertices) - count_distinct(edges) + facets;
 }
 
-template <class Tr, class Tds, class Qm>
-auto Deformable_simplicial_complex_3<Tr, Tds, Qm>::label_interfaces() const
+template <class Tr, class Tds, class Qm, class D>
+auto Deformable_simplicial_complex_3<Tr, Tds, Qm, D>::label_interfaces() const
     -> std::vector<Label_interface> {
   std::vector<Label_interface> result;
   for (Label label : this->labels())

@@ -105,8 +105,11 @@ public:
       const auto& corner = interface_.triangles[triangle.index].vertices;
       for (int i = 0; i < 3; ++i) {
         Vertex& v = vertices[corner[i]];
-        const Vector into_facet = (positions[corner[(i + 1) % 3]] - positions[corner[i]]) +
-                                  (positions[corner[(i + 2) % 3]] - positions[corner[i]]);
+        const auto& p = positions[corner[i]];
+        const auto edge_to = [&](int j) {
+          return interface_.domain.near(p, positions[corner[j % 3]]) - p;
+        };
+        const Vector into_facet = edge_to(i + 1) + edge_to(i + 2);
         const double cosine = std::abs(triangle.unit_normal * v.direction);
         const bool is_rounded = v.quadric.rank() < 2 || into_facet * v.direction < 0;
         const double angle = triangle.angles[i];

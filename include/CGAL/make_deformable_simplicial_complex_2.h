@@ -9,8 +9,10 @@
 #include <CGAL/Deformable_simplicial_complex_2/Labelled_curve_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/Curve_soup_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/Graded_points_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/improvement/Mesh_care_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/improvement/Own_operations_2.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/fill_torus.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/improve_new_mesh.h>
@@ -189,6 +191,31 @@ Complex make_deformable_simplicial_complex_2(
   dsc.assign(points, triangles, internal::label_cells<2>(triangles, soup.walls, labels));
   internal::improve_new_mesh(dsc, options);
   return dsc;
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Makes a complex on a flat torus from a function that tells labels: almost regular triangles get the
+labels of their barycenters, then `fit_interface()` moves the interface to where labels change.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_2` with the domain `Torus_domain<2>`
+\param domain the torus
+\param edge about how long edges are to be, more than 0; there are at least three in each direction
+\param label_at `label_at(p)` tells the label at an `Approximate_point_2` in the box of the torus
+\param np the named parameters of `deform_interface()`, for `fit_interface()`
+\throws Deformable_simplicial_complexes::Error if `edge` is not positive, or is less than a millionth
+        of a period
+
+Linear in the number of triangles.
+*/
+template <class Complex, class LabelAt,
+          class NamedParameters =
+              Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Complex make_deformable_simplicial_complex_2(
+    const Deformable_simplicial_complexes::Torus_domain<2>& domain, double edge,
+    const LabelAt& label_at, const NamedParameters& np = NamedParameters()) {
+  return Deformable_simplicial_complexes::internal::fill_torus<Complex>(domain, edge, label_at, np);
 }
 
 } // namespace CGAL

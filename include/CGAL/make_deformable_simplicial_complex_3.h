@@ -10,9 +10,11 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/check_surfaces_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/check_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/enclosing_box_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_care_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Own_operations_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/fill_torus.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/improve_new_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
@@ -254,6 +256,31 @@ Complex make_deformable_simplicial_complex_3(
   dsc.assign(points, tetrahedra, labels);
   internal::improve_new_mesh(dsc, internal::new_mesh_options(np));
   return dsc;
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Makes a complex on a flat torus from a function that tells labels: almost regular tetrahedra get the
+labels of their barycenters, then `fit_interface()` moves the interface to where labels change.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_3` with the domain `Torus_domain<3>`
+\param domain the torus
+\param edge about how long edges are to be, more than 0; there are at least three in each direction
+\param label_at `label_at(p)` tells the label at an `Approximate_point_3` in the box of the torus
+\param np the named parameters of `deform_interface()`, for `fit_interface()`
+\throws Deformable_simplicial_complexes::Error if `edge` is not positive, or is less than a millionth
+        of a period
+
+Linear in the number of tetrahedra.
+*/
+template <class Complex, class LabelAt,
+          class NamedParameters =
+              Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Complex make_deformable_simplicial_complex_3(
+    const Deformable_simplicial_complexes::Torus_domain<3>& domain, double edge,
+    const LabelAt& label_at, const NamedParameters& np = NamedParameters()) {
+  return Deformable_simplicial_complexes::internal::fill_torus<Complex>(domain, edge, label_at, np);
 }
 
 } // namespace CGAL

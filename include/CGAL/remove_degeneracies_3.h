@@ -104,9 +104,10 @@ Improvement_report remove_degeneracies(Complex& dsc,
         return true;
     for (int i = 0; i < 4; ++i)
       for (int j = i + 1; j < 4; ++j) {
-        const auto p = dsc.position(c->vertex(i)), q = dsc.position(c->vertex(j));
-        if (propose_degenerate_edge_removal(dsc, c, i, j, length * unit(p + .5 * (q - p)),
-                                            c->quality(), cavity))
+        const auto middle = dsc.position(c->vertex(i)) +
+                            .5 * dsc.displacement(c->vertex(i), c->vertex(j));
+        if (propose_degenerate_edge_removal(dsc, c, i, j, length * unit(middle), c->quality(),
+                                            cavity))
           return true;
       }
     return false;

@@ -6,7 +6,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/geometry/cell_corners.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/interface/label_volumes_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Volume_changer.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/values/redistribute_contents_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Labelled_star.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Trapped_cells.h>
@@ -250,7 +250,7 @@ TEST(Volume_changer, does_not_need_directions_that_are_zero) {
   }));
   const CGAL::Interface_snapshot_3<Complex> interface_(dsc);
   const auto start = interface_.positions(dsc);
-  const internal::Volume_changer_3<Complex> changer(interface_);
+  const internal::Volume_changer<Complex> changer(interface_);
   const std::map<int, double> amounts = {{1, .01}, {2, -.01}};
   const auto sparse = changer.gradients(amounts, start);
   auto dense = sparse;

@@ -2,7 +2,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/interface/label_volumes_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Volume_changer.h>
 #include <CGAL/advect_interface_3.h>
 #include <CGAL/face_offsetting_3.h>
 #include <CGAL/improve_interface_3.h>
@@ -74,10 +74,11 @@ TEST(Mean_curvature, velocities_are_the_gradient_of_the_area) {
   CGAL::Mean_curvature_velocity_3()(snapshot, positions, 0, velocities);
   std::vector<double> areas(positions.size(), 0);
   for (const auto& triangle : snapshot.triangles) {
-    const CGAL::Deformable_simplicial_complexes::internal::Cotangent_weights_3 weights(
-        CGAL::Deformable_simplicial_complexes::internal::corners(triangle, positions));
+    const auto& v = triangle.vertices;
+    const std::array<Position, 3> corners = {positions[v[0]], positions[v[1]], positions[v[2]]};
+    const CGAL::Deformable_simplicial_complexes::internal::Facet_tension<3> tension(corners);
     for (int i = 0; i < 3; ++i)
-      areas[triangle.vertices[i]] += weights.mixed_areas[i];
+      areas[v[i]] += tension.shares[i];
   }
   double total = 0;
   for (double a : areas)
@@ -200,7 +201,7 @@ TEST(Volume_changer, reaches_amounts_exactly) {
   const Complex dsc = mesh_helpers::sphere(4, .6);
   const Snapshot snapshot(dsc);
   const std::vector<Position> before = snapshot.positions(dsc);
-  const CGAL::Deformable_simplicial_complexes::internal::Volume_changer_3<Complex> changer(
+  const CGAL::Deformable_simplicial_complexes::internal::Volume_changer<Complex> changer(
       snapshot);
   for (double amount : {-.1, 1e-9, .2}) {
     std::vector<Position> after = before;
@@ -222,7 +223,7 @@ TEST(Volume_changer, keeps_flat_parts_flat) {
   }
   const Snapshot snapshot(dsc);
   std::vector<Position> positions = snapshot.positions(dsc);
-  CGAL::Deformable_simplicial_complexes::internal::Volume_changer_3<Complex>(snapshot).change_by(
+  CGAL::Deformable_simplicial_complexes::internal::Volume_changer<Complex>(snapshot).change_by(
       {{1, -.4}}, positions);
   for (const Position& p : positions)
     EXPECT_NEAR(p.z(), .1, 1e-12); // the area is 4

@@ -70,8 +70,7 @@ bool propose_degenerate_facet_removal(const Complex& complex, typename Complex::
   const std::array<int, 3> v = {(i + 1) % 4, (i + 2) % 4, (i + 3) % 4};
   std::array<double, 3> squared; // lengths of the edges opposite to the three vertices
   for (int k = 0; k < 3; ++k)
-    squared[k] = (complex.position(cell->vertex(v[(k + 1) % 3])) -
-                  complex.position(cell->vertex(v[(k + 2) % 3])))
+    squared[k] = complex.displacement(cell->vertex(v[(k + 2) % 3]), cell->vertex(v[(k + 1) % 3]))
                      .squared_length();
   const int shortest = int(std::min_element(squared.begin(), squared.end()) - squared.begin());
   const int longest = int(std::max_element(squared.begin(), squared.end()) - squared.begin());

@@ -70,8 +70,9 @@ private:
   double worst(const Sheet& f) const { return (std::min)(f.below->quality(), f.above->quality()); }
 
   double new_quality(const Directed_edge& e) const {
-    return m_complex.quality_measure()(m_complex.position(a()), m_complex.position(b()),
-                                       m_complex.position(e.source), m_complex.position(e.target));
+    const std::array<Vertex_handle, 4> v = {a(), b(), e.source, e.target};
+    return m_complex.domain().template apply<Complex>(
+        m_complex.quality_measure(), [&](int i) { return m_complex.position(v[i]); });
   }
 
   Outcome across(const Sheet& f, const Directed_edge& e) {

@@ -147,11 +147,7 @@ private:
   }
 
   double quality(const std::array<Index, 4>& t) const {
-    const auto orientation = m_complex.geom_traits().orientation_3_object();
-    const auto& v = m_cavity.vertices();
-    return orientation(v[t[0]].point, v[t[1]].point, v[t[2]].point, v[t[3]].point) == POSITIVE
-               ? m_cavity.quality(t)
-               : -std::numeric_limits<double>::infinity();
+    return m_cavity.is_positive(t) ? m_cavity.quality(t) : -std::numeric_limits<double>::infinity();
   }
 
   const Complex& m_complex;
@@ -178,7 +174,7 @@ bool fill_with_star(const Complex& complex, typename Complex::Cell_handle seed,
   set.for_each_facet([&](Cell_handle c, int i) {
     std::array<typename Complex::Approximate_point_3, 4> points;
     for (int k = 0; k < 4; ++k)
-      points[k] = k == i ? p : complex.position(c->vertex(k));
+      points[k] = k == i ? p : complex.position_near(p, c->vertex(k));
     optimizer.add(points, i);
   });
   p = optimizer.run();
@@ -225,7 +221,7 @@ bool propose_vertex_insertion(const Complex& complex, typename Complex::Cell_han
     return false;
   typename Complex::Approximate_vector_3 sum(0, 0, 0);
   for (int i = 0; i < 4; ++i)
-    sum = sum + (complex.position(cell->vertex(i)) - CGAL::ORIGIN);
+    sum = sum + (complex.corner(cell, i) - CGAL::ORIGIN);
   typename Complex::Approximate_point_3 p = CGAL::ORIGIN + sum / 4;
 
   double best = -std::numeric_limits<double>::infinity();

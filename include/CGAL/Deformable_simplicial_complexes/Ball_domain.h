@@ -6,8 +6,13 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_BALL_DOMAIN_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/State.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
+
+#include <CGAL/enum.h>
 
 #include <algorithm>
 #include <array>
@@ -32,6 +37,9 @@ vertex where it is.
 class Ball_domain
 {
 public:
+  /// There is a vertex outside.
+  static constexpr bool has_outside = true;
+
   /// Whether a vertex is the one outside.
   template <class Complex>
   bool is_outside(const Complex& complex, typename Complex::Vertex_handle v) const {
@@ -44,34 +52,39 @@ public:
     return complex.triangulation().is_infinite(c);
   }
 
-  /// Where a cell that is not outside sees its vertex `i` if that is at `p`.
-  template <class Complex>
-  const typename Complex::Approximate_point&
-  seen(const Complex& /*complex*/, typename Complex::Cell_handle /*c*/, int /*i*/,
-       const typename Complex::Approximate_point& p) const {
-    return p;
+  /// `p`: a point has no other images.
+  template <class Point> const Point& canonical(const Point& p) const { return p; }
+
+  /// `q`: a point has no other images.
+  template <class Point> const Point& near(const Point& /*p*/, const Point& q) const { return q; }
+
+  /// `f(corner(0), ...)` with the corners of a cell.
+  template <class Complex, class Function, class Corner>
+  decltype(auto) apply(const Function& f, const Corner& corner) const {
+    return internal::apply_to_corners<Complex::corners>(f, corner);
   }
 
-  /// Where vertex `j` of such a cell is as seen from its vertex `i`, if it is at `p`.
-  template <class Complex>
-  const typename Complex::Approximate_point&
-  seen_from(const Complex& /*complex*/, typename Complex::Cell_handle /*c*/, int /*i*/, int /*j*/,
-            const typename Complex::Approximate_point& p) const {
-    return p;
-  }
-
-  /// The same as `seen()` for the points that predicates see.
-  template <class Complex>
-  const typename Complex::Point& seen_exactly(const Complex& /*complex*/,
-                                              typename Complex::Cell_handle /*c*/, int /*i*/,
-                                              const typename Complex::Point& p) const {
-    return p;
+  /// The orientation of a cell with these corners, exactly.
+  template <class Complex, class Corner>
+  Orientation orientation(const Complex& complex, const Corner& corner) const {
+    return internal::apply_to_corners<Complex::corners>(complex.orientation(), corner);
   }
 
   /// The point nearest to `q` that `v` may go to within the sides of the domain it lies on.
   template <class Complex>
   typename Complex::Point admissible(const Complex& complex, typename Complex::Vertex_handle v,
                                      const typename Complex::Point& q) const;
+
+  /// None: nothing repeats itself.
+  template <int d> std::array<double, d> periods() const { return {}; }
+
+  /// The domain of a complex in some state.
+  /// \throws Invalid_tetrahedra_error if it was a torus
+  template <int d> static Ball_domain of(const State<d>& state) {
+    if (state.periods != std::array<double, d>{})
+      throw Invalid_tetrahedra_error("the state is one of a complex on a torus, not in a ball");
+    return Ball_domain();
+  }
 
   /// Finds the sides that the vertices of the boundary lie on. Linear in the boundary.
   template <class Complex> void classify_boundary(const Complex& complex) const;

@@ -5,8 +5,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CAVITY_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CAVITY_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
-
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -113,14 +111,15 @@ public:
   Index add(Vertex_handle v, const Point& p) {
     const Index index = add(v);
     m_vertices[index].point = m_complex->rounded(p);
-    m_vertices[index].position = m_complex->approximate(p);
+    m_vertices[index].position = m_complex->approximate(m_vertices[index].point);
     return index;
   }
 
   /// The index of a vertex to be created at p, rounded.
   Index add(const Point& p, std::uint8_t boundary_class) {
+    const Point rounded = m_complex->rounded(p);
     m_vertices.push_back(
-        {Vertex_handle(), m_complex->rounded(p), m_complex->approximate(p), boundary_class});
+        {Vertex_handle(), rounded, m_complex->approximate(rounded), boundary_class});
     return Index(m_vertices.size() - 1);
   }
 
@@ -157,20 +156,23 @@ public:
   double quality(const Indices& cell) const {
     if (is_infinite(cell))
       return std::numeric_limits<double>::infinity();
-    return internal::apply_to_corners<corners>(
+    return m_complex->domain().template apply<Complex>(
         m_complex->quality_measure(),
         [&](int i) -> const Approximate_point& { return m_vertices[cell[i]].position; });
   }
 
   /// Whether all finite planned cells are positively oriented, exactly.
   bool is_positive() const {
-    const auto orientation = m_complex->orientation();
     return std::all_of(m_planned.begin(), m_planned.end(), [&](const Planned_cell& cell) {
-      return is_infinite(cell.vertices) ||
-             internal::apply_to_corners<corners>(orientation, [&](int i) -> const Point& {
-               return m_vertices[cell.vertices[i]].point;
-             }) == POSITIVE;
+      return is_infinite(cell.vertices) || is_positive(cell.vertices);
     });
+  }
+
+  /// Whether a cell of finite cavity vertices is positively oriented, exactly.
+  bool is_positive(const Indices& cell) const {
+    return m_complex->domain().orientation(*m_complex, [&](int i) -> const Point& {
+             return m_vertices[cell[i]].point;
+           }) == POSITIVE;
   }
 
   /// What the proposal does to the vertices.

@@ -33,6 +33,7 @@ template <class Complex> struct Interface_vertices
   };
 
   std::vector<typename Complex::Vertex_handle> vertices; ///< by increasing time stamp
+  typename Complex::Domain domain; ///< of the complex: on a torus, facets see images of their vertices
 
   /// Where the vertices are.
   std::vector<typename Complex::Approximate_point> positions(const Complex& complex) const {
@@ -44,7 +45,8 @@ template <class Complex> struct Interface_vertices
 
 protected:
   /// Takes them, and numbers them.
-  explicit Interface_vertices(const Complex& complex) : vertices(complex.interface_vertices()) {
+  explicit Interface_vertices(const Complex& complex)
+      : vertices(complex.interface_vertices()), domain(complex.domain()) {
     for (std::uint32_t i = 0; i < vertices.size(); ++i)
       vertices[i]->set_scratch_index(i);
   }

@@ -183,20 +183,27 @@ public:
   /// The point to be stored for one with coordinates of type `double`.
   Point exact(const Approximate_point& p) const { return Space::exact(geom_traits())(p); }
   /// The point that is stored for p: each coordinate is a double, that of p if it is one.
-  Point rounded(const Point& p) const { return exact(approximate(p)); }
+  /// On a torus, it is the image in the box.
+  Point rounded(const Point& p) const { return exact(m_domain.canonical(approximate(p))); }
   /// Where v is, in the coordinates of the complex. \pre v is finite
   Approximate_point position(Vertex_handle v) const { return approximate(v->point()); }
-  /// Where a cell sees its vertex `i`. \pre c is finite
+  /// Where v is as seen from p: on a torus, the image that is nearest. \pre v is finite
+  Approximate_point position_near(const Approximate_point& p, Vertex_handle v) const {
+    return m_domain.near(p, position(v));
+  }
+  /// Where a cell has its vertex `i`, as seen from its vertex 0. \pre c is finite
   Approximate_point corner(Cell_handle c, int i) const {
-    return m_domain.seen(*this, c, i, position(c->vertex(i)));
+    return position_near(position(c->vertex(0)), c->vertex(i));
   }
-  /// Where vertex `j` of a cell is, seen from its vertex `i`. \pre c is finite
-  Approximate_point position_from(Cell_handle c, int i, int j) const {
-    return m_domain.seen_from(*this, c, i, j, position(c->vertex(j)));
+  /// From v to w the shortest way. \pre both are finite
+  Approximate_vector displacement(Vertex_handle v, Vertex_handle w) const {
+    const Approximate_point p = position(v);
+    return position_near(p, w) - p;
   }
-  /// From vertex `i` of a cell to its vertex `j`. \pre c is finite
-  Approximate_vector displacement(Cell_handle c, int i, int j) const {
-    return position_from(c, i, j) - position(c->vertex(i));
+  /// From v to p the shortest way. \pre v is finite
+  Approximate_vector displacement(Vertex_handle v, const Approximate_point& p) const {
+    const Approximate_point from = position(v);
+    return m_domain.near(from, p) - from;
   }
   /// The cells around v, infinite ones included, in `star` (cleared first), v->cell() first.
   void star(Vertex_handle v, std::vector<Cell_handle>& star) const;
@@ -274,15 +281,14 @@ public:
   double measure(const Facet& f) const;
   /// The quality that a finite cell would have with each vertex v at `position_of(v)`.
   template <class PositionOf> double quality(Cell_handle c, const PositionOf& position_of) const {
-    return internal::apply_to_corners<corners>(m_quality_measure, [&](int i) {
-      return m_domain.seen(*this, c, i, position_of(c->vertex(i)));
-    });
+    return m_domain.template apply<Labelled_complex>(
+        m_quality_measure, [&](int i) { return position_of(c->vertex(i)); });
   }
   /// Whether a finite cell would be positively oriented with each vertex v at `point_of(v)`,
   /// exactly.
   template <class PointOf> bool is_positive(Cell_handle c, const PointOf& point_of) const {
-    return internal::apply_to_corners<corners>(orientation(), [&](int i) -> decltype(auto) {
-             return m_domain.seen_exactly(*this, c, i, point_of(c->vertex(i)));
+    return m_domain.orientation(*this, [&](int i) -> decltype(auto) {
+             return point_of(c->vertex(i));
            }) == POSITIVE;
   }
   /// The exact predicate that tells the orientation of a cell from its corners.
@@ -416,6 +422,7 @@ private:
   void create_items(const State& state);
   void check_stars(const std::vector<Vertex_handle>& vertices) const;
   void check_boundary() const;
+  bool is_sewn(bool verbose) const;
   bool report(bool ok, const char* what, bool verbose) const;
 
   // A facet of a cell to be sewn; its vertices are indices within the cavity.

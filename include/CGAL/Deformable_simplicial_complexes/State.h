@@ -47,7 +47,7 @@ template <int d> struct State
   std::vector<float> spacings;
 
   /// for each vertex the index in `cells` of the cell stored with it: first that of the infinite
-  /// vertex, then at `i + 1` that of the vertex `i`
+  /// vertex, if there is one, then that of each finite one
   std::vector<std::uint32_t> vertex_cells;
 
   /// the vertices of all cells, infinite ones included, by increasing time stamp of the cell: zero
@@ -80,6 +80,9 @@ template <int d> struct State
 
   /// the scale of the normalization
   double normalization_scale = 1;
+
+  /// the periods of the domain if that is a torus, where nothing is infinite, else 0
+  std::array<double, d> periods = {};
 };
 
 namespace internal {
@@ -89,16 +92,17 @@ namespace internal {
 template <class State_d> auto members(State_d& state) {
   auto& [points, boundary_classes, spacings, vertex_cells, cells, cell_labels, noted_qualities,
          failures, cell_components, component_volumes, mean_interface_edge, minimum_interface_edge,
-         normalization_translation, normalization_scale] = state;
+         normalization_translation, normalization_scale, periods] = state;
   return std::tie(points, boundary_classes, spacings, vertex_cells, cells, cell_labels,
                   noted_qualities, failures, cell_components, component_volumes,
                   mean_interface_edge, minimum_interface_edge, normalization_translation,
-                  normalization_scale);
+                  normalization_scale, periods);
 }
 
 // Whether the arrays that run parallel have the same size.
 template <int d> bool has_consistent_sizes(const State<d>& state) {
-  const std::size_t infinite = state.cells.empty() ? 0 : 1;
+  const bool is_torus = state.periods != std::array<double, d>{};
+  const std::size_t infinite = state.cells.empty() || is_torus ? 0 : 1;
   return state.boundary_classes.size() == state.points.size() &&
          state.spacings.size() == state.points.size() &&
          state.vertex_cells.size() == state.points.size() + infinite &&
@@ -116,14 +120,16 @@ template <int d> bool is_consistent(const State<d>& state) {
       !is_length(state.mean_interface_edge) || !is_length(state.minimum_interface_edge) ||
       !std::all_of(state.spacings.begin(), state.spacings.end(), is_length))
     return false;
+  // Where nothing is infinite, no cell has the vertex 0.
+  const std::size_t first = state.points.size() + 1 - state.vertex_cells.size();
   const auto is_cell = [&](std::array<std::uint32_t, d + 1> c) {
     std::sort(c.begin(), c.end());
-    return c[d] <= state.points.size() && std::adjacent_find(c.begin(), c.end()) == c.end();
+    return c[0] >= first && c[d] <= state.points.size() && std::adjacent_find(c.begin(), c.end()) == c.end();
   };
   const auto is_cell_of = [&](std::size_t v) {
-    const std::size_t c = state.vertex_cells[v];
+    const std::size_t c = state.vertex_cells[v], index = v + first;
     return c < state.cells.size() &&
-           std::find(state.cells[c].begin(), state.cells[c].end(), v) != state.cells[c].end();
+           std::find(state.cells[c].begin(), state.cells[c].end(), index) != state.cells[c].end();
   };
   const auto is_volume = [](double volume) { return volume >= 0 && std::isfinite(volume); };
   bool result =

@@ -91,7 +91,7 @@ Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& veloc
   constexpr bool has_flow = !parameters::is_default_parameter<NamedParameters, tags::flow_t>::value;
   if constexpr (internal::is_flow_of_space<Complex, Velocity> && !has_flow) {
     auto flow = [&](const typename Complex::Approximate_point& p) {
-      return internal::follow_flow<Complex>(p, velocity, t, dt);
+      return internal::follow_flow<Complex>(dsc.domain(), p, velocity, t, dt);
     };
     const Deformable_simplicial_complexes::Named_parameters<decltype(flow), tags::flow_t,
                                                             NamedParameters>

@@ -280,7 +280,7 @@ bool propose_degenerate_edge_removal(const Complex& complex, typename Complex::C
                                      int i, int j, double minimum_length, double minimum_quality,
                                      Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
   using namespace Deformable_simplicial_complexes::internal;
-  const auto edge = complex.position(cell->vertex(j)) - complex.position(cell->vertex(i));
+  const auto edge = complex.displacement(cell->vertex(i), cell->vertex(j));
   return edge.squared_length() < minimum_length * minimum_length &&
          propose_collapse_either_way(complex, cell, i, j, minimum_quality, cavity);
 }

@@ -72,8 +72,9 @@ by the rounding of the point only.
 template <class Complex>
 bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,
                         double ratio, Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
-  const auto p = complex.position(cell->vertex(i)), q = complex.position(cell->vertex(j));
-  return propose_edge_split(complex, cell, i, j, p + ratio * (q - p), cavity);
+  const auto a = cell->vertex(i), b = cell->vertex(j);
+  const auto point = complex.position(a) + ratio * complex.displacement(a, b);
+  return propose_edge_split(complex, cell, i, j, point, cavity);
 }
 
 } // namespace CGAL

@@ -5,8 +5,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_SMOOTHING_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_SMOOTHING_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
-
 #include <CGAL/Origin.h>
 
 #include <algorithm>
@@ -30,11 +28,10 @@ double star_quality(const Complex& complex, const Measure& measure,
   for (auto c : star) {
     if (complex.is_infinite(c))
       continue;
-    worst =
-        (std::min)(worst, apply_to_corners<Complex::corners>(measure, [&](int i) {
-                     const auto w = c->vertex(i);
-                     return complex.domain().seen(complex, c, i, w == v ? p : complex.position(w));
-                   }));
+    worst = (std::min)(worst, complex.domain().template apply<Complex>(measure, [&](int i) {
+      const auto w = c->vertex(i);
+      return w == v ? p : complex.position(w);
+    }));
     if (!(worst > bound))
       break;
   }
@@ -68,13 +65,13 @@ bool propose_smart_laplacian(const Complex& complex, typename Complex::Vertex_ha
     return false;
   using Vector = typename Complex::Approximate_vector;
   std::vector<typename Complex::Vertex_handle> neighbors;
+  const auto from = complex.position(v);
   Vector sum(CGAL::NULL_VECTOR);
   double worst = std::numeric_limits<double>::infinity();
   for (auto c : star) {
     if (complex.is_infinite(c))
       continue;
     worst = (std::min)(worst, c->quality());
-    const int center = c->index(v);
     for (int i = 0; i < Complex::corners; ++i) {
       const auto w = c->vertex(i);
       const auto known = w->scratch_index();
@@ -82,10 +79,9 @@ bool propose_smart_laplacian(const Complex& complex, typename Complex::Vertex_ha
         continue;
       w->set_scratch_index(std::uint32_t(neighbors.size()));
       neighbors.push_back(w);
-      sum = sum + (complex.position_from(c, center, i) - CGAL::ORIGIN);
+      sum = sum + (complex.position_near(from, w) - CGAL::ORIGIN);
     }
   }
-  const auto from = complex.position(v);
   const auto to = CGAL::ORIGIN + sum / double(neighbors.size());
   for (double step : {1., .5}) {
     target = complex.admissible_destination(v, complex.exact(from + step * (to - from)));

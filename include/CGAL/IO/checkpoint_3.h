@@ -34,7 +34,7 @@ namespace internal {
 // elements in eight bytes.
 inline constexpr char checkpoint_magic[] = "\211DSC3\r\n\032"; // damaged by any conversion of text
 constexpr std::size_t checkpoint_magic_size = sizeof(checkpoint_magic) - 1;
-constexpr std::uint32_t checkpoint_version = 3;
+constexpr std::uint32_t checkpoint_version = 4;
 constexpr std::size_t checkpoint_header_size = 24;
 
 // What follows the metadata in a file of this version.
@@ -50,7 +50,8 @@ using Checkpoint_members =
                std::vector<std::uint32_t>&,                // cell_components
                std::vector<double>&,                       // component_volumes
                double&, double&,                           // mean_, minimum_interface_edge
-               std::array<double, 3>&, double&>;           // normalization_translation, _scale
+               std::array<double, 3>&, double&,            // normalization_translation, _scale
+               std::array<double, 3>&>;                    // periods
 static_assert(
     std::is_same<decltype(members(std::declval<Deformable_simplicial_complex_state_3&>())),
                  Checkpoint_members>::value,

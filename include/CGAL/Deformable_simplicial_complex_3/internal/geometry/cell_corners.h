@@ -11,12 +11,11 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Where the vertices of a finite cell are.
+// Where the vertices of a finite cell are, as seen from the first.
 template <class Complex>
 std::array<typename Complex::Approximate_point_3, 4> cell_corners(const Complex& complex,
                                                                   typename Complex::Cell_handle c) {
-  return {complex.position(c->vertex(0)), complex.position(c->vertex(1)),
-          complex.position(c->vertex(2)), complex.position(c->vertex(3))};
+  return {complex.corner(c, 0), complex.corner(c, 1), complex.corner(c, 2), complex.corner(c, 3)};
 }
 
 } // namespace internal

@@ -70,9 +70,13 @@ public:
         if (d->label() >= c->label() || m_complex.is_infinite(d))
           continue;
         const auto v = m_complex.facet_vertices({c, i});
-        const double after = largest_cosine(Triangle{final(v[0]), final(v[1]), final(v[2])});
-        if (after > m_degenerate_cosine &&
-            after > more * largest_cosine(Triangle{now(v[0]), now(v[1]), now(v[2])}))
+        const auto cosine_with = [&](const auto& position_of) {
+          const auto p = position_of(v[0]);
+          return largest_cosine(Triangle{p, m_complex.domain().near(p, position_of(v[1])),
+                                         m_complex.domain().near(p, position_of(v[2]))});
+        };
+        const double after = cosine_with(final);
+        if (after > m_degenerate_cosine && after > more * cosine_with(now))
           m_degenerating.push_back({c, c->time_stamp(), i});
       }
     std::sort(m_degenerating.begin(), m_degenerating.end(),

@@ -112,14 +112,15 @@ public:
 private:
   using Position = typename Complex::Approximate_point_3;
 
-  // The smallest sine of a dihedral angle, over that of the regular tetrahedron.
-  double sine(const Position& p, const Position& q, const Position& r, const Position& s) const {
-    return (std::max)(0., m_sine(p, q, r, s)); // less by rounding only
+  // The smallest sine of a dihedral angle of a cell with these corners, over that of the regular
+  // tetrahedron.
+  template <class Corner> double sine_of(const Corner& corner) const {
+    // Less than 0 by rounding only.
+    return (std::max)(0., m_complex.domain().template apply<Complex>(m_sine, corner));
   }
 
   template <class Position_of> double sine(Cell_handle c, const Position_of& position) const {
-    return sine(position(c->vertex(0)), position(c->vertex(1)), position(c->vertex(2)),
-                position(c->vertex(3)));
+    return sine_of([&](int i) { return position(c->vertex(i)); });
   }
 
   double sine(Cell_handle c) const {
@@ -249,7 +250,7 @@ private:
     for (const auto& t : m_cavity.tetrahedra()) {
       const auto p = [&](int i) { return m_cavity.vertices()[t.vertices[i]].position; };
       if (t.quality < std::numeric_limits<double>::infinity()) // all vertices are finite
-        after = (std::min)(after, sine(p(0), p(1), p(2), p(3)));
+        after = (std::min)(after, sine_of(p));
     }
     if (after > better * before && after > m_least_sine && after > m_best_sine) {
       m_best_sine = after;
@@ -324,7 +325,8 @@ private:
   Position near_home(Vertex_handle v, const Position& p) const {
     static constexpr double longest_way = .05; // of the edges there
     const auto known = m_homes.find(v->time_stamp());
-    const Position home = known == m_homes.end() ? m_complex.position(v) : known->second;
+    const Position home = m_complex.domain().near(
+        p, known == m_homes.end() ? m_complex.position(v) : known->second);
     const auto way = p - home;
     const double length = std::sqrt(way.squared_length()),
                  bound = slack() * longest_way * local_edge_length(m_complex, v);

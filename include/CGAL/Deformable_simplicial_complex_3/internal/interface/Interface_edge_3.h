@@ -58,7 +58,7 @@ public:
   // corners, ordered so that normals of a flat pair are parallel. \pre is_in_sheet()
   const std::array<Point, 3>& facet(std::size_t i) const { return m_facets[i]; }
   std::array<Point, 3> flipped_facet(std::size_t i) const {
-    return {m_complex.position(m_ends[i]), m_opposite[i], m_opposite[1 - i]};
+    return {end(i), m_opposite[i], m_opposite[1 - i]};
   }
 
 private:
@@ -69,17 +69,21 @@ private:
     m_behind = c->label();
     m_in_front = c->neighbor(k)->label();
     const auto v = m_complex.facet_vertices({c, k});
-    m_facets.push_back(
-        {m_complex.position(v[0]), m_complex.position(v[1]), m_complex.position(v[2])});
+    m_facets.push_back({seen(v[0]), seen(v[1]), seen(v[2])});
     for (Vertex_handle w : v)
       if (w != m_ends[0] && w != m_ends[1])
-        m_opposite.push_back(m_complex.position(w));
+        m_opposite.push_back(seen(w));
   }
 
   double opposite_angle(std::size_t i) const {
-    return angle_between(m_complex.position(m_ends[0]) - m_opposite[i],
-                         m_complex.position(m_ends[1]) - m_opposite[i]);
+    return angle_between(end(0) - m_opposite[i], end(1) - m_opposite[i]);
   }
+
+  // All as seen from one end of the edge.
+  Point seen(Vertex_handle v) const {
+    return m_complex.position_near(m_complex.position(m_ends[0]), v);
+  }
+  Point end(std::size_t i) const { return seen(m_ends[i]); }
 
   const Complex& m_complex;
   std::array<Vertex_handle, 2> m_ends;

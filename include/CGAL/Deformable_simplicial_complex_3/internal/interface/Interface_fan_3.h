@@ -64,7 +64,8 @@ public:
 
   // Facet i with the center at p, counterclockwise seen from the front, p first.
   std::array<Point, 3> facet(std::size_t i, const Point& p) const {
-    return {p, m_complex.position(m_facets[i][0]), m_complex.position(m_facets[i][1])};
+    return {p, m_complex.position_near(p, m_facets[i][0]),
+            m_complex.position_near(p, m_facets[i][1])};
   }
 
   // Whether the interface is a single sheet here, between the same two labels, that does not end at
@@ -104,10 +105,10 @@ public:
     const auto neighbors = neighbors_along_features(angle);
     if (neighbors.empty())
       return 1;
-    const Point p = m_complex.position(m_center);
     const bool goes_on =
-        neighbors.size() == 2 && angle_between(m_complex.position(neighbors[0]) - p,
-                                               p - m_complex.position(neighbors[1])) < angle;
+        neighbors.size() == 2 && angle_between(m_complex.displacement(m_center, neighbors[0]),
+                                               -m_complex.displacement(m_center, neighbors[1])) <
+                                     angle;
     return goes_on ? 2 : 3;
   }
 

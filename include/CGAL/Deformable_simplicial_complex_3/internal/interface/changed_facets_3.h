@@ -32,7 +32,7 @@ template <class Complex>
 Changed_facets_3 facets_changed_by_collapse(const Complex& complex,
                                             const Interface_fan_3<Complex>& fan,
                                             typename Complex::Vertex_handle kept) {
-  const auto from = complex.position(fan.center()), to = complex.position(kept);
+  const auto from = complex.position(fan.center()), to = complex.position_near(from, kept);
   Changed_facets_3 result;
   for (std::size_t i = 0; i < fan.size(); ++i) {
     const auto before = fan.facet(i, from);

@@ -45,7 +45,7 @@ template <class Complex>
 typename Complex::Approximate_point_3 midpoint_by_normals(const Complex& complex,
                                                           const Interface_fan_3<Complex>& a,
                                                           const Interface_fan_3<Complex>& b) {
-  const auto p = complex.position(a.center()), q = complex.position(b.center());
+  const auto p = complex.position(a.center()), q = complex.position_near(p, b.center());
   const auto n = normal_of(a, complex), m = normal_of(b, complex);
   return midpoint(p, q) - (((q - p) * n) * n + ((p - q) * m) * m) / 8;
 }
@@ -61,7 +61,7 @@ curved_midpoint(const Complex& complex, const Interface_fan_3<Complex>& a,
   using Vector = typename Complex::Approximate_vector_3;
   static constexpr Eigen::Index coefficients = 6;
   static constexpr double steep_cosine = .7071;
-  const auto p = complex.position(a.center()), q = complex.position(b.center());
+  const auto p = complex.position(a.center()), q = complex.position_near(p, b.center());
   const auto middle = midpoint(p, q);
   Vector normal(0, 0, 0);
   std::vector<typename Complex::Vertex_handle> vertices;
@@ -93,7 +93,7 @@ curved_midpoint(const Complex& complex, const Interface_fan_3<Complex>& a,
   Eigen::Matrix<double, Eigen::Dynamic, coefficients> rows(n, coefficients);
   Eigen::VectorXd heights(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const Vector d = (complex.position(vertices[std::size_t(i)]) - middle) / length;
+    const Vector d = (complex.position_near(middle, vertices[std::size_t(i)]) - middle) / length;
     const double x = d * along, y = d * across;
     const double weight = 1 / (.25 + x * x + y * y); // that of the ends is the highest
     rows.row(i) << weight, weight * x, weight * y, weight * x * x, weight * x * y, weight * y * y;

@@ -30,8 +30,8 @@ bool find_blocked_directions(const Complex& complex,
       if (c->vertex(i) == v || !complex.is_interface(facet))
         continue;
       const auto w = complex.facet_vertices(facet);
-      const auto p = complex.position(w[0]);
-      auto normal = cross_product(complex.position(w[1]) - p, complex.position(w[2]) - p);
+      auto normal =
+          cross_product(complex.displacement(w[0], w[1]), complex.displacement(w[0], w[2]));
       const double area = std::sqrt(normal.squared_length());
       if (!(area > 0))
         return false;

@@ -19,11 +19,13 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The corners of a triangle of a snapshot.
-template <class Triangle, class Point>
-std::array<Point, 3> corners(const Triangle& triangle, const std::vector<Point>& positions) {
-  const auto& v = triangle.vertices;
-  return {positions[v[0]], positions[v[1]], positions[v[2]]};
+// The corners of a triangle of a snapshot, as seen from the first.
+template <class Triangle, class Domain, class Point>
+std::array<Point, 3> corners(const Triangle& triangle, const Domain& domain,
+                             const std::vector<Point>& positions) {
+  const Point& p = positions[triangle.vertices[0]];
+  return {p, domain.near(p, positions[triangle.vertices[1]]),
+          domain.near(p, positions[triangle.vertices[2]])};
 }
 
 // Whether a triangle goes forwards (1), backwards (-1) or not at all (0) when labelled phases grow
@@ -46,7 +48,7 @@ weighted_triangles(const Interface_snapshot_3<Complex>& interface_,
                    const std::vector<typename Complex::Approximate_point_3>& positions) {
   std::vector<Weighted_triangle<typename Complex::Approximate_vector_3>> result;
   for (std::size_t i = 0; i < interface_.triangles.size(); ++i) {
-    const auto p = corners(interface_.triangles[i], positions);
+    const auto p = corners(interface_.triangles[i], interface_.domain, positions);
     const auto normal = area_vector(p);
     const double area = std::sqrt(normal.squared_length());
     const auto angle = [&](int j) {
@@ -118,7 +120,7 @@ vertices_on_features(const Interface_snapshot_3<Complex>& interface_,
     return std::tie(s.edge, s.triangle) < std::tie(t.edge, t.triangle);
   });
   const auto normal = [&](const Side& side) {
-    return area_vector(corners(interface_.triangles[side.triangle], positions));
+    return area_vector(corners(interface_.triangles[side.triangle], interface_.domain, positions));
   };
   std::vector<char> result(positions.size(), false);
   for (std::size_t i = 1; i < sides.size(); ++i)

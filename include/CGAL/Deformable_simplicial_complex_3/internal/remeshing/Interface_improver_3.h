@@ -217,8 +217,9 @@ private:
 
   bool has_small_angle(Cell_handle c, int k) const {
     const auto v = m_complex.facet_vertices({c, k});
+    const auto p = m_complex.position(v[0]);
     return smallest_angle(std::array<typename Complex::Approximate_point_3, 3>{
-               m_complex.position(v[0]), m_complex.position(v[1]), m_complex.position(v[2])}) <
+               p, m_complex.position_near(p, v[1]), m_complex.position_near(p, v[2])}) <
            m_thresholds.smallest_angle;
   }
 
@@ -279,8 +280,8 @@ private:
   }
 
   bool is_small(const Changed_facets_3& change, Cell_handle c, int i, int j) const {
-    const double unit =
-        m_unit(midpoint(m_complex.position(c->vertex(i)), m_complex.position(c->vertex(j))));
+    const auto p = m_complex.position(c->vertex(i));
+    const double unit = m_unit(midpoint(p, m_complex.position_near(p, c->vertex(j))));
     return change.swept_volume <= m_thresholds.swept_volume * unit * unit * unit;
   }
 

@@ -62,18 +62,16 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, do
 
   // The first cell to become flat: volumes are linear along the ray.
   double way = 1;
-  const Approximate_point from = position(v), to = approximate(q);
+  const Approximate_point from = position(v), to = m_domain.near(from, approximate(q));
   for (Cell_handle c : m_star) {
     if (is_infinite(c))
       continue;
     const int apex = c->index(v);
     std::array<Approximate_point, dimension> link;
     for (int i = 0; i < dimension; ++i)
-      link[i] = corner(c, Space::facet_vertices[apex][i]);
-    const auto measure_with = [&](const Approximate_point& p) {
-      return Space::measure_of_cone(geom_traits(), link, m_domain.seen(*this, c, apex, p));
-    };
-    const double here = measure_with(from), there = measure_with(to);
+      link[i] = position_near(from, c->vertex(Space::facet_vertices[apex][i]));
+    const double here = Space::measure_of_cone(geom_traits(), link, from),
+                 there = Space::measure_of_cone(geom_traits(), link, to);
     if (there < here)
       way = (std::min)(way, here / (here - there));
   }
@@ -82,7 +80,7 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, do
   static constexpr int maximum_number_of_halvings = 40;
   way *= 1 - margin;
   for (int i = 0; i < maximum_number_of_halvings && way > 0; ++i, way /= 2) {
-    const Point p = exact(from + way * (to - from));
+    const Point p = rounded(exact(from + way * (to - from)));
     if (is_positive_star(v, m_star, p)) {
       if (p == v->point())
         return 0;

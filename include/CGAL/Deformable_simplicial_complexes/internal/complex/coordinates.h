@@ -19,6 +19,11 @@ Result from_coordinates(const double* coordinates, std::integer_sequence<int, i.
   return Result(coordinates[i]...);
 }
 
+// The point or vector of some type with these coordinates.
+template <class Point, std::size_t d> Point point_of(const std::array<double, d>& coordinates) {
+  return from_coordinates<Point>(coordinates.data(), std::make_integer_sequence<int, int(d)>());
+}
+
 // The point of a complex with these coordinates.
 template <class Complex>
 typename Complex::Approximate_point

@@ -78,7 +78,7 @@ double CGAL_DSC_CLASS::interface_edge_length(Vertex_handle v) const {
       if (facet != apex && is_interface(Facet(c, facet)))
         for (int i = 0; i < corners; ++i)
           if (i != apex && i != facet) {
-            sum += Space::length(displacement(c, apex, i));
+            sum += Space::length(displacement(v, c->vertex(i)));
             ++number;
           }
   }
@@ -133,8 +133,8 @@ auto CGAL_DSC_CLASS::interface_facets(Label a, Label b) const -> std::vector<Fac
 
 CGAL_DSC_TEMPLATE
 double CGAL_DSC_CLASS::measure(Cell_handle c) const {
-  return internal::apply_to_corners<corners>(Space::measure(geom_traits()),
-                                             [&](int i) { return corner(c, i); });
+  return m_domain.template apply<Labelled_complex>(
+      Space::measure(geom_traits()), [&](int i) { return position(c->vertex(i)); });
 }
 
 CGAL_DSC_TEMPLATE

@@ -32,17 +32,21 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// One whose content was moved elsewhere has not even an infinite vertex, which CGAL cannot copy.
+// What CGAL cannot copy: one without an infinite vertex, as its content was moved elsewhere, or with
+// one that no cell has.
 CGAL_DSC_TEMPLATE
 CGAL_DSC_CLASS::Labelled_complex(const Labelled_complex& other)
-    : m_triangulation(other.m_triangulation.tds().vertices().empty()
+    : m_triangulation(!Domain::has_outside || other.m_triangulation.tds().vertices().empty()
                           ? Triangulation(other.geom_traits())
                           : other.m_triangulation),
       m_quality_measure(other.m_quality_measure), m_domain(other.m_domain),
       m_totals(other.m_totals), m_normalization(other.m_normalization),
       m_mean_interface_edge(other.m_mean_interface_edge),
       m_minimum_interface_edge(other.m_minimum_interface_edge), m_version(other.m_version),
-      m_components(other.m_components) {}
+      m_components(other.m_components) {
+  if (!Domain::has_outside && other.number_of_cells() > 0)
+    rebuild(other.state());
+}
 
 // A moved complex is an empty one.
 CGAL_DSC_TEMPLATE
@@ -87,7 +91,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
   Labelled_complex result(geom_traits(), m_quality_measure, m_domain);
   std::vector<Approximate_point> positions;
   for (const Point& p : points) {
-    positions.push_back(approximate(p));
+    positions.push_back(m_domain.canonical(approximate(p)));
     if (!internal::has_finite_coordinates(positions.back()))
       throw Invalid_tetrahedra_error(
           "coordinates are no finite numbers: correct or remove the point", {},
@@ -105,11 +109,10 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
       if (i >= points.size())
         throw Invalid_tetrahedra_error("a tetrahedron names a point that does not exist", {t}, {i});
       is_used[i] = true;
-      sum = sum + (positions[i] - CGAL::ORIGIN);
+      sum = sum + (m_domain.near(positions[v[0]], positions[i]) - CGAL::ORIGIN);
     }
     barycenters.push_back(CGAL::ORIGIN + sum / corners);
-    if (internal::apply_to_corners<corners>(
-            orientation(), [&](int i) { return exact(positions[v[i]]); }) != POSITIVE)
+    if (m_domain.orientation(*this, [&](int i) { return exact(positions[v[i]]); }) != POSITIVE)
       throw Invalid_tetrahedra_error("a tetrahedron is flat or negatively oriented; give its "
                                      "vertices in positive order",
                                      {t}, {v.begin(), v.end()});
@@ -136,7 +139,8 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
       cells.back()[i] = rank[tetrahedra[t][i]];
   }
   try {
-    internal::append_infinite_cells(cells);
+    if (Domain::has_outside)
+      internal::append_infinite_cells(cells);
     const auto cell_handles =
         internal::create_cells<Space>(result.m_triangulation.tds(), handles, cells);
     for (size_type i = 0; i < cell_order.size(); ++i)
@@ -155,7 +159,8 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
     std::sort(where.begin(), where.end());
     throw Invalid_tetrahedra_error(e.what(), where, who);
   }
-  result.m_domain.classify_boundary(result);
+  if constexpr (Domain::has_outside)
+    result.m_domain.classify_boundary(result);
   result.initialize_caches();
   result.measure_interface_edges();
   result.m_normalization = m_normalization;
@@ -178,9 +183,10 @@ void CGAL_DSC_CLASS::sort_storage() {
   for (const auto& c : before.cells) {
     Approximate_vector sum(CGAL::NULL_VECTOR);
     int finite = 0;
+    const std::uint32_t first = *std::find_if(c.begin(), c.end(), [](auto v) { return v != 0; });
     for (std::uint32_t v : c)
       if (v != 0) {
-        sum = sum + (positions[v - 1] - CGAL::ORIGIN);
+        sum = sum + (m_domain.near(positions[first - 1], positions[v - 1]) - CGAL::ORIGIN);
         ++finite;
       }
     barycenters.push_back(CGAL::ORIGIN + sum / finite);
@@ -206,14 +212,17 @@ void CGAL_DSC_CLASS::sort_storage() {
     after.failures[i] = before.failures[old];
     after.cell_components[i] = before.cell_components[old];
   }
-  for (size_type v = 0; v < before.vertex_cells.size(); ++v)
-    after.vertex_cells[vertex_rank[v]] = cell_rank[before.vertex_cells[v]];
+  for (size_type v = 0; v < before.vertex_cells.size(); ++v) {
+    static constexpr size_type first = Domain::has_outside ? 0 : 1;
+    after.vertex_cells[vertex_rank[v + first] - first] = cell_rank[before.vertex_cells[v]];
+  }
   rebuild(after);
 }
 
 CGAL_DSC_TEMPLATE
 auto CGAL_DSC_CLASS::state() const -> State {
   State result;
+  result.periods = m_domain.template periods<dimension>();
   result.mean_interface_edge = m_mean_interface_edge;
   result.minimum_interface_edge = m_minimum_interface_edge;
   result.normalization_translation =
@@ -229,19 +238,21 @@ auto CGAL_DSC_CLASS::state() const -> State {
   for (Cell_handle c : Space::all_cells(m_triangulation))
     cells.push_back(c);
   std::sort(cells.begin(), cells.end(), order);
-  std::vector<Vertex_handle> vertices = this->vertices();
-  vertices.insert(vertices.begin(), m_triangulation.infinite_vertex());
-
-  for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-    vertices[i]->set_scratch_index(i);
+  const auto add_cell_of = [&](Vertex_handle v) {
     const auto position =
-        std::lower_bound(cells.begin(), cells.end(), vertices[i]->cell(), order) - cells.begin();
+        std::lower_bound(cells.begin(), cells.end(), v->cell(), order) - cells.begin();
     result.vertex_cells.push_back(std::uint32_t(position));
-    if (i > 0) {
-      result.points.push_back(internal::coordinates_of<dimension>(this->position(vertices[i])));
-      result.boundary_classes.push_back(vertices[i]->boundary_class());
-      result.spacings.push_back(vertices[i]->spacing());
-    }
+  };
+  std::uint32_t index = 0;
+  m_triangulation.infinite_vertex()->set_scratch_index(index);
+  if (Domain::has_outside)
+    add_cell_of(m_triangulation.infinite_vertex());
+  for (Vertex_handle v : vertices()) {
+    v->set_scratch_index(++index);
+    add_cell_of(v);
+    result.points.push_back(internal::coordinates_of<dimension>(position(v)));
+    result.boundary_classes.push_back(v->boundary_class());
+    result.spacings.push_back(v->spacing());
   }
   for (Cell_handle c : cells) {
     result.cells.emplace_back();
@@ -264,7 +275,7 @@ void CGAL_DSC_CLASS::restore(const State& state) {
 
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::rebuild(const State& state) {
-  Labelled_complex result(geom_traits(), m_quality_measure, m_domain);
+  Labelled_complex result(geom_traits(), m_quality_measure, Domain::of(state));
   result.m_normalization = {internal::vector_of<Labelled_complex>(state.normalization_translation),
                             state.normalization_scale};
   result.m_mean_interface_edge = state.mean_interface_edge;
@@ -295,8 +306,9 @@ void CGAL_DSC_CLASS::create_items(const State& state) {
       cells[i]->set_label(state.cell_labels[i]);
     cells[i]->set_failures(state.failures[i]);
   }
-  for (size_type v = 0; v < vertices.size(); ++v)
-    vertices[v]->set_cell(cells[state.vertex_cells[v]]);
+  static constexpr size_type first = Domain::has_outside ? 0 : 1;
+  for (size_type v = first; v < vertices.size(); ++v)
+    vertices[v]->set_cell(cells[state.vertex_cells[v - first]]);
   check_stars(vertices);
   check_boundary();
   initialize_caches();
@@ -320,19 +332,28 @@ void CGAL_DSC_CLASS::check_stars(const std::vector<Vertex_handle>& vertices) con
     return m_star.size() == degrees[i];
   };
   for (size_type i = 1; i < vertices.size(); ++i)
-    if (!is_connected(i))
+    if (degrees[i] == 0 || !is_connected(i))
       throw Invalid_tetrahedra_error(
           "the tetrahedra around a vertex are not connected through facets; give a mesh whose "
           "domain is a ball",
           {}, {i});
-  if (!is_connected(0))
+  if (Domain::has_outside && !is_connected(0))
     throw Invalid_tetrahedra_error(
         "the boundary of the tetrahedra is not connected; give a mesh whose domain is a ball");
 }
 
-// Throws if the boundary, supposed that it is a connected manifold, is no sphere.
+// Throws if the cells do not fill the domain: if the boundary, supposed that it is a connected
+// manifold, is no sphere; or, where there is none, if the cells cover the domain more than once.
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::check_boundary() const {
+  if constexpr (!Domain::has_outside) {
+    double sum = 0;
+    for (Cell_handle c : finite_cells())
+      sum += measure(c);
+    if (!(sum < 1.5 * m_domain.measure()))
+      throw Invalid_tetrahedra_error("the cells cover the torus more than once");
+    return;
+  }
   star(m_triangulation.infinite_vertex(), m_star);
   std::vector<size_type> vertices;
   for (Cell_handle c : m_star)
@@ -349,10 +370,14 @@ void CGAL_DSC_CLASS::check_boundary() const {
 // Everything that follows from points, cells and labels.
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::initialize_caches() {
-  internal::Extent<dimension> box;
-  for (Vertex_handle v : finite_vertices())
-    box.add(position(v));
-  m_totals = internal::Label_totals(box.measure());
+  if constexpr (Domain::has_outside) {
+    internal::Extent<dimension> box;
+    for (Vertex_handle v : finite_vertices())
+      box.add(position(v));
+    m_totals = internal::Label_totals(box.measure());
+  } else {
+    m_totals = internal::Label_totals(m_domain.measure());
+  }
   for (Cell_handle c : finite_cells()) {
     m_totals.add_cell(c->label(), measure(c));
     c->set_quality(cell_quality(c));
@@ -370,8 +395,7 @@ void CGAL_DSC_CLASS::measure_interface_edges() {
   for (const Facet& f : interface_facets()) {
     const auto v = facet_vertices(f);
     for (const auto& edge : Space::facet_edges) {
-      const double length =
-          std::sqrt((position(v[edge[0]]) - position(v[edge[1]])).squared_length());
+      const double length = std::sqrt(displacement(v[edge[1]], v[edge[0]]).squared_length());
       sum += length;
       minimum = n == 0 ? length : (std::min)(minimum, length);
       ++n;
@@ -394,7 +418,7 @@ CGAL_DSC_TEMPLATE
 bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
   if (m_triangulation.dimension() < dimension) // empty
     return report(number_of_cells() == 0, "cells without space", verbose);
-  if (!report(m_triangulation.tds().is_valid(verbose), "invalid data structure", verbose))
+  if (!report(is_sewn(verbose), "invalid data structure", verbose))
     return false;
 
   auto totals = m_totals;
@@ -431,11 +455,37 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
       return false;
   }
 
-  star(m_triangulation.infinite_vertex(), cells);
-  return std::all_of(cells.begin(), cells.end(), [&](Cell_handle c) {
-    return report(m_domain.keeps_side(*this, Facet(c, c->index(m_triangulation.infinite_vertex()))),
-                  "a boundary facet lies on no side of the domain", verbose);
-  });
+  if constexpr (Domain::has_outside) {
+    const Vertex_handle outside = m_triangulation.infinite_vertex();
+    star(outside, cells);
+    return std::all_of(cells.begin(), cells.end(), [&](Cell_handle c) {
+      return report(m_domain.keeps_side(*this, Facet(c, c->index(outside))),
+                    "a boundary facet lies on no side of the domain", verbose);
+    });
+  }
+  return true;
+}
+
+// Whether vertices and cells refer to each other as they should.
+CGAL_DSC_TEMPLATE
+bool CGAL_DSC_CLASS::is_sewn(bool verbose) const {
+  if (Domain::has_outside)
+    return m_triangulation.tds().is_valid(verbose);
+  // CGAL does not accept that no cell has the infinite vertex.
+  for (Vertex_handle v : finite_vertices())
+    if (v->cell() == Cell_handle() || !v->cell()->has_vertex(v))
+      return false;
+  for (Cell_handle c : finite_cells())
+    for (int i = 0; i < corners; ++i) {
+      int j;
+      if (c->neighbor(i) == Cell_handle() || !c->neighbor(i)->has_neighbor(c, j) ||
+          c->neighbor(i)->vertex(j) == c->vertex(i))
+        return false;
+      for (int k = 0; k < corners; ++k)
+        if (k != i && !c->neighbor(i)->has_vertex(c->vertex(k)))
+          return false;
+    }
+  return true;
 }
 
 } // namespace Deformable_simplicial_complexes

@@ -95,13 +95,13 @@ public:
     const auto flow = [&](Vertex_handle v) -> std::optional<Vector> {
       if (pass > 1 || !m_options.flow)
         return {};
-      const Vector way = m_options.flow(v) - m_complex.position(v);
+      const Vector way = m_complex.displacement(v, m_options.flow(v));
       if (way.squared_length() < far * far * longest * longest)
         return way;
       return {};
     };
     const auto way = [&](Vertex_handle v) {
-      return m_destinations.final_position(v) - m_complex.position(v);
+      return m_complex.displacement(v, m_destinations.final_position(v));
     };
     const std::vector<Vector> ways =
         motion_of_space(m_complex, free, way, flow, negligible * longest, m_for_each_index);

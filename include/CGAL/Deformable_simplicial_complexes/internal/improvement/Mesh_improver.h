@@ -11,7 +11,6 @@
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Failure_memory.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Own_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
@@ -163,7 +162,7 @@ public:
     for (int i = 0; i < Complex::corners; ++i)
       for (int j = i + 1; j < Complex::corners; ++j) {
         const double length =
-            (m_complex.position(c->vertex(i)) - m_complex.position(c->vertex(j))).squared_length();
+            m_complex.displacement(c->vertex(i), c->vertex(j)).squared_length();
         if (length > longest) {
           longest = length;
           a = i;
@@ -225,7 +224,7 @@ protected:
 
   // Of a cell that the vertices would have at their destinations.
   double final_quality(const std::array<Vertex_handle, Complex::corners>& v) const {
-    return apply_to_corners<Complex::corners>(m_complex.quality_measure(), [&](int i) {
+    return m_complex.domain().template apply<Complex>(m_complex.quality_measure(), [&](int i) {
       return m_destinations ? m_destinations->final_position(v[i]) : m_complex.position(v[i]);
     });
   }

@@ -55,9 +55,8 @@ template <class Complex> void require_interface_edge(const Complex& complex) {
 template <class Complex>
 double length_in_units(const Complex& complex, typename Complex::Vertex_handle v,
                        typename Complex::Vertex_handle w, const Edge_unit<Complex>& unit) {
-  const auto p = complex.position(v);
-  const auto edge = complex.position(w) - p;
-  return std::sqrt(edge.squared_length()) / unit(p + .5 * edge);
+  const auto edge = complex.displacement(v, w);
+  return std::sqrt(edge.squared_length()) / unit(complex.position(v) + .5 * edge);
 }
 
 } // namespace internal

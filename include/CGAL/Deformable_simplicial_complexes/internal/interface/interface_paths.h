@@ -28,7 +28,7 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // Velocities of all vertices of a snapshot at given positions, from a field of velocities
-// (position, time) or from a function of the whole interface.
+// (position, time), which on a torus is asked in the box, or from a function of the whole interface.
 template <class Complex, class Velocity>
 std::vector<typename Complex::Approximate_vector>
 velocities_at(const Interface_snapshot<Complex>& interface_,
@@ -37,7 +37,7 @@ velocities_at(const Interface_snapshot<Complex>& interface_,
   std::vector<typename Complex::Approximate_vector> result;
   if constexpr (std::is_invocable_v<const Velocity&, typename Complex::Approximate_point, double>) {
     for (const auto& p : positions)
-      result.push_back(velocity(p, t));
+      result.push_back(velocity(interface_.domain.canonical(p), t));
   } else {
     velocity(interface_, positions, t, result);
     if (result.size() != positions.size())
@@ -173,7 +173,8 @@ constexpr bool is_flow_of_space = is_flow_map<Complex, Velocity>
 // Where what is at p at t is at t + dt, as a guide, for which a rule of Runge and Kutta will do.
 // Not finite if a velocity is not. \pre is_flow_of_space
 template <class Complex, class Velocity>
-typename Complex::Approximate_point follow_flow(const typename Complex::Approximate_point& p,
+typename Complex::Approximate_point follow_flow(const typename Complex::Domain& domain,
+                                                const typename Complex::Approximate_point& p,
                                                 const Velocity& velocity, double t, double dt) {
   if constexpr (is_flow_map<Complex, Velocity>) {
     return velocity(p, t, dt);
@@ -183,7 +184,7 @@ typename Complex::Approximate_point follow_flow(const typename Complex::Approxim
     const auto rate = [&](const Point& q, double time) -> Vector {
       if (!has_finite_coordinates(q)) // nobody is asked for what is nowhere
         return q - ORIGIN;
-      return velocity(q, time);
+      return velocity(domain.canonical(q), time);
     };
     const auto advance = [](const Point& q, const Vector& v, double step) { return q + step * v; };
     return follow_rate(p, t, dt, Integration_scheme::rk4, rate, advance);

@@ -90,8 +90,8 @@ public:
   const Point& destination(std::size_t k) const { return m_ways[m_open[k]].destination; }
   double remaining_distance(std::size_t k) const {
     const Way& way = m_ways[m_open[k]];
-    const auto rest = m_complex.approximate(way.destination) - m_complex.position(way.vertex);
-    return Complex::Space::length(rest);
+    return Complex::Space::length(
+        m_complex.displacement(way.vertex, m_complex.approximate(way.destination)));
   }
 
   // Of all of them.

@@ -62,7 +62,10 @@ public:
       : m_complex(complex), m_free(free) {
     const std::vector<Vertex_handle> vertices = number_cells();
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-      m_vertices.positions.push_back(coordinates(complex.position(vertices[i])));
+      // On a torus, where no linear map but that to zero is, phases follow the mean motion.
+      m_vertices.positions.push_back(Complex::Domain::has_outside
+                                         ? coordinates(complex.position(vertices[i]))
+                                         : Vector::Zero().eval());
       if (i < free.size()) {
         m_vertices.are_held.push_back(complex.is_boundary(vertices[i]));
       } else {

@@ -43,7 +43,7 @@ public:
   std::size_t size() const { return m_vertices.size(); }
   Vertex_handle vertex(Number i) const { return m_vertices[i]; }
   const Point& point(Number i) const { return m_points[i]; }
-  void set_point(Number i, const Point& p) { m_points[i] = p; }
+  void set_point(Number i, const Point& p) { m_points[i] = m_complex.rounded(p); }
 
   bool has(Vertex_handle v) const { return is_numbered(v, m_vertices); }
   static Number number(Vertex_handle v) { return v->scratch_index(); }

@@ -104,9 +104,12 @@ private:
     static constexpr double same = 1e-6, precision = 1e-15;
     const Position p = position(v);
     const double rounding = precision * precision * (p - CGAL::ORIGIN).squared_length();
-    const double before = (m_destinations.position_before(v) - m_destinations.position_before(w))
-                              .squared_length(),
-                 after = (p - position(w)).squared_length();
+    const auto squared_distance = [&](const Position& a, const Position& b) {
+      return (a - m_complex.domain().near(a, b)).squared_length();
+    };
+    const double before = squared_distance(m_destinations.position_before(v),
+                                           m_destinations.position_before(w)),
+                 after = squared_distance(p, position(w));
     return std::abs(after - before) <= same * before + rounding / same;
   }
 

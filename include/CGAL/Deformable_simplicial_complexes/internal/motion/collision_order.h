@@ -28,6 +28,8 @@ Exact_rational first_collision(const Complex& complex, const Destinations<Comple
                                const std::vector<typename Complex::Cell_handle>& star) {
   using Point = typename Complex::Approximate_point;
   static constexpr int d = Complex::dimension;
+  const Point from = complex.position(v),
+              to = complex.domain().near(from, destinations.final_position(v));
   Exact_rational first = 1;
   for (auto c : star) {
     if (complex.is_infinite(c))
@@ -35,17 +37,15 @@ Exact_rational first_collision(const Complex& complex, const Destinations<Comple
     const int apex = c->index(v);
     std::array<Point, d> link;
     for (int i = 0; i < d; ++i)
-      link[i] = complex.corner(c, Complex::Space::facet_vertices[apex][i]);
+      link[i] = complex.position_near(from, c->vertex(Complex::Space::facet_vertices[apex][i]));
     const auto measure_with = [&](const Point& p) {
-      const Point seen = complex.domain().seen(complex, c, apex, p);
       return Complex::Space::template determinant<Exact_rational>(
           [&](int row, int column) -> Exact_rational {
-            return Exact_rational(link[row][column]) - Exact_rational(seen[column]);
+            return Exact_rational(link[row][column]) - Exact_rational(p[column]);
           });
     };
     // What a cell measures is linear along the way.
-    const Exact_rational here = measure_with(complex.position(v)),
-                         there = measure_with(destinations.final_position(v));
+    const Exact_rational here = measure_with(from), there = measure_with(to);
     if (CGAL::sign(there) != CGAL::sign(here))
       first = (std::min)(first, Exact_rational(here / (here - there)));
   }

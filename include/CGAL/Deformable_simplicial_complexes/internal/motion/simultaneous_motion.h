@@ -63,7 +63,7 @@ private:
         for (int j = 0; j < Complex::corners; ++j)
           if (c->vertex(j) != v && m_motion.has(c->vertex(j)) &&
               follow(Motion::number(c->vertex(j)), held[k],
-                     m_motion.complex().displacement(c, c->index(v), j)))
+                     m_motion.complex().displacement(v, c->vertex(j))))
             held.push_back(Motion::number(c->vertex(j)));
     }
     return held;
@@ -81,8 +81,8 @@ private:
   }
 
   typename Complex::Approximate_vector displacement(Number i) const {
-    return m_motion.complex().approximate(m_targets[i]) -
-           m_motion.complex().position(m_motion.vertex(i));
+    const Complex& complex = m_motion.complex();
+    return complex.displacement(m_motion.vertex(i), complex.approximate(m_targets[i]));
   }
 
   void set_way(Number i, double way) {

@@ -35,16 +35,16 @@ void relocate(Proposed_motion<Complex>& motion, typename Proposed_motion<Complex
              star.end());
   Vector sum_of_motions(CGAL::NULL_VECTOR), mean(CGAL::NULL_VECTOR);
   int moving = 0;
+  const Position start = complex.position(v);
   for (Cell_handle c : star) {
-    const int center = c->index(v);
     for (int j = 0; j < Complex::corners; ++j) {
       const Vertex_handle w = c->vertex(j);
       if (w == v)
         continue;
-      const Position seen = complex.domain().seen_from(complex, c, center, j, motion.position(w));
+      const Position seen = complex.domain().near(start, motion.position(w));
       mean = mean + (seen - CGAL::ORIGIN) / double(Complex::dimension * star.size());
       if (w->is_interface()) {
-        sum_of_motions = sum_of_motions + (motion.position(w) - complex.position(w));
+        sum_of_motions = sum_of_motions + complex.displacement(w, motion.position(w));
         ++moving;
       }
     }
@@ -56,7 +56,7 @@ void relocate(Proposed_motion<Complex>& motion, typename Proposed_motion<Complex
     const auto before = motion.point(i);
     const Position from = motion.position(v);
     motion.set_point(
-        i, complex.admissible_destination(v, complex.exact(from + way * (target - from))));
+        i, complex.admissible_destination(v, complex.exact(from + way * (complex.domain().near(from, target) - from))));
     const double after = motion.worst_quality(star, worst);
     if (after > worst)
       worst = after;
@@ -65,7 +65,7 @@ void relocate(Proposed_motion<Complex>& motion, typename Proposed_motion<Complex
   };
   for (double way : {.5, 1.}) {
     if (moving > 0)
-      propose(way, complex.position(v) + sum_of_motions / moving);
+      propose(way, start + sum_of_motions / moving);
     propose(way, CGAL::ORIGIN + mean);
   }
 }

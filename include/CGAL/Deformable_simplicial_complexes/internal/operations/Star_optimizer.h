@@ -38,7 +38,7 @@ public:
     for (auto c : star) {
       std::array<Point, Complex::corners> points;
       for (int i = 0; i < Complex::corners; ++i)
-        points[i] = complex.position_from(c, c->index(v), i);
+        points[i] = complex.position_near(m_position, c->vertex(i));
       add(points, c->index(v));
     }
   }

@@ -44,8 +44,8 @@ public:
     typename Complex::Approximate_vector sum(CGAL::NULL_VECTOR);
     for (int i = 0; i < Complex::corners; ++i)
       sum = sum + (m_complex.corner(c, i) - CGAL::ORIGIN);
-    m_changes.push_back({CGAL::ORIGIN + sum / Complex::corners, c, c->time_stamp(), c->label(),
-                         label, c->component()});
+    m_changes.push_back({m_complex.domain().canonical(CGAL::ORIGIN + sum / Complex::corners), c,
+                         c->time_stamp(), c->label(), label, c->component()});
   }
 
   // Finds the events since the last look and tells the visitor. To be called before cells are

@@ -107,15 +107,15 @@ private:
   bool is_small_component(Cell_handle seed, std::vector<Cell_handle>& component,
                           std::unordered_set<std::size_t>& large) const {
     static constexpr std::size_t few = 30;
-    const auto center = m_complex.position(seed->vertex(0));
+    const auto center = seed->vertex(0);
     const double edge = local_edge_length<Complex>(m_complex, {seed});
     bool is_small = true, is_near = true;
     component.assign(1, seed);
     for (std::size_t i = 0; i < component.size() && is_small; ++i) {
       const Cell_handle c = component[i];
       for (int k = 0; k < Complex::corners; ++k)
-        is_near =
-            is_near && Complex::Space::length(m_complex.position(c->vertex(k)) - center) < edge;
+        is_near = is_near &&
+                  Complex::Space::length(m_complex.displacement(center, c->vertex(k))) < edge;
       is_small = (component.size() <= few || is_near) && large.count(c->time_stamp()) == 0;
       for (int k = 0; k < Complex::corners; ++k) {
         const Cell_handle n = c->neighbor(k);

@@ -2,13 +2,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_LABEL_VOLUMES_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_LABEL_VOLUMES_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_VOLUME_CHANGER_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_VOLUME_CHANGER_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/vectors_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/interface/interface_triangles_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
+
+#include <CGAL/Origin.h>
 
 #include <Eigen/Dense>
 
@@ -26,29 +27,28 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Moves the vertices of an interface so that volumes of labels change by given amounts, up to
-// rounding: by Newton's method with one unknown for each label, the length of the way in a
-// direction that goes with it. Volumes are those that the interface encloses: where it ends on the
-// boundary of the domain, the part between it and the boundary is not counted.
-template <class Complex> class Volume_changer_3
+// Moves the vertices of an interface so that volumes of labels, in the plane their areas, change by
+// given amounts, up to rounding: by Newton's method with one unknown for each label, the length of
+// the way in a direction that goes with it. Volumes are those that the interface encloses: where it
+// ends on the boundary of the domain, the part between it and the boundary is not counted.
+template <class Complex> class Volume_changer
 {
 public:
   using Label = typename Complex::Label;
-  using Point = typename Complex::Approximate_point_3;
-  using Vector = typename Complex::Approximate_vector_3;
+  using Point = typename Complex::Approximate_point;
+  using Vector = typename Complex::Approximate_vector;
 
-  explicit Volume_changer_3(const Interface_snapshot_3<Complex>& interface_)
+  explicit Volume_changer(const Interface_snapshot<Complex>& interface_)
       : m_interface(interface_) {}
 
   // Changes of the volumes of labels between two states of the vertices.
   std::map<Label, double> changes(const std::vector<Point>& from,
                                   const std::vector<Point>& to) const {
     std::map<Label, double> result;
-    for (const auto& triangle : m_interface.triangles) {
-      const auto before = corners(triangle, from), after = corners(triangle, to);
-      const double change = swept_volume(before, after);
-      result[triangle.behind] += change;
-      result[triangle.in_front] -= change;
+    for (const auto& facet : m_interface.facets()) {
+      const double change = swept_measure(corners(facet, from), corners(facet, to));
+      result[facet.behind] += change;
+      result[facet.in_front] -= change;
     }
     return result;
   }
@@ -64,15 +64,15 @@ public:
     for (const auto& [label, amount] : labels)
       row.emplace(label, Eigen::Index(row.size()));
     Directions result(positions.size());
-    for (const auto& triangle : m_interface.triangles) {
-      const Vector normal = area_vector(corners(triangle, positions)) / 3;
+    for (const auto& facet : m_interface.facets()) {
+      const Vector share = normal(corners(facet, positions)) / d;
       for (const auto& [label, sign] :
-           {std::make_pair(triangle.behind, 1.), std::make_pair(triangle.in_front, -1.)}) {
+           {std::make_pair(facet.behind, 1.), std::make_pair(facet.in_front, -1.)}) {
         const auto found = row.find(label);
         if (found != row.end())
-          for (std::size_t v : triangle.vertices) {
-            Vector& gradient = result[v].try_emplace(found->second, 0, 0, 0).first->second;
-            gradient = gradient + sign * within_sides(normal, m_interface.vertices[v]);
+          for (std::size_t v : facet.vertices) {
+            Vector& gradient = result[v].try_emplace(found->second, NULL_VECTOR).first->second;
+            gradient = gradient + sign * within_sides(share, m_interface.vertices[v]);
           }
       }
     }
@@ -107,26 +107,47 @@ public:
   void change_by(const std::map<Label, double>& amounts, std::vector<Point>& positions) const {
     Directions directions = gradients(amounts, positions);
     std::vector<double> areas(positions.size(), 0); // a third of each facet around
-    for (const auto& triangle : m_interface.triangles) {
-      const Vector normal = area_vector(corners(triangle, positions)) / 3;
-      for (std::size_t v : triangle.vertices)
-        areas[v] += std::sqrt(normal.squared_length());
+    for (const auto& facet : m_interface.facets()) {
+      const Vector share = normal(corners(facet, positions)) / d;
+      for (std::size_t v : facet.vertices)
+        areas[v] += std::sqrt(share.squared_length());
     }
     for (std::size_t v = 0; v < positions.size(); ++v)
       for (auto& [i, direction] : directions[v])
-        direction = areas[v] > 0 ? direction / areas[v] : Vector(0, 0, 0);
+        direction = areas[v] > 0 ? direction / areas[v] : Vector(NULL_VECTOR);
     change_by(amounts, directions, positions);
   }
 
 private:
-  // The volume that a triangle sweeps on its way, positive if towards its front; exact for motions
-  // of the corners along straight lines.
-  static double swept_volume(const std::array<Point, 3>& a, const std::array<Point, 3>& b) {
-    // Simpson's rule is exact for the quadratic polynomial in time that the flux is.
-    const std::array<Point, 3> m = {midpoint(a[0], b[0]), midpoint(a[1], b[1]),
-                                    midpoint(a[2], b[2])};
-    const Vector way = ((b[0] - a[0]) + (b[1] - a[1]) + (b[2] - a[2])) / 3;
-    return way * (area_vector(a) + 4 * area_vector(m) + area_vector(b)) / 6;
+  static constexpr int d = Complex::dimension;
+  using Corners = std::array<Point, Complex::dimension>;
+
+  // Those of a facet, as seen from the first.
+  template <class Facet>
+  Corners corners(const Facet& facet, const std::vector<Point>& positions) const {
+    Corners result;
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] =
+          m_interface.domain.near(positions[facet.vertices[0]], positions[facet.vertices[i]]);
+    return result;
+  }
+
+  // Towards the front of a facet, as long as that measures.
+  static Vector normal(const Corners& p) { return Complex::Space::facet_normal(p) / (d - 1); }
+
+  // What a facet sweeps on its way, positive if towards its front; exact for motions of the corners
+  // along straight lines.
+  double swept_measure(const Corners& a, const Corners& b) const {
+    // Simpson's rule is exact for the polynomial in time that the flux is, of degree d - 1.
+    const Vector image = m_interface.domain.near(a[0], b[0]) - b[0];
+    Corners m;
+    Vector way(NULL_VECTOR);
+    for (std::size_t i = 0; i < m.size(); ++i) {
+      const Vector v = (b[i] + image) - a[i];
+      m[i] = a[i] + v / 2;
+      way = way + v / d;
+    }
+    return way * (normal(a) + 4 * normal(m) + normal(b)) / 6;
   }
 
   // One step of Newton's method.
@@ -150,17 +171,17 @@ private:
 
   // What is left of a vector where the vertex must stay on sides of the domain.
   template <class Vertex_handle> static Vector within_sides(const Vector& vector, Vertex_handle v) {
-    const auto component = [&](int axis) {
-      return Boundary_class::fixes(v->boundary_class(), axis) ? 0 : vector[axis];
-    };
-    return Vector(component(0), component(1), component(2));
+    std::array<double, d> result;
+    for (int axis = 0; axis < d; ++axis)
+      result[axis] = Boundary_class::fixes(v->boundary_class(), axis) ? 0 : vector[axis];
+    return vector_of<Complex>(result);
   }
 
-  const Interface_snapshot_3<Complex>& m_interface;
+  const Interface_snapshot<Complex>& m_interface;
 };
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_LABEL_VOLUMES_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_VOLUME_CHANGER_H

@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_TORUS_GRID_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_TORUS_GRID_H
+
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Points of a torus and the cells that fill it, all of almost the same shape.
+template <int d> struct Torus_grid
+{
+  std::vector<std::array<double, d>> points;
+  std::vector<std::array<std::size_t, d + 1>> cells;
+};
+
+// How often an edge fits into a period: at least `least` times. Throws if that is not to be stored.
+inline std::size_t edges_in_period(double period, double edge, std::size_t least) {
+  static constexpr double most = 1 << 20;
+  if (!(edge > 0))
+    throw Error("the length of edges is not positive: use more than 0");
+  const double number = std::round(period / edge);
+  if (!(number <= most))
+    throw Error("the edges are too short for the torus: use more than a millionth of its periods");
+  return (std::max)(least, std::size_t(number));
+}
+
+// Rows of almost regular triangles, every other one shifted by half an edge.
+inline Torus_grid<2> torus_grid(const std::array<double, 2>& periods, double edge) {
+  const double height = std::sqrt(3.) / 2;
+  const std::size_t columns = edges_in_period(periods[0], edge, 3),
+                    rows = 2 * edges_in_period(periods[1] / 2, edge * height, 2);
+  Torus_grid<2> grid;
+  const auto index = [&](std::size_t i, std::size_t j) { return j % rows * columns + i % columns; };
+  for (std::size_t j = 0; j < rows; ++j)
+    for (std::size_t i = 0; i < columns; ++i) {
+      const std::size_t shift = j % 2;
+      grid.points.push_back({periods[0] * (double(i) + .5 * double(shift)) / double(columns),
+                             periods[1] * double(j) / double(rows)});
+      grid.cells.push_back({index(i, j), index(i + 1, j), index(i + shift, j + 1)});
+      grid.cells.push_back({index(i + 1 - shift, j), index(i + 1, j + 1), index(i, j + 1)});
+    }
+  return grid;
+}
+
+// The Delaunay tetrahedra of a body-centered cubic lattice: on each edge between the centers of two
+// boxes, one for each edge of the face between these.
+inline Torus_grid<3> torus_grid(const std::array<double, 3>& periods, double edge) {
+  std::array<std::size_t, 3> n;
+  for (int axis = 0; axis < 3; ++axis)
+    n[axis] = edges_in_period(periods[axis], edge, 3);
+  Torus_grid<3> grid;
+  const std::size_t boxes = n[0] * n[1] * n[2];
+  grid.points.resize(2 * boxes);
+  const auto corner = [&](const std::array<std::size_t, 3>& box) {
+    return (box[0] % n[0] * n[1] + box[1] % n[1]) * n[2] + box[2] % n[2];
+  };
+  for (std::array<std::size_t, 3> box = {}; box[0] < n[0]; ++box[0])
+    for (box[1] = 0; box[1] < n[1]; ++box[1])
+      for (box[2] = 0; box[2] < n[2]; ++box[2]) {
+        for (int axis = 0; axis < 3; ++axis) {
+          const double step = periods[axis] / double(n[axis]);
+          grid.points[corner(box)][axis] = double(box[axis]) * step;
+          grid.points[boxes + corner(box)][axis] = (double(box[axis]) + .5) * step;
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+          auto next = box;
+          ++next[axis];
+          std::array<std::size_t, 4> face; // counterclockwise seen from the next box
+          for (int k = 0; k < 4; ++k) {
+            auto at = next;
+            at[(axis + 1) % 3] += k == 1 || k == 2;
+            at[(axis + 2) % 3] += k >= 2;
+            face[k] = corner(at);
+          }
+          for (int k = 0; k < 4; ++k)
+            grid.cells.push_back(
+                {boxes + corner(box), boxes + corner(next), face[k], face[(k + 1) % 4]});
+        }
+      }
+  return grid;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_TORUS_GRID_H

@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_RESTORE_VOLUMES_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_RESTORE_VOLUMES_H
+
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Volume_changer.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+What `restore_volumes()` did.
+\tparam Complex a deformable simplicial complex
+*/
+template <class Complex> struct Volume_report
+{
+  bool complete = true; ///< whether all volumes are right within the tolerance
+  /// one for each time the interface was moved; vertices of earlier ones may have been removed
+  /// since
+  std::vector<Deformation_report<Complex>> deformations;
+};
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Gives labels the volumes, in the plane the areas, they are to have, by moving the interface along its normals, flat parts
+between two labels equally far: the correction after a step of a flow that keeps volumes, whose
+discretization does not quite. It is repeated until the volumes are right, as `deform_interface()`
+may change the mesh on the way.
+
+\param dsc the complex.
+\param volumes of labels, positive, in the coordinates of the complex. Labels that are not mentioned
+       take what is left.
+\param np named parameters: those of `deform_interface()` and
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{volume_tolerance}
+    \cgalParamDescription{by how much a volume may differ in the end, relative to itself, positive}
+    \cgalParamType{`double`} \cgalParamDefault{1e-10}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{how often the interface is moved at the most}
+    \cgalParamType{`unsigned int`} \cgalParamDefault{5}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return what was done, and whether all volumes are right within the tolerance. If not, something
+        keeps the interface from where it should go, a visitor has ended it, or there were too few
+        iterations.
+\throws Deformable_simplicial_complexes::Error if a label does not occur, a volume or the tolerance
+       is not positive, the number of iterations is negative, all labels are given and their volumes
+do not fill the domain, or some are and leave nothing for the others; the complex is then unchanged.
+
+Linear in the size of the interface, plus the deformations.
+*/
+template <class Complex, class NamedParameters =
+                             Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Volume_report<Complex> restore_volumes(Complex& dsc,
+                                       const std::map<typename Complex::Label, double>& volumes,
+                                       const NamedParameters& np = NamedParameters()) {
+  namespace tags = Deformable_simplicial_complexes::internal_np;
+  namespace internal = Deformable_simplicial_complexes::internal;
+  using Deformable_simplicial_complexes::Error;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const double tolerance = choose_parameter(get_parameter(np, tags::volume_tolerance),
+                                            internal::defaults::volume_tolerance);
+  const unsigned iterations =
+      internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                                internal::defaults::Number_of_iterations::towards_volumes);
+  if (!(tolerance > 0))
+    throw Error("the tolerance of volumes is out of range: use more than 0");
+  double domain = 0, wanted = 0;
+  for (const auto label : dsc.labels())
+    domain += dsc.measure(label);
+  for (const auto& [label, volume] : volumes) {
+    wanted += volume;
+    if (!(volume > 0) || !std::isfinite(volume))
+      throw Error("the volume of label " + std::to_string(label) +
+                  " cannot be restored: it is not positive and finite");
+    if (dsc.number_of_cells(label) == 0)
+      throw Error("the volume of label " + std::to_string(label) +
+                  " cannot be restored: no cell has this label any more");
+  }
+  const bool are_all_given = volumes.size() == dsc.labels().size();
+  if (!are_all_given && wanted >= domain)
+    throw Error("the volumes to be restored fill the domain, and leave nothing for other labels");
+  if (are_all_given && std::abs(wanted - domain) > tolerance * domain)
+    throw Error(
+        "the volumes of all labels are given, but do not sum up to that of the domain; leave "
+        "a label out, and it will take what is left");
+
+  Volume_report<Complex> report;
+  for (;;) {
+    std::map<typename Complex::Label, double> missing;
+    report.complete = true;
+    for (const auto& [label, volume] : volumes) {
+      missing[label] = volume - dsc.measure(label);
+      report.complete = report.complete && std::abs(missing[label]) <= tolerance * volume;
+    }
+    const std::size_t done = report.deformations.size();
+    const bool is_ended =
+        done > 0 && (report.deformations.back().stopped || report.deformations.back().passes == 0);
+    if (report.complete || done == iterations || is_ended)
+      return report;
+    const Deformable_simplicial_complexes::Interface_snapshot<Complex> interface_(dsc);
+    auto positions = interface_.positions(dsc);
+    internal::Volume_changer<Complex>(interface_).change_by(missing, positions);
+    report.deformations.push_back(deform_interface_to(dsc, interface_, positions, np));
+  }
+}
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_RESTORE_VOLUMES_H
