@@ -48,8 +48,7 @@ class Deformable_simplicial_complex_3
 {
   using Base = Deformable_simplicial_complexes::Labelled_complex<
       Deformable_simplicial_complex_3,
-      Deformable_simplicial_complexes::internal::Space_3<Traits_, Tds_>, QualityMeasure_,
-      Domain_>;
+      Deformable_simplicial_complexes::internal::Space_3<Traits_, Tds_>, QualityMeasure_, Domain_>;
 
 public:
   using Base::interface_facets;

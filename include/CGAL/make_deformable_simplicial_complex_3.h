@@ -274,12 +274,13 @@ labels of their barycenters, then `fit_interface()` moves the interface to where
 
 Linear in the number of tetrahedra.
 */
-template <class Complex, class LabelAt,
-          class NamedParameters =
-              Deformable_simplicial_complexes::parameters::Default_named_parameters>
-Complex make_deformable_simplicial_complex_3(
-    const Deformable_simplicial_complexes::Torus_domain<3>& domain, double edge,
-    const LabelAt& label_at, const NamedParameters& np = NamedParameters()) {
+template <
+    class Complex, class LabelAt,
+    class NamedParameters = Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Complex
+make_deformable_simplicial_complex_3(const Deformable_simplicial_complexes::Torus_domain<3>& domain,
+                                     double edge, const LabelAt& label_at,
+                                     const NamedParameters& np = NamedParameters()) {
   return Deformable_simplicial_complexes::internal::fill_torus<Complex>(domain, edge, label_at, np);
 }
 

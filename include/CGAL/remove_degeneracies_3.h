@@ -104,8 +104,8 @@ Improvement_report remove_degeneracies(Complex& dsc,
         return true;
     for (int i = 0; i < 4; ++i)
       for (int j = i + 1; j < 4; ++j) {
-        const auto middle = dsc.position(c->vertex(i)) +
-                            .5 * dsc.displacement(c->vertex(i), c->vertex(j));
+        const auto middle =
+            dsc.position(c->vertex(i)) + .5 * dsc.displacement(c->vertex(i), c->vertex(j));
         if (propose_degenerate_edge_removal(dsc, c, i, j, length * unit(middle), c->quality(),
                                             cavity))
           return true;

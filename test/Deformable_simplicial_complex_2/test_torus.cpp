@@ -1,8 +1,11 @@
 #include "torus.h"
 
 #include <CGAL/advect_interface_2.h>
+#include <CGAL/control_detail_2.h>
+#include <CGAL/curve_shortening_flow_2.h>
 #include <CGAL/deform_interface_2.h>
 #include <CGAL/interface_flows_2.h>
+#include <CGAL/make_deformable_simplicial_complex_2.h>
 
 #include <gtest/gtest.h>
 
@@ -23,7 +26,7 @@ using torus::Point;
 using Vertex_handle = Complex::Vertex_handle;
 using Vector = Complex::Approximate_vector_2;
 
-double distance_on_unit_torus(const Point& p, const Point& q) {
+template <class Point_2> double distance_on_unit_torus(const Point_2& p, const Point& q) {
   const auto along = [](double difference) { return difference - std::round(difference); };
   return std::hypot(along(p.x() - q.x()), along(p.y() - q.y()));
 }
@@ -231,7 +234,9 @@ public:
     std::uniform_int_distribution<int> number(-3, 3);
     std::normal_distribution<double> amplitude(0, .1);
     for (Wave& w : m_waves)
-      w = {number(random), number(random), {amplitude(random), amplitude(random)},
+      w = {number(random),
+           number(random),
+           {amplitude(random), amplitude(random)},
            10 * amplitude(random)};
   }
   Vector operator()(const Complex::Approximate_point_2& p, double) const {
@@ -262,6 +267,96 @@ TEST(Torus, stays_valid_whatever_happens) {
         ASSERT_TRUE(dsc.is_valid(true)) << labels << " labels, seed " << seed << ", field " << i;
       }
     }
+}
+
+// Squeezes along x and stretches along y about the middle of the box.
+struct Squeeze
+{
+  Vector operator()(const Complex::Approximate_point_2& p, double) const {
+    static const double two_pi = 2 * std::acos(-1.);
+    return Vector(std::sin(two_pi * p.x()), -std::sin(two_pi * p.y()));
+  }
+};
+
+// Four phases about the middle: those above (1) and below (2) have a wall between them, until those
+// on the left (3) and on the right (4) are squeezed together.
+class Four_phases : public testing::Test
+{
+protected:
+  Four_phases()
+      : dsc(CGAL::make_deformable_simplicial_complex_2<Complex>(
+            Domain(), .05, [](const Complex::Approximate_point_2& p) {
+              const double x = p.x() - .5, y = p.y() - .5;
+              if (std::abs(x) > std::abs(y) + .1)
+                return x < 0 ? 3 : 4;
+              return y > 0 ? 1 : 2;
+            })) {}
+
+  bool have_wall(int a, int b) const { return !dsc.interface_facets(a, b).empty(); }
+
+  Complex dsc;
+};
+
+TEST_F(Four_phases, exchange_neighbors) {
+  namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+  std::size_t exchanges = 0;
+  for (int i = 0; i < 40 && exchanges == 0; ++i) {
+    CGAL::control_detail(dsc, parameters::change_interface(true));
+    const auto report = CGAL::advect_interface(dsc, Squeeze(), 0, .02);
+    ASSERT_TRUE(dsc.is_valid(true));
+    exchanges = report.exchanges.size();
+    if (exchanges > 0) {
+      EXPECT_EQ(exchanges, 1u);
+      EXPECT_EQ(std::minmax(report.exchanges[0].parted[0], report.exchanges[0].parted[1]),
+                std::minmax(1, 2));
+      EXPECT_EQ(std::minmax(report.exchanges[0].joined[0], report.exchanges[0].joined[1]),
+                std::minmax(3, 4));
+      EXPECT_LT(distance_on_unit_torus(report.exchanges[0].where, Point(.5, .5)), .05);
+    }
+  }
+  EXPECT_EQ(exchanges, 1u);
+  EXPECT_TRUE(have_wall(3, 4));
+}
+
+TEST_F(Four_phases, keep_their_neighbors_where_that_is_wanted) {
+  namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+  using CGAL::Deformable_simplicial_complexes::Forbid_topology_changes;
+  for (int i = 0; i < 40; ++i) {
+    CGAL::control_detail(dsc, parameters::change_interface(true));
+    const auto report = CGAL::advect_interface(
+        dsc, Squeeze(), 0, .02, parameters::topology_control(Forbid_topology_changes()));
+    ASSERT_TRUE(dsc.is_valid(true));
+    ASSERT_TRUE(report.exchanges.empty());
+    ASSERT_TRUE(have_wall(1, 2));
+  }
+}
+
+TEST(Curve_shortening, shrinks_a_circle_on_the_seams_at_its_rate) {
+  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+      Domain(), .05, [](const Complex::Approximate_point_2& p) {
+        return distance_on_unit_torus(p, Point(0, 0)) < .3 ? 1 : 0;
+      });
+  const double two_pi = 2 * std::acos(-1.), dt = .001;
+  for (int i = 0; i < 10; ++i) {
+    const double before = dsc.area(1);
+    ASSERT_TRUE(CGAL::advect_interface(dsc, CGAL::Curve_shortening_flow_2(), 0, dt).complete);
+    EXPECT_NEAR((dsc.area(1) - before) / dt, -two_pi, .005 * two_pi);
+  }
+}
+
+TEST(Curve_shortening, brings_a_bubble_of_a_kept_area_to_rest) {
+  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+      Domain(), .05, [](const Complex::Approximate_point_2& p) {
+        return std::abs(p.x() - .5) < .3 && std::abs(p.y() - .5) < .15 ? 1 : 0;
+      });
+  const double area = dsc.area(1), radius = std::sqrt(area / std::acos(-1.));
+  const CGAL::Curve_shortening_flow_2 flow(true);
+  for (int i = 0; i < 100; ++i)
+    ASSERT_TRUE(CGAL::advect_interface(dsc, flow, 0, .002).complete);
+  EXPECT_TRUE(dsc.is_valid(true));
+  EXPECT_NEAR(dsc.area(1), area, 1e-9);
+  for (auto v : dsc.interface_vertices())
+    EXPECT_NEAR(distance_on_unit_torus(dsc.position(v), Point(.5, .5)), radius, .03 * radius);
 }
 
 } // namespace

@@ -11,8 +11,9 @@
 namespace torus {
 
 using Domain = CGAL::Deformable_simplicial_complexes::Torus_domain<2>;
-using Complex = CGAL::Deformable_simplicial_complex_2<CGAL::Deformable_simplicial_complex_traits_2<>,
-                                                      CGAL::Default, Domain>;
+using Complex =
+    CGAL::Deformable_simplicial_complex_2<CGAL::Deformable_simplicial_complex_traits_2<>,
+                                          CGAL::Default, Domain>;
 using Point = Complex::Point_2;
 
 // n times n squares, each of two triangles, with the label of their barycenters.

@@ -6,8 +6,8 @@
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/geometry/cell_corners.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/Volume_changer.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/values/redistribute_contents_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Volume_changer.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Labelled_star.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Trapped_cells.h>
 

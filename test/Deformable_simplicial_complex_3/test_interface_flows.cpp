@@ -201,8 +201,7 @@ TEST(Volume_changer, reaches_amounts_exactly) {
   const Complex dsc = mesh_helpers::sphere(4, .6);
   const Snapshot snapshot(dsc);
   const std::vector<Position> before = snapshot.positions(dsc);
-  const CGAL::Deformable_simplicial_complexes::internal::Volume_changer<Complex> changer(
-      snapshot);
+  const CGAL::Deformable_simplicial_complexes::internal::Volume_changer<Complex> changer(snapshot);
   for (double amount : {-.1, 1e-9, .2}) {
     std::vector<Position> after = before;
     changer.change_by({{1, amount}}, after);

@@ -34,9 +34,8 @@ double distance_on_unit_torus(const Position& p, const Position& q) {
 // A ball about the corner of the box, where all seams meet.
 Complex ball_on_the_seams(double radius, double edge) {
   return CGAL::make_deformable_simplicial_complex_3<Complex>(
-      Domain(), edge, [&](const Position& p) {
-        return distance_on_unit_torus(p, CGAL::ORIGIN) < radius ? 1 : 0;
-      });
+      Domain(), edge,
+      [&](const Position& p) { return distance_on_unit_torus(p, CGAL::ORIGIN) < radius ? 1 : 0; });
 }
 
 TEST(Torus_3, is_filled_without_boundary) {
@@ -54,7 +53,8 @@ TEST(Torus_3, is_built_from_a_function) {
   EXPECT_TRUE(dsc.is_valid(true));
   EXPECT_EQ(dsc.number_of_components(1), 1u);
   EXPECT_EQ(dsc.euler_characteristic(1), 2);
-  EXPECT_NEAR(dsc.volume(1) / (4 * std::acos(-1.) / 3 * .027), 1, .1); // less, as its vertices lie on it
+  EXPECT_NEAR(dsc.volume(1) / (4 * std::acos(-1.) / 3 * .027), 1,
+              .1); // less, as its vertices lie on it
   for (auto v : dsc.interface_vertices())
     EXPECT_NEAR(distance_on_unit_torus(dsc.position(v), CGAL::ORIGIN), .3, .015);
 }
@@ -74,8 +74,8 @@ TEST(Torus_3, carries_a_ball_once_around) {
   const double volume = dsc.volume(1);
   constexpr int steps = 40;
   for (int i = 0; i < steps; ++i) {
-    const auto report = CGAL::advect_interface(dsc, Translation{Vector(1, 2, -1)},
-                                               double(i) / steps, 1. / steps);
+    const auto report =
+        CGAL::advect_interface(dsc, Translation{Vector(1, 2, -1)}, double(i) / steps, 1. / steps);
     ASSERT_TRUE(report.complete);
     ASSERT_TRUE(dsc.is_valid(true));
     ASSERT_EQ(dsc.interface_facets().size(), facets);
@@ -115,10 +115,11 @@ public:
     static const double two_pi = 2 * std::acos(-1.);
     Vector result(0, 0, 0);
     for (const Wave& w : m_waves)
-      result = result + std::sin(two_pi * (w.numbers[0] * p.x() + w.numbers[1] * p.y() +
-                                           w.numbers[2] * p.z()) +
-                                 w.phase) *
-                            w.amplitude;
+      result =
+          result +
+          std::sin(two_pi * (w.numbers[0] * p.x() + w.numbers[1] * p.y() + w.numbers[2] * p.z()) +
+                   w.phase) *
+              w.amplitude;
     return result;
   }
 
@@ -138,8 +139,8 @@ TEST(Torus_3, stays_valid_whatever_happens) {
     std::vector<int> label_of(64);
     for (int& label : label_of)
       label = int(random() % unsigned(labels));
-    Complex dsc = CGAL::make_deformable_simplicial_complex_3<Complex>(
-        Domain(), .2, [&](const Position& p) {
+    Complex dsc =
+        CGAL::make_deformable_simplicial_complex_3<Complex>(Domain(), .2, [&](const Position& p) {
           return label_of[std::size_t(4 * p.x()) * 16 + std::size_t(4 * p.y()) * 4 +
                           std::size_t(4 * p.z())];
         });

@@ -171,8 +171,8 @@ public:
   /// Whether a cell of finite cavity vertices is positively oriented, exactly.
   bool is_positive(const Indices& cell) const {
     return m_complex->domain().orientation(*m_complex, [&](int i) -> const Point& {
-             return m_vertices[cell[i]].point;
-           }) == POSITIVE;
+      return m_vertices[cell[i]].point;
+    }) == POSITIVE;
   }
 
   /// What the proposal does to the vertices.

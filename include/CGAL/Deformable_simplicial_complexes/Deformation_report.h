@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORMATION_REPORT_H
 
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Neighbor_exchange.h>
 #include <CGAL/Deformable_simplicial_complexes/Topology_event.h>
 
 #include <cstddef>
@@ -65,7 +66,8 @@ template <class Complex> struct Deformation_report
   std::size_t relocated = 0;
   std::size_t relabeled = 0;        ///< cells that changed their label
   std::vector<Label_change> labels; ///< one for each label of before or after, increasing
-  std::vector<Topology_event<Complex>> events; ///< by pass
+  std::vector<Topology_event<Complex>> events;       ///< by pass
+  std::vector<Neighbor_exchange<Complex>> exchanges; ///< in the plane only, in the end
 };
 
 } // namespace CGAL

@@ -33,7 +33,8 @@ template <class Complex> struct Interface_vertices
   };
 
   std::vector<typename Complex::Vertex_handle> vertices; ///< by increasing time stamp
-  typename Complex::Domain domain; ///< of the complex: on a torus, facets see images of their vertices
+  typename Complex::Domain
+      domain; ///< of the complex: on a torus, facets see images of their vertices
 
   /// Where the vertices are.
   std::vector<typename Complex::Approximate_point> positions(const Complex& complex) const {

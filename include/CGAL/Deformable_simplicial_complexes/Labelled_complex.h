@@ -287,9 +287,8 @@ public:
   /// Whether a finite cell would be positively oriented with each vertex v at `point_of(v)`,
   /// exactly.
   template <class PointOf> bool is_positive(Cell_handle c, const PointOf& point_of) const {
-    return m_domain.orientation(*this, [&](int i) -> decltype(auto) {
-             return point_of(c->vertex(i));
-           }) == POSITIVE;
+    return m_domain.orientation(
+               *this, [&](int i) -> decltype(auto) { return point_of(c->vertex(i)); }) == POSITIVE;
   }
   /// The exact predicate that tells the orientation of a cell from its corners.
   auto orientation() const { return Space::orientation(geom_traits()); }

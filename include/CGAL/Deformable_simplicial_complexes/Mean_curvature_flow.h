@@ -32,9 +32,9 @@ namespace internal {
 /*
 How the facets of a snapshot contract: the forces along the edges of facets, and what they have to
 move. To a vertex belongs a share of the facets around it. Where two labels meet, all of it moves
-with the vertex. Where more meet, as in lines of 120 degrees, a facet takes part in motions along its
-normal only: it gives way to others in its own plane, where it just becomes shorter or longer (J. W.
-Barrett, H. Garcke, R. Nürnberg, *On the parametric finite element approximation of evolving
+with the vertex. Where more meet, as in lines of 120 degrees, a facet takes part in motions along
+its normal only: it gives way to others in its own plane, where it just becomes shorter or longer
+(J. W. Barrett, H. Garcke, R. Nürnberg, *On the parametric finite element approximation of evolving
 hypersurfaces in R^3*, Journal of Computational Physics 227, 2008).
 */
 template <class Complex> class Tensions
@@ -101,8 +101,8 @@ private:
       for (std::size_t v : facet.vertices) {
         if (!first[v])
           first[v] = &facet;
-        result[v] = result[v] || facet.behind != first[v]->behind ||
-                    facet.in_front != first[v]->in_front;
+        result[v] =
+            result[v] || facet.behind != first[v]->behind || facet.in_front != first[v]->in_front;
       }
     return result;
   }
@@ -136,8 +136,8 @@ divided by half of the edges there. Its length is that of the sum of the princip
 several labels meet, all walls pull with the same force, so that they come to meet in angles of 120
 degrees.
 
-Stable only for steps of time below about half the area of the smallest triangles, or half the square
-of the shortest edges; `Mean_curvature_flow` is free of that.
+Stable only for steps of time below about half the area of the smallest triangles, or half the
+square of the shortest edges; `Mean_curvature_flow` is free of that.
 
 \cgalModels `InterfaceVelocity_3`
 */
@@ -173,9 +173,9 @@ struct Mean_curvature_velocity
 
 Mean curvature flow, in the plane curve shortening flow, semi-implicitly: the same forces as of
 `Mean_curvature_velocity`, but taken where a step ends, with the weights of where it begins
-(M. Desbrun, M. Meyer, P. Schröder, A. H. Barr, *Implicit fairing of irregular meshes using diffusion
-and curvature flow*, SIGGRAPH 1999). One such step and two of half the length are extrapolated.
-Stable for steps of any length, of the second order in it.
+(M. Desbrun, M. Meyer, P. Schröder, A. H. Barr, *Implicit fairing of irregular meshes using
+diffusion and curvature flow*, SIGGRAPH 1999). One such step and two of half the length are
+extrapolated. Stable for steps of any length, of the second order in it.
 
 \cgalModels `InterfaceStep_3`
 */
@@ -237,18 +237,18 @@ private:
     System<Complex> system;
     for (int axis = 0; axis < d; axis += together) {
       system.assemble(interface_, tensions, dt, axis, axis + together);
-      system.for_each_solved(system.pulls(tensions), [&](std::size_t v, int along, double x) {
-        ways[v][along] = x;
-      });
+      system.for_each_solved(system.pulls(tensions),
+                             [&](std::size_t v, int along, double x) { ways[v][along] = x; });
       for (Eigen::Index label = 0; label < Eigen::Index(labels.size()); ++label)
-        system.for_each_solved(system.forces(forces, label), [&](std::size_t v, int along, double x) {
-          if (x == 0)
-            return;
-          std::array<double, d> part = {};
-          part[along] = x;
-          auto& sum = responses[v].try_emplace(label, NULL_VECTOR).first->second;
-          sum = sum + internal::vector_of<Complex>(part);
-        });
+        system.for_each_solved(
+            system.forces(forces, label), [&](std::size_t v, int along, double x) {
+              if (x == 0)
+                return;
+              std::array<double, d> part = {};
+              part[along] = x;
+              auto& sum = responses[v].try_emplace(label, NULL_VECTOR).first->second;
+              sum = sum + internal::vector_of<Complex>(part);
+            });
     }
     std::vector<typename Complex::Approximate_point> result;
     for (std::size_t v = 0; v < positions.size(); ++v)
@@ -264,8 +264,8 @@ private:
   public:
     using Tensions = internal::Tensions<Complex>;
 
-    void assemble(const Interface_snapshot<Complex>& interface_, const Tensions& tensions, double dt,
-                  int first_axis, int last_axis) {
+    void assemble(const Interface_snapshot<Complex>& interface_, const Tensions& tensions,
+                  double dt, int first_axis, int last_axis) {
       const std::vector<char> was_fixed = std::move(m_is_fixed);
       m_dt = dt;
       m_size = interface_.vertices.size();
@@ -311,9 +311,7 @@ private:
     }
 
   private:
-    Eigen::VectorXd zero() const {
-      return Eigen::VectorXd::Zero(Eigen::Index(m_is_fixed.size()));
-    }
+    Eigen::VectorXd zero() const { return Eigen::VectorXd::Zero(Eigen::Index(m_is_fixed.size())); }
     Eigen::Index row(std::size_t v, int axis) const {
       return Eigen::Index(std::size_t(axis - m_first_axis) * m_size + v);
     }
@@ -344,8 +342,9 @@ private:
       matrix.setFromTriplets(entries.begin(), entries.end());
       m_solver.compute(matrix);
       if (m_solver.info() != Eigen::Success)
-        throw Error("the step of mean curvature flow cannot be solved for: a vertex has only facets "
-                    "without area; improve the interface, or take shorter steps");
+        throw Error(
+            "the step of mean curvature flow cannot be solved for: a vertex has only facets "
+            "without area; improve the interface, or take shorter steps");
     }
 
     double m_dt;

@@ -43,8 +43,8 @@ struct Normal_offset
         continue;
       std::array<typename Complex::Approximate_point, Complex::dimension> corners;
       for (int i = 0; i < Complex::dimension; ++i)
-        corners[i] = interface_.domain.near(positions[facet.vertices[0]],
-                                            positions[facet.vertices[i]]);
+        corners[i] =
+            interface_.domain.near(positions[facet.vertices[0]], positions[facet.vertices[i]]);
       const Vector normal = Space::facet_normal(corners) * (facet.in_front == 0 ? 1. : -1.);
       for (std::size_t v : facet.vertices)
         velocities[v] = velocities[v] + normal;

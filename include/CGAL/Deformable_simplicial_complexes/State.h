@@ -124,7 +124,8 @@ template <int d> bool is_consistent(const State<d>& state) {
   const std::size_t first = state.points.size() + 1 - state.vertex_cells.size();
   const auto is_cell = [&](std::array<std::uint32_t, d + 1> c) {
     std::sort(c.begin(), c.end());
-    return c[0] >= first && c[d] <= state.points.size() && std::adjacent_find(c.begin(), c.end()) == c.end();
+    return c[0] >= first && c[d] <= state.points.size() &&
+           std::adjacent_find(c.begin(), c.end()) == c.end();
   };
   const auto is_cell_of = [&](std::size_t v) {
     const std::size_t c = state.vertex_cells[v], index = v + first;

@@ -179,8 +179,7 @@ Point Torus_domain<d>::near(const Point& p, const Point& q) const {
 template <int d>
 template <class Complex, class Corner>
 Orientation Torus_domain<d>::orientation(const Complex& complex, const Corner& corner) const {
-  const auto points =
-      images<Complex>([&](int i) { return complex.approximate(corner(i)); });
+  const auto points = images<Complex>([&](int i) { return complex.approximate(corner(i)); });
   if (!are_close(points))
     return ZERO;
   return internal::apply_to_corners<d + 1>(complex.orientation(),

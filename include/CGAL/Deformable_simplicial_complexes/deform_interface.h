@@ -169,8 +169,10 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
     deformer.remove_degenerating_facets();
     deformer.improve();
   }
-  if (pass > 0 && !is_stopped)
+  if (pass > 0 && !is_stopped) {
     deformer.remove_small_angles(pass);
+    deformer.exchange_neighbors();
+  }
   if (pass > 0)
     deformer.measure_new_spacings();
   Deformation_report<Complex> report = deformer.report(pass);

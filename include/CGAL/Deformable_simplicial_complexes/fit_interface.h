@@ -21,10 +21,10 @@ namespace internal {
 
 // Where a function that tells labels changes, on the way from a point of a label: by bisection.
 template <class Complex, class LabelAt>
-typename Complex::Approximate_point
-change_of_label(const Complex& complex, const LabelAt& label_at,
-                typename Complex::Approximate_point from, typename Complex::Approximate_point to,
-                typename Complex::Label label) {
+typename Complex::Approximate_point change_of_label(const Complex& complex, const LabelAt& label_at,
+                                                    typename Complex::Approximate_point from,
+                                                    typename Complex::Approximate_point to,
+                                                    typename Complex::Label label) {
   static constexpr int halvings = 40; // to a billionth of a thousandth of the way
   for (int i = 0; i < halvings; ++i) {
     const auto middle = from + (to - from) / 2;
@@ -92,19 +92,19 @@ curvature times the square of the edges, and lines where labels meet up to a par
 
 About 40 calls of `label_at` for each facet, and the deformations.
 */
-template <class Complex, class LabelAt,
-          class NamedParameters =
-              Deformable_simplicial_complexes::parameters::Default_named_parameters>
+template <
+    class Complex, class LabelAt,
+    class NamedParameters = Deformable_simplicial_complexes::parameters::Default_named_parameters>
 Deformation_report<Complex> fit_interface(Complex& dsc, const LabelAt& label_at,
                                           const NamedParameters& np = NamedParameters()) {
   static constexpr int rounds = 3; // the first straightens stairs; more change little
   Deformation_report<Complex> report;
   for (int i = 0; i < rounds && !report.stopped; ++i) {
     const Deformable_simplicial_complexes::Interface_snapshot<Complex> interface_(dsc);
-    report = deform_interface_to(dsc, interface_,
-                                 Deformable_simplicial_complexes::internal::changes_of_labels(
-                                     dsc, label_at, interface_),
-                                 np);
+    report = deform_interface_to(
+        dsc, interface_,
+        Deformable_simplicial_complexes::internal::changes_of_labels(dsc, label_at, interface_),
+        np);
   }
   return report;
 }

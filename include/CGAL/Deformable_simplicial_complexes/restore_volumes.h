@@ -37,10 +37,10 @@ template <class Complex> struct Volume_report
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Gives labels the volumes, in the plane the areas, they are to have, by moving the interface along its normals, flat parts
-between two labels equally far: the correction after a step of a flow that keeps volumes, whose
-discretization does not quite. It is repeated until the volumes are right, as `deform_interface()`
-may change the mesh on the way.
+Gives labels the volumes, in the plane the areas, they are to have, by moving the interface along
+its normals, flat parts between two labels equally far: the correction after a step of a flow that
+keeps volumes, whose discretization does not quite. It is repeated until the volumes are right, as
+`deform_interface()` may change the mesh on the way.
 
 \param dsc the complex.
 \param volumes of labels, positive, in the coordinates of the complex. Labels that are not mentioned

@@ -6,6 +6,8 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IMPROVEMENT_MESH_CARE_2_H
 
 #include <CGAL/Deformable_simplicial_complex_2/internal/improvement/Own_operations_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/neighbor_exchange_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_care.h>
@@ -13,10 +15,12 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -33,7 +37,8 @@ public:
   Mesh_care(Complex& complex, Any_visitor<Complex>& visitor,
             const Destinations<Complex>& destinations, const Rigid_parts<Complex>&,
             const Deformation_options<Complex>& options)
-      : m_relabeling_threshold(options.relabeling_threshold),
+      : m_complex(complex), m_visitor(visitor), m_topology_control(options.topology_control),
+        m_relabeling_threshold(options.relabeling_threshold), m_cavity(complex),
         m_improver(complex, visitor, destinations, options.quality_threshold) {}
 
   void begin_pass() {}
@@ -54,6 +59,26 @@ public:
     m_improver.settle();
   }
 
+  // Where walls that end in moved vertices are short beside the edges around.
+  template <class Log> void exchange_neighbors(const std::vector<Vertex_handle>& moved, Log& log) {
+    static constexpr unsigned junction = 3; // edges of the interface or more
+    for (Vertex_handle v : moved) {
+      if (v->interface_degree() < junction)
+        continue;
+      m_complex.star(v, m_star);
+      for (Cell_handle c : m_star) {
+        if (m_complex.is_infinite(c))
+          continue;
+        const int i = (c->index(v) + 2) % 3; // the edge from v that the cell is on the left of
+        const Vertex_handle w = c->vertex((i + 2) % 3);
+        if (w->interface_degree() >= junction && exchange_neighbors(c, i, log))
+          break;
+      }
+    }
+  }
+
+  const std::vector<Neighbor_exchange<Complex>>& exchanges() const { return m_exchanges; }
+
   Cells cells_with_small_angles() const { return {}; }
   bool keeps_small_angles(Cell_handle) const { return false; }
   template <class Relabel> void remove_small_angles(const Relabel&) {}
@@ -62,8 +87,30 @@ public:
   std::size_t number_of_relocated() const { return 0; }
 
 private:
+  template <class Log> bool exchange_neighbors(Cell_handle c, int i, Log& log) {
+    static constexpr double longest = .5; // wall, of the edges around
+    const auto exchange = propose_neighbor_exchange(m_complex, c, i, longest, m_cavity);
+    if (!exchange)
+      return false;
+    for (Cell_handle side : {c, c->neighbor(i)})
+      for (auto label : exchange->joined)
+        if (!m_topology_control(m_complex, side, label))
+          return false;
+    log.record(c, exchange->joined[0]);
+    replace_cavity(m_complex, m_cavity, m_visitor);
+    m_visitor.after_flip(m_cavity.created());
+    m_exchanges.push_back(*exchange);
+    return true;
+  }
+
+  Complex& m_complex;
+  Any_visitor<Complex>& m_visitor;
+  const Topology_control<Complex>& m_topology_control;
   double m_relabeling_threshold;
+  Cavity<Complex> m_cavity;
   Mesh_improver<Complex> m_improver;
+  std::vector<Cell_handle> m_star;
+  std::vector<Neighbor_exchange<Complex>> m_exchanges;
 };
 
 } // namespace internal

@@ -108,6 +108,8 @@ public:
     m_improver.settle();
   }
 
+  template <class Log> void exchange_neighbors(const std::vector<Vertex_handle>&, Log&) {}
+
   Cells cells_with_small_angles() const { return m_small_angles.bad_cells(); }
 
   // Whether a cell has small angles now and in the end.
@@ -122,6 +124,7 @@ public:
   }
 
   Improvement_report report() const { return m_improver.report() + m_small_angles.report(); }
+  std::vector<Neighbor_exchange<Complex>> exchanges() const { return {}; }
   std::size_t number_of_relocated() const { return m_small_angles.number_of_relocated(); }
 
 private:

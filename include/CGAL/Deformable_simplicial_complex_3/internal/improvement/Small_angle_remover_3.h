@@ -325,8 +325,8 @@ private:
   Position near_home(Vertex_handle v, const Position& p) const {
     static constexpr double longest_way = .05; // of the edges there
     const auto known = m_homes.find(v->time_stamp());
-    const Position home = m_complex.domain().near(
-        p, known == m_homes.end() ? m_complex.position(v) : known->second);
+    const Position home =
+        m_complex.domain().near(p, known == m_homes.end() ? m_complex.position(v) : known->second);
     const auto way = p - home;
     const double length = std::sqrt(way.squared_length()),
                  bound = slack() * longest_way * local_edge_length(m_complex, v);

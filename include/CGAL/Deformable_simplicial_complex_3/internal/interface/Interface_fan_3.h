@@ -105,10 +105,9 @@ public:
     const auto neighbors = neighbors_along_features(angle);
     if (neighbors.empty())
       return 1;
-    const bool goes_on =
-        neighbors.size() == 2 && angle_between(m_complex.displacement(m_center, neighbors[0]),
-                                               -m_complex.displacement(m_center, neighbors[1])) <
-                                     angle;
+    const bool goes_on = neighbors.size() == 2 &&
+                         angle_between(m_complex.displacement(m_center, neighbors[0]),
+                                       -m_complex.displacement(m_center, neighbors[1])) < angle;
     return goes_on ? 2 : 3;
   }
 

@@ -133,8 +133,8 @@ auto CGAL_DSC_CLASS::interface_facets(Label a, Label b) const -> std::vector<Fac
 
 CGAL_DSC_TEMPLATE
 double CGAL_DSC_CLASS::measure(Cell_handle c) const {
-  return m_domain.template apply<Labelled_complex>(
-      Space::measure(geom_traits()), [&](int i) { return position(c->vertex(i)); });
+  return m_domain.template apply<Labelled_complex>(Space::measure(geom_traits()),
+                                                   [&](int i) { return position(c->vertex(i)); });
 }
 
 CGAL_DSC_TEMPLATE

@@ -32,8 +32,8 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// What CGAL cannot copy: one without an infinite vertex, as its content was moved elsewhere, or with
-// one that no cell has.
+// What CGAL cannot copy: one without an infinite vertex, as its content was moved elsewhere, or
+// with one that no cell has.
 CGAL_DSC_TEMPLATE
 CGAL_DSC_CLASS::Labelled_complex(const Labelled_complex& other)
     : m_triangulation(!Domain::has_outside || other.m_triangulation.tds().vertices().empty()

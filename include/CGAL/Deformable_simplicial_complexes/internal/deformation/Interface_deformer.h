@@ -187,6 +187,12 @@ public:
     m_last_distance = distance;
   }
 
+  // In the plane, where phases have come apart and others together.
+  void exchange_neighbors() {
+    m_mesh.exchange_neighbors(m_destinations.moved(), m_trapped_cells.log());
+    update_destinations();
+  }
+
   // What the passes have left, but for cells that moved as a whole.
   void remove_small_angles(unsigned pass) {
     static constexpr double any_quality = 2;
@@ -223,6 +229,7 @@ public:
     report.smoothed = done.smoothed;
     report.inserted = done.inserted;
     report.relocated = m_mesh.number_of_relocated();
+    report.exchanges = m_mesh.exchanges();
     report.relabeled = m_trapped_cells.number_of_relabeled();
     m_trapped_cells.log().report(passes, report);
     return report;

@@ -49,8 +49,7 @@ template <> struct Facet_tension<3>
         obtuse = apex;
     }
     for (int i = 0; i < 3; ++i)
-      shares[i] =
-          obtuse < 0 ? parts[i] + parts[(i + 2) % 3] : doubled_area / (obtuse == i ? 4 : 8);
+      shares[i] = obtuse < 0 ? parts[i] + parts[(i + 2) % 3] : doubled_area / (obtuse == i ? 4 : 8);
   }
 };
 

@@ -17,8 +17,9 @@ What a deformation does to the mesh, made of the operations of one dimension:
 - `remove_obstacle(c, may_remove_facets, touched)`: a cell keeps a vertex from its destination
 - `remove_degenerating_facets(touched)`: those of the interface that the pass made bad
 - `improve(cells)`: cells that the pass touched
+- `exchange_neighbors(moved, log)`: in the end, where walls between phases have become short
 - `cells_with_small_angles()`, `keeps_small_angles(c)`, `remove_small_angles(relabel)`: in the end
-- `report()`, `number_of_relocated()`
+- `report()`, `number_of_relocated()`, `exchanges()`
 
 Cells that an operation makes or touches go into `touched`.
 */

@@ -161,8 +161,7 @@ public:
     double longest = 0;
     for (int i = 0; i < Complex::corners; ++i)
       for (int j = i + 1; j < Complex::corners; ++j) {
-        const double length =
-            m_complex.displacement(c->vertex(i), c->vertex(j)).squared_length();
+        const double length = m_complex.displacement(c->vertex(i), c->vertex(j)).squared_length();
         if (length > longest) {
           longest = length;
           a = i;

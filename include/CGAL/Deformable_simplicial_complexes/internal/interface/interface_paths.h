@@ -28,7 +28,8 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // Velocities of all vertices of a snapshot at given positions, from a field of velocities
-// (position, time), which on a torus is asked in the box, or from a function of the whole interface.
+// (position, time), which on a torus is asked in the box, or from a function of the whole
+// interface.
 template <class Complex, class Velocity>
 std::vector<typename Complex::Approximate_vector>
 velocities_at(const Interface_snapshot<Complex>& interface_,

@@ -86,6 +86,15 @@ public:
   // Whether it was at another place than its destination.
   bool had(Vertex_handle v) const { return find(v) != nullptr; }
 
+  // Those that had another place than their destination and are still on the interface.
+  std::vector<Vertex_handle> moved() const {
+    std::vector<Vertex_handle> result;
+    for (const Way& way : m_ways)
+      if (m_complex.is_alive(way.vertex, way.time_stamp) && way.vertex->is_interface())
+        result.push_back(way.vertex);
+    return result;
+  }
+
   // Where one of the unfinished vertices goes, and how far it still has to.
   const Point& destination(std::size_t k) const { return m_ways[m_open[k]].destination; }
   double remaining_distance(std::size_t k) const {

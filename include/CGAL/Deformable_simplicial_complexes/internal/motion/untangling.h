@@ -56,7 +56,8 @@ void relocate(Proposed_motion<Complex>& motion, typename Proposed_motion<Complex
     const auto before = motion.point(i);
     const Position from = motion.position(v);
     motion.set_point(
-        i, complex.admissible_destination(v, complex.exact(from + way * (complex.domain().near(from, target) - from))));
+        i, complex.admissible_destination(
+               v, complex.exact(from + way * (complex.domain().near(from, target) - from))));
     const double after = motion.worst_quality(star, worst);
     if (after > worst)
       worst = after;

@@ -114,8 +114,8 @@ private:
     for (std::size_t i = 0; i < component.size() && is_small; ++i) {
       const Cell_handle c = component[i];
       for (int k = 0; k < Complex::corners; ++k)
-        is_near = is_near &&
-                  Complex::Space::length(m_complex.displacement(center, c->vertex(k))) < edge;
+        is_near =
+            is_near && Complex::Space::length(m_complex.displacement(center, c->vertex(k))) < edge;
       is_small = (component.size() <= few || is_near) && large.count(c->time_stamp()) == 0;
       for (int k = 0; k < Complex::corners; ++k) {
         const Cell_handle n = c->neighbor(k);

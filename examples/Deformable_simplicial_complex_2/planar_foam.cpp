@@ -1,0 +1,109 @@
+// A dry foam on a flat torus coarsens: cells with fewer than six sides shrink, others grow, at
+// pi / 3 for each side (von Neumann, Mullins).
+// Usage: planar_foam [CELLS [EDGE [STEPS]]]
+#include <CGAL/Deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
+#include <CGAL/advect_interface_2.h>
+#include <CGAL/control_detail_2.h>
+#include <CGAL/curve_shortening_flow_2.h>
+#include <CGAL/make_deformable_simplicial_complex_2.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <random>
+#include <set>
+#include <vector>
+
+using Domain = CGAL::Deformable_simplicial_complexes::Torus_domain<2>;
+using Complex =
+    CGAL::Deformable_simplicial_complex_2<CGAL::Deformable_simplicial_complex_traits_2<>,
+                                          CGAL::Default, Domain>;
+using Point = Complex::Approximate_point_2;
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
+// The label of the nearest seed.
+int nearest(const Domain& domain, const std::vector<Point>& seeds, const Point& p) {
+  int label = 0;
+  double least = 1;
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+    if (const double d = (domain.near(p, seeds[i]) - p).squared_length(); d < least) {
+      least = d;
+      label = int(i) + 1;
+    }
+  return label;
+}
+
+// How many sides each cell has; one that takes part in a vertex of four cells is left out, as one
+// of these is about to get another side.
+std::map<int, int> numbers_of_sides(const Complex& foam) {
+  std::map<int, int> result;
+  std::set<int> undecided;
+  std::vector<Complex::Cell_handle> star;
+  for (auto v : foam.interface_vertices()) {
+    foam.star(v, star);
+    std::set<int> labels;
+    for (auto c : star)
+      labels.insert(c->label());
+    for (int label : labels)
+      if (labels.size() == 3)
+        ++result[label];
+      else if (labels.size() > 3)
+        undecided.insert(label);
+  }
+  for (int label : undecided)
+    result.erase(label);
+  return result;
+}
+
+int main(int argc, char** argv) {
+  const std::size_t number_of_cells = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 20;
+  const double edge = argc > 2 ? std::atof(argv[2]) : .02;
+  const int steps = argc > 3 ? std::atoi(argv[3]) : 100;
+  const double dt = edge * edge / 5;
+
+  // Seeds that keep clear of each other
+  const Domain domain({1, 1});
+  std::mt19937 random(1);
+  const auto coordinate = [&] { return double(random()) / 4294967296.; };
+  std::vector<Point> seeds;
+  while (seeds.size() < number_of_cells) {
+    const Point p(coordinate(), coordinate());
+    const int other = nearest(domain, seeds, p);
+    if (other == 0 ||
+        (domain.near(p, seeds[other - 1]) - p).squared_length() > .4 / double(number_of_cells))
+      seeds.push_back(p);
+  }
+  Complex foam = CGAL::make_deformable_simplicial_complex_2<Complex>(
+      domain, edge, [&](const Point& p) { return nearest(domain, seeds, p); });
+
+  // Changes of areas, for the numbers of sides, and their regression
+  double xx = 0, xy = 0;
+  std::size_t exchanged = 0, vanished = 0;
+  for (int step = 0; step < steps; ++step) {
+    CGAL::control_detail(foam, parameters::change_interface(true)
+                                   .size_field([&](const Point&) { return edge; })
+                                   .interface_split_length(1.4));
+    const auto sides = numbers_of_sides(foam);
+    std::map<int, double> areas;
+    for (int label : foam.labels())
+      areas[label] = foam.area(label);
+    const auto report = CGAL::advect_interface(foam, CGAL::Curve_shortening_flow_2(), 0, dt);
+    exchanged += report.exchanges.size();
+    for (const auto& event : report.events)
+      vanished += event.kind == CGAL::Component_event::Kind::vanished;
+    const auto sides_after = numbers_of_sides(foam);
+    for (const auto& [label, n] : sides)
+      if (const auto after = sides_after.find(label);
+          after != sides_after.end() && after->second == n) {
+        xx += (n - 6) * (n - 6);
+        xy += (n - 6) * (foam.area(label) - areas[label]) / dt;
+      }
+  }
+  const double pi = std::acos(-1.);
+  std::cout << foam.labels().size() << " of " << number_of_cells << " cells are left; neighbors "
+            << "exchanged " << exchanged << " times, " << vanished << " cells vanished\n"
+            << "the growth for each side beyond six is " << xy / xx / (pi / 3) << " pi / 3\n";
+  return foam.is_valid() ? EXIT_SUCCESS : EXIT_FAILURE;
+}
