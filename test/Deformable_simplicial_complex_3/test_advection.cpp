@@ -432,7 +432,8 @@ Vector eddy(const Position& p, double) {
 struct Eddy_map
 {
   Position operator()(const Position& p, double t, double dt) const {
-    return CGAL::Deformable_simplicial_complexes::internal::follow_flow<Complex>(p, eddy, t, dt);
+    return CGAL::Deformable_simplicial_complexes::internal::follow_flow<Complex>(Complex::Domain(),
+                                                                                 p, eddy, t, dt);
   }
 };
 
