@@ -51,7 +51,8 @@ became bad.
   \cgalParamNBegin{relabeling_threshold}
     \cgalParamDescription{quality below which a cell trapped by the interface may join the other
                           phase, if it is no better with the interface at its destinations, in
-                          [0, 1]; around vertices that do not get on, only the latter counts}
+                          [0, 1]; around vertices that do not get on, only the latter counts. 0
+                          relabels nothing.}
     \cgalParamType{`double`} \cgalParamDefault{0.01, the paper's}
   \cgalParamNEnd
   \cgalParamNBegin{minimum_angle}

@@ -248,6 +248,8 @@ private:
   // Relabels trapped cells below a quality, but for those that are flat only on the way, or were so
   // before in a part that moves as a whole.
   void relabel(const Work_list<Cell_handle>& cells, double threshold) {
+    if (!(m_options.relabeling_threshold > 0))
+      return;
     m_trapped_cells.relabel(handles(cells), threshold, [&](Cell_handle c) {
       return final_quality(c) < m_options.relabeling_threshold &&
              !m_rigid_parts.moves_as_a_whole(c);

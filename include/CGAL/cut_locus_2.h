@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CUT_LOCUS_2_H
+#define CGAL_CUT_LOCUS_2_H
+
+#include <CGAL/Deformable_simplicial_complex_2/Geodesic_front_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/Riemannian_metric_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/Chordal_axis_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/cut_points_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+The cut locus of a point of a Riemannian 2-manifold, in its chart: the closure of the points that
+more than one shortest geodesic leads to.
+*/
+struct Cut_locus_2
+{
+  /// A point of it.
+  struct Vertex
+  {
+    Simple_cartesian<double>::Point_2 point; ///< of the chart, in the box of the torus
+    double distance;                         ///< the length of the shortest geodesics
+    std::size_t multiplicity; ///< number of edges that end here: as many shortest geodesics lead to
+                              ///< it, but for ends, where two have become one
+  };
+
+  std::vector<Vertex> vertices; ///< in no particular order, always the same
+  /// chains of vertices, by their indices, between those of other multiplicities than 2; what is
+  /// closed begins and ends in the same vertex
+  std::vector<std::vector<std::size_t>> polylines;
+};
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Finds the cut locus of a point, in a chart that is a flat torus: a `Geodesic_front_2` goes until all
+of it has stopped; the axis of what is left between its parts tells which geodesics meet. Where two
+or three do is then found from the geodesics, to rounding, by Newton's method; where an arc begins,
+as the nearest conjugate point of the geodesics around its end.
+
+\param metric model of `RiemannianMetric_2`, which repeats itself with the torus
+\param domain the torus
+\param point in the chart
+\param spacing about how long the edges of the mesh, and of the cut locus, are in the chart
+\param step by how much the front advances at once, more than 0; half the spacing, measured at the
+       point, is a good choice
+\param longest_distance the front goes no farther
+
+\throws Deformable_simplicial_complexes::Error if the metric is not positive at the point, or a
+        parameter is out of its range
+
+Features of less than a few spacings are not resolved: spurs that are shorter are taken away.
+*/
+template <class Metric>
+Cut_locus_2 cut_locus_2(const Metric& metric,
+                        const Deformable_simplicial_complexes::Torus_domain<2>& domain,
+                        const Simple_cartesian<double>::Point_2& point, double spacing, double step,
+                        double longest_distance = std::numeric_limits<double>::infinity()) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  if (!(step > 0))
+    throw Deformable_simplicial_complexes::Error("the step of the front is not positive");
+  Geodesic_front_2<Metric> front(metric, domain, point, spacing);
+  while (front.radius() < longest_distance && front.advance(step)) {
+  }
+  const internal::Chordal_axis_2<Geodesic_front_2<Metric>> axis(front);
+  return internal::cut_points<Cut_locus_2>(front, axis);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCUS_2_H

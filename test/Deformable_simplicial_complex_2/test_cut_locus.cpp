@@ -1,0 +1,135 @@
+#include <CGAL/cut_locus_2.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace {
+
+using CGAL::Deformable_simplicial_complexes::Error;
+using Domain = CGAL::Deformable_simplicial_complexes::Torus_domain<2>;
+using Point = CGAL::Simple_cartesian<double>::Point_2;
+
+// Of revolution, about a circle of radius 2.
+struct Torus
+{
+  template <class T> std::array<T, 3> operator()(const T& u, const T& v) const {
+    using std::cos;
+    using std::sin;
+    const T radius = 2. + cos(v);
+    return {radius * cos(u), radius * sin(u), sin(v)};
+  }
+};
+
+struct Tensor_of_torus
+{
+  template <class T> std::array<T, 3> operator()(const T& u, const T& v) const {
+    using std::cos;
+    const T radius = 2. + cos(v);
+    return {radius * radius, 0. * u, 1. + 0. * u};
+  }
+};
+
+using Torus_metric = CGAL::Embedded_surface_2<Torus>;
+
+// A flat torus, sheared: lengths are those of (u + v / 2, v).
+struct Sheared_metric
+{
+  CGAL::Metric_jet_2 operator()(double, double) const { return {1, .5, 1.25, 0, 0, 0, 0, 0, 0}; }
+};
+
+struct Flat_metric
+{
+  CGAL::Metric_jet_2 operator()(double, double) const { return {1, 0, 1, 0, 0, 0, 0, 0, 0}; }
+};
+
+TEST(Riemannian_metric, of_an_embedding_is_differentiated) {
+  const Torus_metric metric;
+  const CGAL::Metric_tensor_2<Tensor_of_torus> from_tensor;
+  for (double u : {0., .3, 4.})
+    for (double v : {0., .7, 2., 5.}) {
+      const double radius = 2 + std::cos(v);
+      for (const auto& g : {metric(u, v), from_tensor(u, v)}) {
+        EXPECT_NEAR(g.E, radius * radius, 1e-14);
+        EXPECT_NEAR(g.F, 0, 1e-14);
+        EXPECT_NEAR(g.G, 1, 1e-14);
+        EXPECT_NEAR(g.E_u, 0, 1e-14);
+        EXPECT_NEAR(g.E_v, -2 * radius * std::sin(v), 1e-14);
+        EXPECT_NEAR(g.F_u, 0, 1e-14);
+        EXPECT_NEAR(g.F_v, 0, 1e-14);
+        EXPECT_NEAR(g.G_u, 0, 1e-14);
+        EXPECT_NEAR(g.G_v, 0, 1e-14);
+      }
+    }
+}
+
+TEST(Geodesics, keep_their_speed_and_the_relation_of_Clairaut) {
+  const CGAL::Deformable_simplicial_complexes::internal::Geodesics_2<Torus_metric> geodesics(
+      Torus_metric(), .2, .5);
+  for (double angle : {.1, 1., 2.5, 4.}) {
+    const auto begin = geodesics.begin(angle), end = geodesics.advance(begin, 5);
+    const auto momentum = [](const auto& x) {
+      return (2 + std::cos(x[1])) * (2 + std::cos(x[1])) * x[2];
+    };
+    EXPECT_NEAR(momentum(end), momentum(begin), 1e-9);
+    EXPECT_NEAR(momentum(end) * end[2] + end[3] * end[3], 1, 1e-9);
+  }
+}
+
+TEST(Geodesics, are_straight_in_a_sheared_chart) {
+  const CGAL::Deformable_simplicial_complexes::internal::Geodesics_2<Sheared_metric> geodesics(
+      Sheared_metric(), 0, 0);
+  const auto end = geodesics.shoot(.7, 2);
+  EXPECT_NEAR(end[0] + end[1] / 2, 2 * std::cos(.7), 1e-12);
+  EXPECT_NEAR(end[1], 2 * std::sin(.7), 1e-12);
+}
+
+TEST(Geodesic_front, is_a_circle_before_it_meets_itself) {
+  CGAL::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(0, 0), .04);
+  while (front.radius() < .4)
+    EXPECT_TRUE(front.advance(.02));
+  EXPECT_TRUE(front.complex().is_valid());
+  for (auto v : front.complex().interface_vertices()) {
+    const auto q = front.complex().domain().near(Point(0, 0), front.complex().position(v));
+    EXPECT_NEAR(std::hypot(q.x(), q.y()), front.radius(), 1e-9);
+  }
+}
+
+// Two lines that cross where four geodesics meet.
+TEST(Cut_locus, of_a_flat_torus) {
+  const Point p(.2, .3);
+  const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(Flat_metric(), Domain(), p, .05, .025);
+  std::size_t crossings = 0;
+  for (const auto& v : locus.vertices) {
+    const double u = std::abs(std::remainder(v.point.x() - p.x(), 1)),
+                 w = std::abs(std::remainder(v.point.y() - p.y(), 1));
+    EXPECT_NEAR((std::max)(u, w), .5, 1e-8);
+    EXPECT_NEAR(v.distance, std::hypot(u, w), 1e-8);
+    if (v.multiplicity != 2) {
+      ++crossings;
+      EXPECT_EQ(v.multiplicity, 4u);
+      EXPECT_NEAR((std::min)(u, w), .5, 1e-8);
+    }
+  }
+  EXPECT_EQ(crossings, 1u);
+  EXPECT_EQ(locus.polylines.size(), 2u);
+}
+
+TEST(Cut_locus, refuses_what_it_cannot_do) {
+  const auto find = [](double spacing, double step) {
+    return CGAL::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), spacing, step);
+  };
+  EXPECT_THROW(find(0, .1), Error);
+  EXPECT_THROW(find(.1, .1), Error);
+  EXPECT_THROW(find(.05, 0), Error);
+  EXPECT_THROW(find(.05, std::nan("")), Error);
+  const auto no_metric = [](double, double) {
+    return CGAL::Metric_jet_2{1, 1, 1, 0, 0, 0, 0, 0, 0};
+  };
+  EXPECT_THROW(CGAL::cut_locus_2(no_metric, Domain(), Point(0, 0), .05, .02), Error);
+}
+
+} // namespace
