@@ -72,17 +72,11 @@ TEST(Mean_curvature, velocities_are_the_gradient_of_the_area) {
   const std::vector<Position> positions = snapshot.positions(dsc);
   std::vector<Vector> velocities;
   CGAL::Mean_curvature_velocity_3()(snapshot, positions, 0, velocities);
-  std::vector<double> areas(positions.size(), 0);
-  for (const auto& triangle : snapshot.triangles) {
-    const auto& v = triangle.vertices;
-    const std::array<Position, 3> corners = {positions[v[0]], positions[v[1]], positions[v[2]]};
-    const CGAL::Deformable_simplicial_complexes::internal::Facet_tension<3> tension(corners);
-    for (int i = 0; i < 3; ++i)
-      areas[v[i]] += tension.shares[i];
-  }
+  const CGAL::Deformable_simplicial_complexes::internal::Tensions<Complex> tensions(snapshot,
+                                                                                    positions);
   double total = 0;
-  for (double a : areas)
-    total += a;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    total += tensions.share(i);
   EXPECT_NEAR(total, area(snapshot, positions), 1e-12);
 
   mesh_helpers::Random random(2);
@@ -92,8 +86,10 @@ TEST(Mean_curvature, velocities_are_the_gradient_of_the_area) {
     std::vector<Position> plus = positions, minus = positions;
     plus[i] = plus[i] + h * way;
     minus[i] = minus[i] - h * way;
+    const Eigen::Vector3d velocity(velocities[i].x(), velocities[i].y(), velocities[i].z()),
+        direction(way.x(), way.y(), way.z());
     EXPECT_NEAR((area(snapshot, plus) - area(snapshot, minus)) / (2 * h),
-                -areas[i] * (velocities[i] * way), 1e-8);
+                -direction.dot(tensions.mass(i) * velocity), 1e-8);
   }
 }
 

@@ -14,7 +14,7 @@ The metric of a Riemannian 2-manifold in a chart: what geodesics follow from.
 class RiemannianMetric_2
 {
 public:
-  /// the first fundamental form and its derivatives at a point of the chart, which repeat themselves
-  /// with it.
+  /// the first fundamental form and its derivatives at a point of the chart, which repeat
+  /// themselves with it.
   CGAL::Metric_jet_2 operator()(double u, double v) const;
 };

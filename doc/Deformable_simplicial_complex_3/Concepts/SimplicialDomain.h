@@ -19,8 +19,8 @@ The functions are called often and are const; `Complex` is an instance of
 class SimplicialDomain
 {
 public:
-  /// whether there is an infinite vertex, which lies outside, and a boundary. If not, `measure()` is
-  /// asked for, otherwise `classify_boundary()` and `keeps_side()`.
+  /// whether there is an infinite vertex, which lies outside, and a boundary. If not, `measure()`
+  /// is asked for, otherwise `classify_boundary()` and `keeps_side()`.
   static constexpr bool has_outside;
 
   /// whether a vertex lies outside the domain: it has no position, and no cell with it is filled.
