@@ -90,7 +90,7 @@ DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Inter
     instantiations::Complex>;
 DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Detail_controller<
     instantiations::Complex>;
-DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Interface_improver_3<
+DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Interface_improver<
     instantiations::Complex>;
 
 DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Patch_improver_3<

@@ -279,8 +279,8 @@ TEST_F(Program, tracks_and_resamples_parts_that_touch) {
   for (const auto& [name, volume] : volumes) {
     SCOPED_TRACE(name);
     const std::string run = " --axis 1,2,3 --angle 1 --steps 1 --report " + std::string(name);
-    const auto check = [&, volume = volume](const char* report_name, double triangles,
-                                            double tolerance) {
+    const auto check = [&, name = name, volume = volume](const char* report_name,
+                                                         double triangles, double tolerance) {
       const Json step = report(name + std::string(report_name)).at("steps")[0];
       EXPECT_NEAR(step.at("interface_triangles").get<double>(), triangles, tolerance);
       EXPECT_NEAR(label_of(step, 1).at("volume").get<double>(), volume, 1e-6);

@@ -19,6 +19,69 @@
 
 namespace CGAL {
 
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// As propose_null_space_position(), for the center of a fan.
+template <class Complex>
+bool null_space_position(const Complex& complex, const Interface_fan<Complex, 3>& fan,
+                         const std::vector<typename Complex::Cell_handle>& star,
+                         double aggressiveness, double feature_angle, double minimum_quality,
+                         typename Complex::Point& target) {
+  using Vector = typename Complex::Approximate_vector_3;
+  const auto v = fan.center();
+  if (complex.is_boundary(v) || !fan.is_disk())
+    return false;
+
+  const auto from = complex.position(v);
+  Vertex_quadric_3<Vector> quadric;
+  Vector sum_of_areas(0, 0, 0), to_centroids(0, 0, 0);
+  double area = 0, worst_facet = 1;
+  for (std::size_t i = 0; i < fan.size(); ++i) {
+    const auto p = fan.facet(i, from);
+    const Vector normal = area_vector(p);
+    const double a = std::sqrt(normal.squared_length());
+    worst_facet = (std::min)(worst_facet, triangle_quality(p));
+    if (!(a > 0))
+      continue;
+    quadric.add(normal / a, a);
+    sum_of_areas = sum_of_areas + normal;
+    to_centroids = to_centroids + a * ((p[1] - from) + (p[2] - from)) / 3;
+    area += a;
+  }
+  quadric.analyse(aggressiveness, fan.rank_by_features(feature_angle));
+  const double squared_sum = sum_of_areas.squared_length();
+  if (quadric.rank() == 3 || !(squared_sum > 0))
+    return false;
+  Vector step = quadric.project_on_null_space(to_centroids / area);
+  step = step - (step * sum_of_areas) / squared_sum * sum_of_areas;
+
+  double worst_cell = std::numeric_limits<double>::infinity();
+  for (auto c : star)
+    worst_cell = (std::min)(worst_cell, c->quality());
+  const double bound = (std::min)(minimum_quality, worst_cell);
+  const auto is_better = [&](const typename Complex::Approximate_point_3& p) {
+    for (std::size_t i = 0; i < fan.size(); ++i) {
+      const auto before = fan.facet(i, from), after = fan.facet(i, p);
+      if (!(triangle_quality(after) > worst_facet) ||
+          !(area_vector(before) * area_vector(after) > 0))
+        return false;
+    }
+    return star_quality(complex, complex.quality_measure(), v, star, p, 0) >= bound;
+  };
+  const auto exact = complex.geom_traits().construct_exact_point_3_object();
+  for (double part : {1., .5}) {
+    const auto p = from + part * step;
+    target = exact(p);
+    if (is_better(p))
+      return complex.is_positive_star(v, star, target);
+  }
+  return false;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
@@ -54,55 +117,9 @@ bool propose_null_space_position(const Complex& complex, typename Complex::Verte
                                  double aggressiveness, double feature_angle,
                                  double minimum_quality, typename Complex::Point_3& target) {
   namespace internal = Deformable_simplicial_complexes::internal;
-  using Vector = typename Complex::Approximate_vector_3;
-  const internal::Interface_fan_3<Complex> fan(complex, v, star);
-  if (complex.is_boundary(v) || !fan.is_disk())
-    return false;
-
-  const auto from = complex.position(v);
-  internal::Vertex_quadric_3<Vector> quadric;
-  Vector sum_of_areas(0, 0, 0), to_centroids(0, 0, 0);
-  double area = 0, worst_facet = 1;
-  for (std::size_t i = 0; i < fan.size(); ++i) {
-    const auto p = fan.facet(i, from);
-    const Vector normal = internal::area_vector(p);
-    const double a = std::sqrt(normal.squared_length());
-    worst_facet = (std::min)(worst_facet, internal::triangle_quality(p));
-    if (!(a > 0))
-      continue;
-    quadric.add(normal / a, a);
-    sum_of_areas = sum_of_areas + normal;
-    to_centroids = to_centroids + a * ((p[1] - from) + (p[2] - from)) / 3;
-    area += a;
-  }
-  quadric.analyse(aggressiveness, fan.rank_by_features(feature_angle));
-  const double squared_sum = sum_of_areas.squared_length();
-  if (quadric.rank() == 3 || !(squared_sum > 0))
-    return false;
-  Vector step = quadric.project_on_null_space(to_centroids / area);
-  step = step - (step * sum_of_areas) / squared_sum * sum_of_areas;
-
-  double worst_cell = std::numeric_limits<double>::infinity();
-  for (auto c : star)
-    worst_cell = (std::min)(worst_cell, c->quality());
-  const double bound = (std::min)(minimum_quality, worst_cell);
-  const auto is_better = [&](const typename Complex::Approximate_point_3& p) {
-    for (std::size_t i = 0; i < fan.size(); ++i) {
-      const auto before = fan.facet(i, from), after = fan.facet(i, p);
-      if (!(internal::triangle_quality(after) > worst_facet) ||
-          !(internal::area_vector(before) * internal::area_vector(after) > 0))
-        return false;
-    }
-    return internal::star_quality(complex, complex.quality_measure(), v, star, p, 0) >= bound;
-  };
-  const auto exact = complex.geom_traits().construct_exact_point_3_object();
-  for (double part : {1., .5}) {
-    const auto p = from + part * step;
-    target = exact(p);
-    if (is_better(p))
-      return complex.is_positive_star(v, star, target);
-  }
-  return false;
+  const internal::Interface_fan<Complex> fan(complex, v, star);
+  return internal::null_space_position(complex, fan, star, aggressiveness, feature_angle,
+                                       minimum_quality, target);
 }
 
 } // namespace CGAL

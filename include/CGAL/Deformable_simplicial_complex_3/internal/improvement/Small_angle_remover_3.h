@@ -224,13 +224,13 @@ private:
     }
   }
 
-  Interface_fan_3<Complex> fan(Vertex_handle v) {
+  Interface_fan<Complex> fan(Vertex_handle v) {
     m_complex.star(v, m_star);
-    return Interface_fan_3<Complex>(m_complex, v, m_star);
+    return Interface_fan<Complex>(m_complex, v, m_star);
   }
 
   // Whether the interface may change as much at two vertices.
-  bool is_little(const Changed_facets_3& change, Vertex_handle v, Vertex_handle w) const {
+  bool is_little(const Changed_facets& change, Vertex_handle v, Vertex_handle w) const {
     static constexpr double little = .1; // of the cube of the edges there
     const double edge = (local_edge_length(m_complex, v) + local_edge_length(m_complex, w)) / 2;
     return change.swept_volume < slack() * little * edge * edge * edge;

@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_INTERFACE_INTERFACE_FAN_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/geometry/vectors_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -20,7 +21,7 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // The facets of the interface around a vertex.
-template <class Complex> class Interface_fan_3
+template <class Complex> class Interface_fan<Complex, 3>
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
@@ -28,7 +29,7 @@ public:
   using Point = typename Complex::Approximate_point_3;
 
   // \pre `star` is the star of v
-  Interface_fan_3(const Complex& complex, Vertex_handle v, const std::vector<Cell_handle>& star)
+  Interface_fan(const Complex& complex, Vertex_handle v, const std::vector<Cell_handle>& star)
       : m_complex(complex), m_center(v) {
     for (Cell_handle c : star) {
       if (complex.is_infinite(c))
@@ -109,6 +110,14 @@ public:
                          angle_between(m_complex.displacement(m_center, neighbors[0]),
                                        -m_complex.displacement(m_center, neighbors[1])) < angle;
     return goes_on ? 2 : 3;
+  }
+
+  // Whether no feature goes with the center if it goes to the neighbor w: that it is in a smooth
+  // sheet, or that it goes along a straight feature. \pre is_disk()
+  bool keeps_features(double angle, Vertex_handle w) const {
+    const int rank = rank_by_features(angle);
+    const auto neighbors = neighbors_along_features(angle);
+    return rank == 1 || (rank == 2 && (w == neighbors[0] || w == neighbors[1]));
   }
 
 private:

@@ -9,31 +9,23 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/geometry/vectors_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface/Interface_edge_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/interface/Interface_fan_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Changed_facets.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What an operation makes of the facets of the interface that it changes.
-struct Changed_facets_3
-{
-  double worst_before = std::numeric_limits<double>::infinity(); // triangle_quality()
-  double worst_after = std::numeric_limits<double>::infinity();  // 0 if a facet turns over
-  double swept_volume = 0; // between the interface before and after
-};
-
 // What the collapse of the center of a fan into one of its neighbors makes of its facets.
 template <class Complex>
-Changed_facets_3 facets_changed_by_collapse(const Complex& complex,
-                                            const Interface_fan_3<Complex>& fan,
-                                            typename Complex::Vertex_handle kept) {
+Changed_facets facets_changed_by_collapse(const Complex& complex,
+                                          const Interface_fan<Complex, 3>& fan,
+                                          typename Complex::Vertex_handle kept) {
   const auto from = complex.position(fan.center()), to = complex.position_near(from, kept);
-  Changed_facets_3 result;
+  Changed_facets result;
   for (std::size_t i = 0; i < fan.size(); ++i) {
     const auto before = fan.facet(i, from);
     result.worst_before = (std::min)(result.worst_before, triangle_quality(before));
@@ -49,8 +41,8 @@ Changed_facets_3 facets_changed_by_collapse(const Complex& complex,
 
 // \pre edge.is_in_sheet(), and the proposal is to flip it
 template <class Complex>
-Changed_facets_3 facets_changed_by_flip(const Interface_edge_3<Complex>& edge) {
-  Changed_facets_3 result;
+Changed_facets facets_changed_by_flip(const Interface_edge_3<Complex>& edge) {
+  Changed_facets result;
   for (int i = 0; i < 2; ++i) {
     result.worst_before = (std::min)(result.worst_before, triangle_quality(edge.facet(i)));
     result.worst_after = (std::min)(result.worst_after, triangle_quality(edge.flipped_facet(i)));

@@ -22,7 +22,7 @@ namespace internal {
 
 // The normal of the center of a fan, of length 1; 0 if the facets cancel each other.
 template <class Complex>
-typename Complex::Approximate_vector_3 normal_of(const Interface_fan_3<Complex>& fan,
+typename Complex::Approximate_vector_3 normal_of(const Interface_fan<Complex, 3>& fan,
                                                  const Complex& complex) {
   using Vector = typename Complex::Approximate_vector_3;
   const auto p = complex.position(fan.center());
@@ -43,8 +43,8 @@ typename Complex::Approximate_vector_3 normal_of(const Interface_fan_3<Complex>&
 // much to be a height over a plane.
 template <class Complex>
 typename Complex::Approximate_point_3 midpoint_by_normals(const Complex& complex,
-                                                          const Interface_fan_3<Complex>& a,
-                                                          const Interface_fan_3<Complex>& b) {
+                                                          const Interface_fan<Complex, 3>& a,
+                                                          const Interface_fan<Complex, 3>& b) {
   const auto p = complex.position(a.center()), q = complex.position_near(p, b.center());
   const auto n = normal_of(a, complex), m = normal_of(b, complex);
   return midpoint(p, q) - (((q - p) * n) * n + ((p - q) * m) * m) / 8;
@@ -56,8 +56,8 @@ typename Complex::Approximate_point_3 midpoint_by_normals(const Complex& complex
 // 45 degrees, normals tell more than heights.
 template <class Complex>
 std::optional<typename Complex::Approximate_point_3>
-curved_midpoint(const Complex& complex, const Interface_fan_3<Complex>& a,
-                const Interface_fan_3<Complex>& b) {
+curved_midpoint(const Complex& complex, const Interface_fan<Complex, 3>& a,
+                const Interface_fan<Complex, 3>& b) {
   using Vector = typename Complex::Approximate_vector_3;
   static constexpr Eigen::Index coefficients = 6;
   static constexpr double steep_cosine = .7071;
@@ -65,7 +65,7 @@ curved_midpoint(const Complex& complex, const Interface_fan_3<Complex>& a,
   const auto middle = midpoint(p, q);
   Vector normal(0, 0, 0);
   std::vector<typename Complex::Vertex_handle> vertices;
-  for (const Interface_fan_3<Complex>* fan : {&a, &b}) {
+  for (const Interface_fan<Complex, 3>* fan : {&a, &b}) {
     for (std::size_t i = 0; i < fan->size(); ++i)
       normal = normal + area_vector(fan->facet(i, complex.position(fan->center())));
     fan->for_each_neighbor([&](auto v) { vertices.push_back(v); });
@@ -77,7 +77,7 @@ curved_midpoint(const Complex& complex, const Interface_fan_3<Complex>& a,
   if (n <= coefficients || !(normal_length > 0))
     return std::nullopt;
   normal = normal / normal_length;
-  for (const Interface_fan_3<Complex>* fan : {&a, &b})
+  for (const Interface_fan<Complex, 3>* fan : {&a, &b})
     for (std::size_t i = 0; i < fan->size(); ++i) {
       const Vector n_i = area_vector(fan->facet(i, complex.position(fan->center())));
       if (!(n_i * normal > steep_cosine * std::sqrt(n_i.squared_length())))

@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/geometry/vectors_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_bends.h>
 
 #include <algorithm>
 #include <array>
@@ -81,22 +82,6 @@ vertex_normals(const Interface_snapshot_3<Complex>& interface_,
   return result;
 }
 
-// Whether more than two labels meet in each vertex of a snapshot.
-template <class Complex>
-std::vector<char> vertices_on_lines(const Interface_snapshot_3<Complex>& interface_) {
-  std::vector<char> result(interface_.vertices.size(), false);
-  std::vector<const typename Interface_snapshot_3<Complex>::Triangle*> first(result.size(),
-                                                                             nullptr);
-  for (const auto& triangle : interface_.triangles)
-    for (std::size_t v : triangle.vertices) {
-      if (first[v] == nullptr)
-        first[v] = &triangle;
-      result[v] = result[v] || triangle.behind != first[v]->behind ||
-                  triangle.in_front != first[v]->in_front;
-    }
-  return result;
-}
-
 // Whether each vertex of a snapshot is on an edge where the normals of two facets differ by more
 // than an angle, in radians.
 template <class Complex>
@@ -130,6 +115,19 @@ vertices_on_features(const Interface_snapshot_3<Complex>& interface_,
         result[v] = true;
   return result;
 }
+
+template <class Complex> struct Interface_bends<Complex, 3>
+{
+  using Points = std::vector<typename Complex::Approximate_point_3>;
+
+  static auto normals(const Interface_snapshot_3<Complex>& interface_, const Points& positions) {
+    return vertex_normals(interface_, positions);
+  }
+  static auto on_features(const Interface_snapshot_3<Complex>& interface_, const Points& positions,
+                          double angle) {
+    return vertices_on_features(interface_, positions, angle);
+  }
+};
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes

@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_REMESHING_INTERFACE_IMPROVER_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_REMESHING_INTERFACE_IMPROVER_2_H
+
+#include <CGAL/Deformable_simplicial_complex_2/internal/improvement/Own_operations_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/interface/interface_curve_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_remesher.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Vertices of a curve can be joined in one way only.
+template <class Complex> class Interface_improver<Complex, 2> : public Interface_remesher<Complex>
+{
+public:
+  using Interface_remesher<Complex>::Interface_remesher;
+
+  void reconnect() {}
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_REMESHING_INTERFACE_IMPROVER_2_H

@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_CHANGED_FACETS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_CHANGED_FACETS_H
+
+#include <limits>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// What an operation makes of the facets of the interface that it changes.
+struct Changed_facets
+{
+  double worst_before = std::numeric_limits<double>::infinity(); // quality
+  double worst_after = std::numeric_limits<double>::infinity();  // 0 if a facet turns over
+  double swept_volume = 0; // between the interface before and after; in the plane, area
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_CHANGED_FACETS_H

@@ -1,0 +1,262 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_INTERFACE_REMESHER_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_INTERFACE_REMESHER_H
+
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_split.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Changed_facets.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// What improve_interface() is asked for.
+struct Interface_thresholds
+{
+  double aggressiveness;
+  double split, collapse;   // in edge units
+  double swept_volume;      // in cubes of edge units, in the plane squares
+  double flip_angle;        // between the normals of two facets, in radians
+  double feature_angle;     // between the normals of two facets, in radians
+  double smallest_angle;    // of a facet, in radians
+  double quality_threshold; // of cells
+  bool splits_curved;
+};
+
+inline void check_interface_thresholds(const Interface_thresholds& t) {
+  if (!(t.aggressiveness >= 0 && t.aggressiveness < 1))
+    throw Error("the aggressiveness is out of range: use 0 to less than 1");
+  if (!(t.split > 0))
+    throw Error("a length from which edges are split is out of range: use more than 0");
+  if (!(t.collapse >= 0))
+    throw Error("a length up to which edges are collapsed is out of range: use 0 or more");
+  if (!(t.swept_volume >= 0))
+    throw Error("the volume that the interface may sweep is out of range: use 0 or more");
+  check_threshold(t.quality_threshold);
+}
+
+// The passes over the interface that improve_interface() takes in any dimension.
+template <class Complex> class Interface_remesher
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Fan = Interface_fan<Complex>;
+
+  // Lengths of edges are measured by `unit`.
+  Interface_remesher(Complex& complex, Any_visitor<Complex>& visitor,
+                     const Interface_thresholds& thresholds, const Edge_unit<Complex>& unit)
+      : m_complex(complex), m_visitor(visitor), m_thresholds(thresholds), m_unit(unit),
+        m_improver(complex, visitor, thresholds.quality_threshold), m_cavity(complex) {}
+
+  Improvement_report report() const { return m_report + m_improver.report(); }
+
+  void split_long_edges() {
+    static constexpr unsigned rounds = 10; // each halves what is too long
+    work_in_rounds(m_complex, cells_at_interface(), rounds,
+                   [&](Cell_handle c, Work_list<Cell_handle>& touched) {
+                     const auto [i, j] = longest_edge(c);
+                     if (i != j && split(c, i, j))
+                       push_finite(m_complex, m_cavity.created(), touched);
+                   });
+  }
+
+  void collapse_short_edges() {
+    for_each_interface_edge([&](Cell_handle c, int i, int j) {
+      if (!(length(c->vertex(i), c->vertex(j)) < m_thresholds.collapse))
+        return false;
+      for (const auto& [vanishing, kept] : {std::make_pair(i, j), std::make_pair(j, i)})
+        if (propose_collapse(c, vanishing, kept) && !makes_long_edge())
+          return commit();
+      return false;
+    });
+  }
+
+  void smooth_vertices() {
+    if (m_thresholds.aggressiveness == 0)
+      return;
+    typename Complex::Point target;
+    for (Vertex_handle v : m_complex.interface_vertices()) {
+      const Fan fan = this->fan(v);
+      if (!null_space_position(m_complex, fan, m_star, m_thresholds.aggressiveness,
+                               m_thresholds.feature_angle, m_thresholds.quality_threshold, target))
+        continue;
+      smooth_vertex(m_complex, v, m_star, target, m_visitor);
+      ++m_report.smoothed;
+      for (Cell_handle c : m_star)
+        touch(c);
+    }
+  }
+
+  // Brings the cells around all that has changed back to quality.
+  void improve_cells() {
+    m_improver.improve(std::move(m_touched), 3);
+    m_touched.clear();
+  }
+
+protected:
+  // The cells behind the facets of the interface.
+  Work_list<Cell_handle> cells_at_interface() const {
+    Work_list<Cell_handle> cells;
+    for (const auto& facet : m_complex.interface_facets())
+      cells.push(facet.first);
+    return cells;
+  }
+
+  // Calls `work` for the edges of the interface until it has changed the cell.
+  template <class Work> void for_each_interface_edge(const Work& work) {
+    work_in_rounds(m_complex, cells_at_interface(), 1, [&](Cell_handle c, Work_list<Cell_handle>&) {
+      for (int i = 0; i <= Complex::dimension; ++i)
+        for (int j = i + 1; j <= Complex::dimension; ++j)
+          if (is_interface_edge(c, i, j) && work(c, i, j))
+            return;
+    });
+  }
+
+  // Proposes to collapse vertex i into vertex j if little of the interface moves, and no facet
+  // comes to be bad that was not.
+  std::optional<Changed_facets> propose_collapse(Cell_handle c, int i, int j) {
+    static constexpr double good = .5;   // quality of facets
+    static constexpr double worst = .05; // quality of a cell that a collapse may make
+    const Fan fan = this->fan(c->vertex(i));
+    if (!fan.is_disk() || !fan.keeps_features(m_thresholds.feature_angle, c->vertex(j)))
+      return std::nullopt;
+    const auto change = facets_changed_by_collapse(m_complex, fan, c->vertex(j));
+    if (!(change.worst_after > 0 && change.worst_after >= (std::min)(good, change.worst_before)) ||
+        !is_small(change, c, i, j) || !propose_edge_collapse(m_complex, c, i, j, worst, m_cavity))
+      return std::nullopt;
+    return change;
+  }
+
+  bool is_small(const Changed_facets& change, Cell_handle c, int i, int j) const {
+    const auto p = m_complex.position(c->vertex(i));
+    const double unit = m_unit(midpoint(p, m_complex.position_near(p, c->vertex(j))));
+    double bound = m_thresholds.swept_volume;
+    for (int k = 0; k < Complex::dimension; ++k)
+      bound *= unit;
+    return change.swept_volume <= bound;
+  }
+
+  bool commit() {
+    commit_proposal(m_complex, m_cavity, m_visitor, m_report);
+    touch_created();
+    return true;
+  }
+
+private:
+  // Leaves the star of the vertex in `m_star`.
+  Fan fan(Vertex_handle v) {
+    m_complex.star(v, m_star);
+    return Fan(m_complex, v, m_star);
+  }
+
+  // Whether the edge belongs to a facet of the cell that is on the interface.
+  bool is_interface_edge(Cell_handle c, int i, int j) const {
+    for (int k = 0; k <= Complex::dimension; ++k)
+      if (k != i && k != j && m_complex.is_interface(typename Complex::Facet(c, k)))
+        return true;
+    return false;
+  }
+
+  double length(Vertex_handle v, Vertex_handle w) const {
+    return length_in_units(m_complex, v, w, m_unit);
+  }
+
+  // The edge of the interface that exceeds its threshold most; twice the same vertex if none does.
+  std::pair<int, int> longest_edge(Cell_handle c) const {
+    std::pair<int, int> result(0, 0);
+    double longest = m_thresholds.split;
+    for (int i = 0; i <= Complex::dimension; ++i)
+      for (int j = i + 1; j <= Complex::dimension; ++j) {
+        if (!is_interface_edge(c, i, j))
+          continue;
+        const double edge = length(c->vertex(i), c->vertex(j));
+        if (edge > longest) {
+          longest = edge;
+          result = {i, j};
+        }
+      }
+    return result;
+  }
+
+  bool split(Cell_handle c, int i, int j) {
+    const auto curved = m_thresholds.splits_curved ? curved_middle(c, i, j) : std::nullopt;
+    if (!(curved && propose_edge_split(m_complex, c, i, j, *curved, m_cavity)) &&
+        !propose_edge_split(m_complex, c, i, j, .5, m_cavity))
+      return false;
+    commit_split(m_complex, m_cavity, c->vertex(i), c->vertex(j), m_visitor, m_report);
+    touch_created();
+    return true;
+  }
+
+  // Nothing where the interface is not a single smooth sheet, has a feature, or touches the
+  // boundary of the domain.
+  std::optional<typename Complex::Approximate_point> curved_middle(Cell_handle c, int i, int j) {
+    if (m_complex.is_boundary(c->vertex(i)) && m_complex.is_boundary(c->vertex(j)))
+      return std::nullopt;
+    const Fan a = fan(c->vertex(i)), b = fan(c->vertex(j));
+    const auto is_smooth = [&](const Fan& fan) {
+      return fan.is_disk() && fan.rank_by_features(m_thresholds.feature_angle) == 1;
+    };
+    if (!is_smooth(a) || !is_smooth(b))
+      return std::nullopt;
+    return curved_midpoint(m_complex, a, b);
+  }
+
+  bool makes_long_edge() const {
+    const Vertex_handle kept = m_cavity.kept_vertex();
+    return std::any_of(m_cavity.vertices().begin(), m_cavity.vertices().end(), [&](const auto& v) {
+      return v.handle != kept && v.handle != m_cavity.vanishing_vertex() &&
+             v.handle->is_interface() && length(v.handle, kept) > m_thresholds.split;
+    });
+  }
+
+  void touch_created() {
+    for (Cell_handle c : m_cavity.created())
+      touch(c);
+  }
+
+  void touch(Cell_handle c) {
+    if (!m_complex.is_infinite(c) && m_improver.is_bad(c))
+      m_touched.push(c);
+  }
+
+protected:
+  Complex& m_complex;
+  Any_visitor<Complex>& m_visitor;
+  Interface_thresholds m_thresholds;
+  Edge_unit<Complex> m_unit;
+  Mesh_improver<Complex> m_improver;
+  Cavity<Complex> m_cavity;
+  std::vector<Cell_handle> m_star;
+  Work_list<Cell_handle> m_touched;
+  Improvement_report m_report;
+};
+
+// That of a dimension, which adds
+// - `reconnect()`: joins the vertices of the interface by other facets
+template <class Complex, int dimension = Complex::dimension> class Interface_improver;
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_INTERFACE_REMESHER_H
