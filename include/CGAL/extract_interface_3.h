@@ -6,7 +6,7 @@
 #define CGAL_EXTRACT_INTERFACE_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Vertex_numbering.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Extracted_facets.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -30,6 +30,9 @@ share points, so the soup has the connectivity of the interface, which need not 
 
 Across an edge of only two triangles the orientation is always coherent.
 
+On a torus, each connected part is unwrapped: points may be outside the box, and a part that goes
+around is cut open, with several points for the vertices there.
+
 \tparam Complex is an instance of `Deformable_simplicial_complex_3`.
 
 \sa `extract_interface()`
@@ -41,7 +44,8 @@ template <class Complex> struct Interface_surface_3
   using Vertex_handle = typename Complex::Vertex_handle; ///< vertex of the complex
   using Label = typename Complex::Label;                 ///< name of a phase
 
-  /// the points in user coordinates, by increasing time stamp of their vertices
+  /// the points in user coordinates, by increasing time stamp of their vertices; on a torus,
+  /// further images of these follow
   std::vector<Point_3> points;
 
   /// indices into `points`; the normal points out of the first label of the triangle
@@ -57,39 +61,13 @@ template <class Complex> struct Interface_surface_3
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The soup of interface facets given from their larger labels, turned around if asked for.
 template <class Complex>
 Interface_surface_3<Complex> interface_surface(const Complex& dsc,
                                                const std::vector<typename Complex::Facet>& facets,
                                                bool from_smaller_label) {
-  using Vertex_handle = typename Complex::Vertex_handle;
-  std::vector<Vertex_handle> corners;
-  corners.reserve(3 * facets.size());
-  for (const auto& facet : facets)
-    for (Vertex_handle v : dsc.facet_vertices(facet))
-      corners.push_back(v);
-  const Vertex_numbering<Vertex_handle> number(corners);
-
-  Interface_surface_3<Complex> surface;
-  surface.vertices = number.vertices();
-  surface.points.reserve(surface.vertices.size());
-  for (Vertex_handle v : surface.vertices)
-    surface.points.push_back(dsc.user_position(v));
-  surface.triangles.reserve(facets.size());
-  surface.labels.reserve(facets.size());
-  for (std::size_t i = 0; i < facets.size(); ++i) {
-    const auto [cell, index] = facets[i];
-    std::array<std::size_t, 3> triangle = {number(corners[3 * i]), number(corners[3 * i + 1]),
-                                           number(corners[3 * i + 2])};
-    std::array<int, 2> labels = {dsc.label(cell), dsc.label(cell->neighbor(index))};
-    if (from_smaller_label) {
-      std::swap(triangle[1], triangle[2]);
-      std::swap(labels[0], labels[1]);
-    }
-    surface.triangles.push_back(triangle);
-    surface.labels.push_back(labels);
-  }
-  return surface;
+  Extracted_facets<Complex> extracted(dsc, facets, from_smaller_label);
+  return {std::move(extracted.points), std::move(extracted.facets), std::move(extracted.labels),
+          std::move(extracted.vertices)};
 }
 
 } // namespace internal
@@ -105,9 +83,9 @@ extracts the whole interface of a complex. Normals point out of the larger label
 
 Linear in the number of cells, and n log n in the size of the interface.
 */
-template <class Traits, class Tds, class QualityMeasure>
-Interface_surface_3<Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>>
-extract_interface(const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>& dsc) {
+template <class Traits, class Tds, class QualityMeasure, class Domain>
+Interface_surface_3<Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>>
+extract_interface(const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>& dsc) {
   return Deformable_simplicial_complexes::internal::interface_surface(dsc, dsc.interface_facets(),
                                                                       false);
 }
@@ -123,11 +101,12 @@ extracts the interface between two labels. Normals point out of `a` into `b`.
 
 Linear in the number of cells, and n log n in the size of the interface.
 */
-template <class Traits, class Tds, class QualityMeasure>
-Interface_surface_3<Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>>
-extract_interface(const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>& dsc,
-                  typename Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>::Label a,
-                  typename Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>::Label b) {
+template <class Traits, class Tds, class QualityMeasure, class Domain>
+Interface_surface_3<Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>>
+extract_interface(
+    const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>& dsc,
+    typename Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>::Label a,
+    typename Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>::Label b) {
   return Deformable_simplicial_complexes::internal::interface_surface(
       dsc, dsc.interface_facets(a, b), a < b);
 }

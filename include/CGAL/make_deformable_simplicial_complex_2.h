@@ -7,25 +7,26 @@
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/Labelled_curve_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/Seeded_segments_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/Curve_soup_2.h>
-#include <CGAL/Deformable_simplicial_complex_2/internal/building/Graded_points_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/building/Planar_filling_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/building/box_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/building/label_by_seeds_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/improvement/Mesh_care_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/improvement/Own_operations_2.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/fill_torus.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/improve_new_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/enum.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,49 +34,20 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The square about the barycenter of points whose half side is 2.5 times the largest distance of
-// one from it, as in space.
-inline Bbox_2 default_box(const std::vector<Planar_kernel::Point_2>& points) {
-  static constexpr double margin = 2.5;
-  double x = 0, y = 0, radius = 0;
-  for (const auto& p : points) {
-    x += p.x() / double(points.size());
-    y += p.y() / double(points.size());
-  }
-  for (const auto& p : points)
-    radius = (std::max)(radius, std::hypot(p.x() - x, p.y() - y));
-  return {x - margin * radius, y - margin * radius, x + margin * radius, y + margin * radius};
+// The complex of a filled box, with labels told by `label(filling)`.
+template <class Complex, class NP, class Label>
+Complex fill_box(const Curve_soup_2& soup, const NP& np, const Label& label) {
+  const New_mesh_options options = new_mesh_options(np);
+  check_crossings(soup);
+  const Planar_filling_2 filling(soup, enclosing_box(soup, np));
+  std::vector<typename Complex::Point_2> points;
+  for (const auto& p : filling.points)
+    points.emplace_back(p.x(), p.y());
+  Complex dsc;
+  dsc.assign(points, filling.triangles, label(filling));
+  improve_new_mesh(dsc, options);
+  return dsc;
 }
-
-// Refuses boxes and curves that are too large or too small to be measured, and curves that reach
-// the box.
-inline void check_enclosed(const Curve_soup_2& soup, const Bbox_2& box) {
-  const auto is_measurable = [](const std::vector<std::array<double, 2>>& points) {
-    return std::all_of(points.begin(), points.end(),
-                       has_finite_coordinates<std::array<double, 2>>) &&
-           extent_of<2>(points).is_measurable();
-  };
-  std::vector<std::array<double, 2>> points;
-  for (const auto& p : soup.points)
-    points.push_back({p.x(), p.y()});
-  if (!is_measurable(points) ||
-      !is_measurable({{box.xmin(), box.ymin()}, {box.xmax(), box.ymax()}}))
-    throw Error(
-        "the size of the curves or of the enclosing box is not between 1e-30 and 1e30: scale "
-        "the curves, or give another box");
-  const auto is_inside = [&](const Planar_kernel::Point_2& p) {
-    return box.xmin() < p.x() && p.x() < box.xmax() && box.ymin() < p.y() && p.y() < box.ymax();
-  };
-  for (std::size_t w = 0; w < soup.walls.size(); ++w)
-    for (std::size_t v : soup.walls[w].vertices)
-      if (!is_inside(soup.points[v]))
-        refuse_curve(Invalid_surface_error::Reason::outside_enclosing_box,
-                     "is not strictly inside the enclosing box: give a larger box",
-                     soup.walls[w].surface, soup.walls[w].surface, {soup.segments[w]});
-}
-
-inline Bbox_2 box_of(const Bbox_2& given) { return given; }
-template <class Box> Bbox_2 box_of(const Box& given) { return given.bbox(); }
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
@@ -87,9 +59,10 @@ Makes a complex of regions of the plane that are bounded by closed polylines, in
 belongs to the outside: the twin of `make_deformable_simplicial_complex_3()`.
 
 A curve is a set of segments, an even number of them at each point. Curves may be nested in any way,
-and may touch in common ends of segments, but not cross or overlap. A point inside several curves
-gets the label of the one that is entered last on a way from the outside that crosses as few
-segments as possible; outside all of them is label 0.
+may touch in common ends of segments, and may have whole segments in common, but not cross or
+overlap in parts. A point inside several curves gets the label of the one that is entered last on a
+way from the outside that crosses as few segments as possible, the one that was given last if
+several are entered at once; outside all of them is label 0.
 
 Space is filled by CGAL's constrained Delaunay triangulation, with points as dense as those of the
 curves near them and sparser away from them. Points of the curves keep their coordinates, bit for
@@ -139,58 +112,114 @@ Complex make_deformable_simplicial_complex_2(
     const std::vector<Labelled_curve_2<typename Complex::Point_2>>& curves,
     const NP& np = Deformable_simplicial_complexes::parameters::default_values()) {
   namespace internal = Deformable_simplicial_complexes::internal;
-  namespace tags = Deformable_simplicial_complexes::internal_np;
   using Deformable_simplicial_complexes::Error;
-  const internal::New_mesh_options options = internal::new_mesh_options(np);
   if (curves.empty())
     throw Error("there are no curves: give one at least");
-
   internal::Curve_soup_2 soup;
   std::vector<typename Complex::Label> labels;
   for (const auto& curve : curves) {
     internal::add_curve(curve, labels.size(), soup);
     labels.push_back(curve.label);
   }
-  internal::check_crossings(soup);
-  Bbox_2 box = internal::default_box(soup.points);
-  const auto given = CGAL::parameters::get_parameter(np, tags::enclosing_box);
-  if constexpr (!CGAL::parameters::is_default_parameter<NP, tags::enclosing_box_t>::value)
-    box = internal::box_of(given);
-  internal::check_enclosed(soup, box);
+  return internal::fill_box<Complex>(soup, np, [&](const internal::Planar_filling_2& filling) {
+    return internal::label_cells<2>(filling.triangles, soup.walls, labels);
+  });
+}
 
-  using Kernel = internal::Planar_kernel;
-  using Tds =
-      Triangulation_data_structure_2<Triangulation_vertex_base_with_info_2<std::size_t, Kernel>,
-                                     Constrained_triangulation_face_base_2<Kernel>>;
-  Constrained_Delaunay_triangulation_2<Kernel, Tds, No_constraint_intersection_tag> triangulation;
-  std::vector<typename Tds::Vertex_handle> handles;
-  for (const auto& p : soup.points)
-    handles.push_back(triangulation.insert(p));
-  for (const auto& wall : soup.walls)
-    triangulation.insert_constraint(handles[wall.vertices[0]], handles[wall.vertices[1]]);
-  const internal::Graded_points_2 graded(soup, box);
-  triangulation.insert(graded.points().begin(), graded.points().end());
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
 
-  for (auto v : triangulation.finite_vertex_handles())
-    v->info() = std::size_t(-1);
-  std::vector<typename Complex::Point_2> points;
-  for (auto v : handles) {
-    v->info() = points.size();
-    points.emplace_back(v->point().x(), v->point().y());
-  }
-  for (auto v : triangulation.finite_vertex_handles())
-    if (v->info() == std::size_t(-1)) {
-      v->info() = points.size();
-      points.emplace_back(v->point().x(), v->point().y());
-    }
-  std::vector<std::array<std::size_t, 3>> triangles;
-  for (auto f : triangulation.finite_face_handles())
-    triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+Makes a complex of the regions between segments, whose labels are told by points in them; regions
+without one get label 0. As above, but segments need not be closed curves: those with the same label
+on both sides are just edges of the mesh.
 
+\param segments with seeds; coordinates are rounded to `double`
+\param np the named parameters above
+
+\throws Deformable_simplicial_complexes::Invalid_surface_error if segments cross or overlap, have no
+        length, or reach the box
+\throws Deformable_simplicial_complexes::Error if there is no segment, a seed is outside the box or on
+        a segment, or two seeds give a region different labels; or as above
+
+n log n in the number of segments and triangles.
+*/
+template <class Complex,
+          class NP = Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Complex make_deformable_simplicial_complex_2(
+    const Seeded_segments_2<typename Complex::Point_2>& segments,
+    const NP& np = Deformable_simplicial_complexes::parameters::default_values()) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  using Deformable_simplicial_complexes::Error;
+  internal::Curve_soup_2 soup;
+  internal::add_segments(segments, 0, soup);
+  return internal::fill_box<Complex>(soup, np, [&](const internal::Planar_filling_2& filling) {
+    return internal::label_by_seeds(segments.seeds, soup, filling);
+  });
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Makes a complex of given triangles, the union of which is a disk. Triangles may be oriented in any
+way. The interface stays what it is, bit for bit.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_2`
+
+\param points the vertices, each in a triangle
+\param triangles indices into `points`
+\param labels one label for each triangle
+\param np named parameters: `improve`, `quality_threshold`, `number_of_iterations`, as above
+
+\throws Deformable_simplicial_complexes::Invalid_tetrahedra_error if coordinates are not finite,
+        sizes or indices do not fit, a triangle is flat, or the union is no disk
+
+n log n in the number of triangles, plus the improvement.
+*/
+template <class Complex,
+          class NP = Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Complex make_deformable_simplicial_complex_2(
+    const std::vector<typename Complex::Point_2>& points,
+    std::vector<std::array<std::size_t, 3>> triangles,
+    const std::vector<typename Complex::Label>& labels,
+    const NP& np = Deformable_simplicial_complexes::parameters::default_values()) {
+  namespace internal = Deformable_simplicial_complexes::internal;
   Complex dsc;
-  dsc.assign(points, triangles, internal::label_cells<2>(triangles, soup.walls, labels));
-  internal::improve_new_mesh(dsc, options);
+  const auto orientation = dsc.orientation();
+  for (auto& t : triangles)
+    if (std::all_of(t.begin(), t.end(), [&](std::size_t v) { return v < points.size(); }) &&
+        orientation(points[t[0]], points[t[1]], points[t[2]]) == CLOCKWISE)
+      std::swap(t[1], t[2]);
+  dsc.assign(points, triangles, labels);
+  internal::improve_new_mesh(dsc, internal::new_mesh_options(np));
   return dsc;
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Makes a complex in a rectangle from a function that tells labels, such as `Labelled_image_2`: almost
+regular triangles get the labels of their barycenters, then `fit_interface()` moves the interface to
+where labels change.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_2`
+\param box the domain, of positive size
+\param edge about how long edges are to be, more than 0
+\param label_at `label_at(p)` tells the label at an `Approximate_point_2` in the box
+\param np the named parameters of `deform_interface()`, for `fit_interface()`
+\throws Deformable_simplicial_complexes::Error if `edge` is not positive, or is less than a millionth
+        of a side; or Invalid_tetrahedra_error if the box is empty, or smaller or larger than
+        complexes can be
+
+Linear in the number of triangles.
+*/
+template <
+    class Complex, class LabelAt,
+    class NamedParameters = Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Complex make_deformable_simplicial_complex_2(const Bbox_2& box, double edge,
+                                             const LabelAt& label_at,
+                                             const NamedParameters& np = NamedParameters()) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  return internal::fill_grid(Complex(), internal::box_grid(box, edge), label_at, np);
 }
 
 /*!

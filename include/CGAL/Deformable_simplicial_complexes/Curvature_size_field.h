@@ -9,6 +9,7 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_bends.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/vertices_on_junctions.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_2.h>

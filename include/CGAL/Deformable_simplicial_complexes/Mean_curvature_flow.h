@@ -11,6 +11,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/Facet_tension.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Volume_changer.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/vertices_on_junctions.h>
 
 #include <CGAL/Origin.h>
 
@@ -56,7 +57,7 @@ public:
 
   Tensions(const Interface_snapshot<Complex>& interface_, const std::vector<Point>& positions)
       : m_shares(positions.size(), 0), m_masses(positions.size(), Matrix::Zero()) {
-    const std::vector<char> junctions = junctions_of(interface_);
+    const std::vector<char> junctions = vertices_on_junctions(interface_);
     for (const auto& facet : interface_.facets()) {
       const auto& v = facet.vertices;
       std::array<Point, d> corners;
@@ -91,20 +92,6 @@ public:
 private:
   template <class V> static Vector vector(const V& v) {
     return Vector(coordinates_of<d>(v).data());
-  }
-
-  // Whether more than two labels meet in each vertex.
-  static std::vector<char> junctions_of(const Interface_snapshot<Complex>& interface_) {
-    std::vector<char> result(interface_.vertices.size(), false);
-    std::vector<const typename Interface_snapshot<Complex>::Facet*> first(result.size(), nullptr);
-    for (const auto& facet : interface_.facets())
-      for (std::size_t v : facet.vertices) {
-        if (!first[v])
-          first[v] = &facet;
-        result[v] =
-            result[v] || facet.behind != first[v]->behind || facet.in_front != first[v]->in_front;
-      }
-    return result;
   }
 
   // Along a line where labels meet no facet moves by its normal: there the whole share does.
@@ -201,6 +188,9 @@ public:
                   double dt, std::vector<typename Complex::Approximate_point>& destinations) const {
     if (!(dt >= 0))
       throw Error("mean curvature flow cannot go back in time: use a time step of 0 or more");
+    destinations.clear();
+    if (positions.empty())
+      return;
     const auto whole = implicit_step(interface_, positions, dt);
     const auto half = implicit_step(interface_, positions, dt / 2);
     destinations = implicit_step(interface_, half, dt / 2);

@@ -163,6 +163,10 @@ template <int d> bool operator!=(const State<d>& a, const State<d>& b) { return 
 /// The state of a complex in three dimensions.
 using Deformable_simplicial_complex_state_3 = Deformable_simplicial_complexes::State<3>;
 
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// The state of a planar complex.
+using Deformable_simplicial_complex_state_2 = Deformable_simplicial_complexes::State<2>;
+
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_STATE_H

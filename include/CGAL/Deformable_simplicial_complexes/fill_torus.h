@@ -16,23 +16,28 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What make_deformable_simplicial_complex_2 and _3 do on a torus.
+// The complex, empty before, of the cells of a grid with labels that a function tells.
 template <class Complex, class LabelAt, class NamedParameters>
-Complex fill_torus(const Torus_domain<Complex::dimension>& domain, double edge,
-                   const LabelAt& label_at, const NamedParameters& np) {
-  const auto grid = torus_grid(domain.periods(), edge);
+Complex fill_grid(Complex result, const Grid<Complex::dimension>& grid, const LabelAt& label_at,
+                  const NamedParameters& np) {
   std::vector<typename Complex::Point> points;
-  Complex result(domain);
   for (const auto& p : grid.points)
     points.push_back(result.exact(point_at<Complex>(p)));
   result.assign(points, grid.cells, std::vector<typename Complex::Label>(grid.cells.size(), 0));
   for (auto c : result.cells())
-    result.relabel(c, label_at(domain.canonical(barycenter(result, c))));
+    result.relabel(c, label_at(result.domain().canonical(barycenter(result, c))));
   result.measure_interface_edges();
   fit_interface(result, label_at, np);
   result.measure_interface_edges();
   result.take_component_events();
   return result;
+}
+
+// What make_deformable_simplicial_complex_2 and _3 do on a torus.
+template <class Complex, class LabelAt, class NamedParameters>
+Complex fill_torus(const Torus_domain<Complex::dimension>& domain, double edge,
+                   const LabelAt& label_at, const NamedParameters& np) {
+  return fill_grid(Complex(domain), torus_grid(domain.periods(), edge), label_at, np);
 }
 
 } // namespace internal

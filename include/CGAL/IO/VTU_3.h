@@ -6,17 +6,11 @@
 #define CGAL_IO_VTU_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/Vtu_document.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/read_vtu_tetrahedra.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Vertex_numbering.h>
-#include <CGAL/IO/PVD_series.h>
-#include <CGAL/extract_interface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/write_vtu.h>
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -28,7 +22,8 @@ namespace IO {
 
 writes all tetrahedra of a complex as a VTK unstructured grid (`.vtu`), for ParaView and the like.
 
-Points are in user coordinates and come by increasing time stamp, as do the cells. Cell data are
+Points are in user coordinates and come by increasing time stamp, as do the cells; on a torus,
+further images of the vertices of cells across its seam follow. Cell data are
 `label` and `quality`; point data are `boundary_class`, zero inside the domain, and `interface`, one
 on the interface and zero elsewhere. Numbers are appended in binary form and exact. The file is
 written beside its final place and renamed when complete.
@@ -41,43 +36,10 @@ of that name is unchanged then.
 
 n log n in the number of cells; takes memory for a second copy of the file.
 */
-template <class Traits, class Tds, class QualityMeasure>
+template <class Traits, class Tds, class QualityMeasure, class Domain>
 void write_VTU(const std::string& path,
-               const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>& dsc) {
-  namespace internal = Deformable_simplicial_complexes::internal;
-  const internal::Vertex_numbering number(dsc.vertices());
-  const auto cells = dsc.cells();
-
-  using Complex = Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>;
-  std::vector<typename Complex::Approximate_point_3> points;
-  std::vector<std::uint8_t> boundary_classes, interface_flags;
-  for (const auto v : number.vertices()) {
-    points.push_back(dsc.user_position(v));
-    boundary_classes.push_back(v->boundary_class());
-    interface_flags.push_back(dsc.is_interface(v));
-  }
-  std::vector<std::int64_t> connectivity;
-  std::vector<std::int32_t> labels;
-  std::vector<double> qualities;
-  for (const auto c : cells) {
-    for (int i = 0; i < 4; ++i)
-      connectivity.push_back(std::int64_t(number(c->vertex(i))));
-    labels.push_back(dsc.label(c));
-    qualities.push_back(dsc.quality(c));
-  }
-
-  internal::Vtu_document document(points.size(), cells.size());
-  document.begin("PointData");
-  document.array("boundary_class", boundary_classes);
-  document.array("interface", interface_flags);
-  document.end("PointData");
-  document.begin("CellData");
-  document.array("label", labels);
-  document.array("quality", qualities);
-  document.end("CellData");
-  document.points(points);
-  document.cells(connectivity, internal::Vtu_document::tetrahedron);
-  internal::replace_file_by_stream(path, [&](std::ostream& out) { document.write(out); });
+               const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>& dsc) {
+  Deformable_simplicial_complexes::internal::write_cells_vtu(path, dsc);
 }
 
 /*!
@@ -99,26 +61,11 @@ Linear in the number of cells, and n log n in the size of the interface.
 
 \sa `extract_interface()`
 */
-template <class Traits, class Tds, class QualityMeasure>
-void write_interface_VTU(const std::string& path,
-                         const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>& dsc) {
-  namespace internal = Deformable_simplicial_complexes::internal;
-  const auto surface = extract_interface(dsc);
-
-  std::vector<std::int64_t> connectivity;
-  for (const auto& triangle : surface.triangles)
-    connectivity.insert(connectivity.end(), triangle.begin(), triangle.end());
-  std::vector<std::int32_t> label_pairs;
-  for (const auto& pair : surface.labels)
-    label_pairs.insert(label_pairs.end(), pair.begin(), pair.end());
-
-  internal::Vtu_document document(surface.points.size(), surface.triangles.size());
-  document.begin("CellData");
-  document.array("label_pair", label_pairs, 2);
-  document.end("CellData");
-  document.points(surface.points);
-  document.cells(connectivity, internal::Vtu_document::triangle);
-  internal::replace_file_by_stream(path, [&](std::ostream& out) { document.write(out); });
+template <class Traits, class Tds, class QualityMeasure, class Domain>
+void write_interface_VTU(
+    const std::string& path,
+    const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>& dsc) {
+  Deformable_simplicial_complexes::internal::write_facets_vtu(path, dsc);
 }
 
 /*!

@@ -48,15 +48,15 @@ struct Curve_soup_2
                               other);
 }
 
-// Adds a curve. Refuses one without segments, numbers that are none, and ends that are open.
-template <class Curve> void add_curve(const Curve& curve, std::size_t number, Curve_soup_2& soup) {
+// Adds the segments of a curve. Refuses what has none, and numbers that are none.
+template <class Curve>
+void add_segments(const Curve& curve, std::size_t number, Curve_soup_2& soup) {
   using Reason = Invalid_surface_error::Reason;
   const auto refuse = [&](Reason reason, const char* explanation, std::size_t segment) {
     refuse_curve(reason, explanation, number, number, {segment});
   };
   if (curve.segments.empty())
     refuse_curve(Reason::empty, "has no segments: give closed polylines", number, number, {});
-  std::map<std::size_t, std::vector<std::size_t>> segments_at; // by point, of this curve
   for (std::size_t s = 0; s < curve.segments.size(); ++s) {
     std::array<std::size_t, 2> ends;
     for (int i = 0; i < 2; ++i) {
@@ -71,23 +71,33 @@ template <class Curve> void add_curve(const Curve& curve, std::size_t number, Cu
       if (place.second)
         soup.points.emplace_back(q[0], q[1]);
       ends[i] = place.first->second;
-      segments_at[ends[i]].push_back(s);
     }
     if (ends[0] == ends[1])
       refuse(Reason::degenerate_facet, "has segments without length: remove them", s);
     soup.walls.push_back(make_wall(ends, number));
     soup.segments.push_back(s);
   }
-  for (const auto& [point, segments] : segments_at)
-    if (segments.size() % 2 != 0)
-      refuse(Reason::open, "is not closed: join its ends", segments.front());
 }
 
-// Whether two segments have more in common than ends.
+// Adds a closed curve; refuses open ones, too.
+template <class Curve> void add_curve(const Curve& curve, std::size_t number, Curve_soup_2& soup) {
+  const std::size_t first = soup.walls.size();
+  add_segments(curve, number, soup);
+  std::map<std::size_t, std::vector<std::size_t>> segments_at; // by point, of this curve
+  for (std::size_t w = first; w < soup.walls.size(); ++w)
+    for (std::size_t v : soup.walls[w].vertices)
+      segments_at[v].push_back(soup.segments[w]);
+  for (const auto& [point, segments] : segments_at)
+    if (segments.size() % 2 != 0)
+      refuse_curve(Invalid_surface_error::Reason::open, "is not closed: join its ends", number,
+                   number, {segments.front()});
+}
+
+// Whether two segments have more in common than ends, or all that they are.
 inline bool meet(const Curve_soup_2& soup, const Wall<2>& s, const Wall<2>& t) {
   const auto point = [&](std::size_t i) { return soup.points[i]; };
   if (s.vertices == t.vertices)
-    return true;
+    return s.surface == t.surface;
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j)
       if (s.vertices[i] == t.vertices[j]) {
@@ -127,10 +137,11 @@ inline void check_crossings(const Curve_soup_2& soup) {
     refuse_curve(Reason::self_intersection,
                  "crosses or overlaps itself: segments may meet in common ends only", first, second,
                  std::move(segments));
-  refuse_curve(Reason::crossing_surfaces,
-               "meets another curve: they may be nested, and touch in common ends of segments, but "
-               "not cross or overlap",
-               first, second, std::move(segments));
+  refuse_curve(
+      Reason::crossing_surfaces,
+      "meets another curve: they may be nested, touch in common ends of segments, and have "
+      "whole segments in common, but not cross or overlap in parts",
+      first, second, std::move(segments));
 }
 
 } // namespace internal

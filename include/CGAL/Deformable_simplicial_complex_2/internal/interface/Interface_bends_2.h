@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_INTERFACE_INTERFACE_BENDS_2_H
 
 #include <CGAL/Deformable_simplicial_complex_2/internal/interface/Interface_fan_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_bends.h>
 
 #include <CGAL/number_utils.h>

@@ -61,9 +61,12 @@ public:
   bool next_is(std::string_view expected) {
     if (next() && word() == expected)
       return true;
-    m_end = m_begin;
+    back();
     return false;
   }
+
+  // Goes back to before the word.
+  void back() { m_end = m_begin; }
 
   // Goes to the end of the line.
   void skip_line() { m_begin = m_end = m_line.size(); }

@@ -23,7 +23,7 @@ namespace internal {
 class Vtu_document
 {
 public:
-  enum Cell_type : std::uint8_t { triangle = 5, tetrahedron = 10 }; // as VTK numbers them
+  enum Cell_type : std::uint8_t { line = 3, triangle = 5, tetrahedron = 10 }; // as VTK numbers them
 
   Vtu_document(std::size_t number_of_points, std::size_t number_of_cells)
       : m_number_of_points(number_of_points), m_number_of_cells(number_of_cells) {}
@@ -41,12 +41,13 @@ public:
       append_little_endian(m_data, value);
   }
 
-  // The section with the coordinates.
+  // The section with the coordinates; those of the plane are at height 0.
   template <class Point> void points(const std::vector<Point>& points) {
     std::vector<double> coordinates;
     coordinates.reserve(3 * points.size());
     for (const Point& p : points)
-      coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+      for (int i = 0; i < 3; ++i)
+        coordinates.push_back(i < p.dimension() ? p[i] : 0.);
     begin("Points");
     array("points", coordinates, 3);
     end("Points");

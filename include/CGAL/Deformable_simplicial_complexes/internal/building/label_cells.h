@@ -12,6 +12,8 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -19,13 +21,16 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A facet of one of several closed surfaces, or curves in the plane, that do not cross.
+// A facet of one of several closed surfaces, or curves in the plane, that do not cross. They may
+// have facets in common, each of which is then a wall for each of them.
 template <int d> struct Wall
 {
   std::array<std::size_t, d> vertices; // sorted
   std::size_t surface;
 
-  friend bool operator<(const Wall& a, const Wall& b) { return a.vertices < b.vertices; }
+  friend bool operator<(const Wall& a, const Wall& b) {
+    return std::tie(a.vertices, a.surface) < std::tie(b.vertices, b.surface);
+  }
 };
 
 template <std::size_t d>
@@ -38,16 +43,15 @@ Wall<int(d)> make_wall(std::array<std::size_t, d> vertices, std::size_t surface)
 struct Facet_side
 {
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  std::size_t cell = none;    // none: the facet is on the boundary of the mesh
-  std::size_t surface = none; // none: the facet is no wall
+  std::size_t cell = none; // none: the facet is on the boundary of the mesh
+  std::size_t first_wall = 0, number_of_walls = 0;
 };
 template <int d> using Facet_sides = std::array<Facet_side, d + 1>;
 
-// Throws Tetrahedralization_error unless each wall is a facet of two cells.
+// Throws Tetrahedralization_error unless each wall is a facet of two cells. \pre walls are sorted
 template <int d>
 std::vector<Facet_sides<d>> find_sides(const std::vector<Cell_vertices<d>>& cells,
-                                       std::vector<Wall<d>> walls) {
-  std::sort(walls.begin(), walls.end());
+                                       const std::vector<Wall<d>>& walls) {
   std::size_t walls_found = 0;
   std::vector<Facet_sides<d>> sides(cells.size());
   const auto facets = sorted_facets(cells);
@@ -58,9 +62,11 @@ std::vector<Facet_sides<d>> find_sides(const std::vector<Cell_vertices<d>>& cell
     Facet_side &behind_f = sides[f.cell][f.index], &behind_g = sides[g.cell][g.index];
     behind_f.cell = g.cell;
     behind_g.cell = f.cell;
-    const auto wall = std::lower_bound(walls.begin(), walls.end(), Wall<d>{f.vertices, 0});
-    if (wall != walls.end() && wall->vertices == f.vertices) {
-      behind_f.surface = behind_g.surface = wall->surface;
+    auto wall = std::lower_bound(walls.begin(), walls.end(), Wall<d>{f.vertices, 0});
+    behind_f.first_wall = behind_g.first_wall = std::size_t(wall - walls.begin());
+    for (; wall != walls.end() && wall->vertices == f.vertices; ++wall) {
+      ++behind_f.number_of_walls;
+      ++behind_g.number_of_walls;
       ++walls_found;
     }
   }
@@ -70,14 +76,35 @@ std::vector<Facet_sides<d>> find_sides(const std::vector<Cell_vertices<d>>& cell
   return sides;
 }
 
-// The label of each cell, found by walking in from the boundary of the mesh through as few
-// walls as possible: that of the surface that was entered last and not left again, 0 outside all
-// surfaces. A step through a wall leaves its surface if it is inside, and enters it otherwise:
-// orientations do not matter, and a surface nested in itself bounds a cavity. n log n.
+// Puts all cells that can be reached from one without passing a wall, and were not visited, into
+// `region`, and what can be entered through their walls into `entrances`.
+template <int d, class Entrances>
+void gather_region(const std::vector<Facet_sides<d>>& sides, std::size_t first,
+                   std::vector<char>& is_visited, std::vector<std::size_t>& region,
+                   Entrances& entrances) {
+  region = {first};
+  is_visited[first] = 1;
+  for (std::size_t i = 0; i < region.size(); ++i)
+    for (const Facet_side& side : sides[region[i]]) {
+      if (side.cell == Facet_side::none || is_visited[side.cell])
+        continue;
+      if (side.number_of_walls > 0) {
+        entrances.push_back(side);
+      } else {
+        is_visited[side.cell] = 1;
+        region.push_back(side.cell);
+      }
+    }
+}
+
+// The label of each cell, found by walking in from the boundary of the mesh through as few walls as
+// possible: that of the surface that was entered last and not left again, 0 outside all surfaces. A
+// step through a wall leaves its surface if it is inside, and enters it otherwise: orientations do
+// not matter, and a surface nested in itself bounds a cavity. n log n.
 template <int d>
-std::vector<int> label_cells(const std::vector<Cell_vertices<d>>& cells,
-                             const std::vector<Wall<d>>& walls,
+std::vector<int> label_cells(const std::vector<Cell_vertices<d>>& cells, std::vector<Wall<d>> walls,
                              const std::vector<int>& surface_labels) {
+  std::sort(walls.begin(), walls.end());
   const std::vector<Facet_sides<d>> sides = find_sides(cells, walls);
   const auto is_on_boundary = [](const Facet_sides<d>& s) {
     return std::any_of(s.begin(), s.end(),
@@ -86,50 +113,64 @@ std::vector<int> label_cells(const std::vector<Cell_vertices<d>>& cells,
 
   // A region is what can be reached without passing a wall; its surfaces are those it is inside of,
   // in the order in which they were entered.
-  struct Entrance
-  {
-    std::size_t cell, surface, from_region;
-  };
-  std::vector<std::vector<std::size_t>> regions;
-  std::vector<Entrance> entrances;
+  std::vector<std::vector<std::size_t>> surfaces_of_regions;
+  std::vector<Facet_side> entrances;
+  std::vector<std::size_t> region, region_of_entrance;
   std::vector<int> labels(cells.size(), 0);
   std::vector<char> is_visited(cells.size(), 0);
-  std::vector<std::size_t> stack;
 
   const auto fill = [&](std::size_t first, std::vector<std::size_t> surfaces) {
-    const int label = surfaces.empty() ? 0 : surface_labels[surfaces.back()];
-    regions.push_back(std::move(surfaces));
-    is_visited[first] = 1;
-    stack.push_back(first);
-    while (!stack.empty()) {
-      const std::size_t t = stack.back();
-      stack.pop_back();
-      labels[t] = label;
-      for (const Facet_side& side : sides[t]) {
-        if (side.cell == Facet_side::none || is_visited[side.cell])
-          continue;
-        if (side.surface != Facet_side::none)
-          entrances.push_back({side.cell, side.surface, regions.size() - 1});
-        else {
-          is_visited[side.cell] = 1;
-          stack.push_back(side.cell);
-        }
-      }
-    }
+    gather_region<d>(sides, first, is_visited, region, entrances);
+    for (std::size_t c : region)
+      labels[c] = surfaces.empty() ? 0 : surface_labels[surfaces.back()];
+    region_of_entrance.resize(entrances.size(), surfaces_of_regions.size());
+    surfaces_of_regions.push_back(std::move(surfaces));
   };
 
   fill(std::find_if(sides.begin(), sides.end(), is_on_boundary) - sides.begin(), {});
   for (std::size_t i = 0; i < entrances.size(); ++i) {
-    const Entrance entrance = entrances[i];
+    const Facet_side entrance = entrances[i];
     if (is_visited[entrance.cell])
       continue;
-    std::vector<std::size_t> surfaces = regions[entrance.from_region];
-    const auto entered = std::find(surfaces.begin(), surfaces.end(), entrance.surface);
-    if (entered != surfaces.end())
-      surfaces.erase(entered);
-    else
-      surfaces.push_back(entrance.surface);
+    std::vector<std::size_t> surfaces = surfaces_of_regions[region_of_entrance[i]], entered;
+    for (std::size_t w = 0; w < entrance.number_of_walls; ++w) {
+      const std::size_t surface = walls[entrance.first_wall + w].surface;
+      const auto left = std::find(surfaces.begin(), surfaces.end(), surface);
+      if (left != surfaces.end())
+        surfaces.erase(left);
+      else
+        entered.push_back(surface);
+    }
+    surfaces.insert(surfaces.end(), entered.begin(), entered.end());
     fill(entrance.cell, std::move(surfaces));
+  }
+  return labels;
+}
+
+// The label of each cell: that of the seed in its region, which is what can be reached from it
+// without passing a wall, and 0 where there is none. Of two seeds in a region with different
+// labels, the second is returned in `contradicting`. n log n.
+template <int d>
+std::vector<int> label_cells_by_seeds(const std::vector<Cell_vertices<d>>& cells,
+                                      std::vector<Wall<d>> walls,
+                                      const std::vector<std::pair<std::size_t, int>>& seeds,
+                                      std::optional<std::size_t>& contradicting) {
+  std::sort(walls.begin(), walls.end());
+  const std::vector<Facet_sides<d>> sides = find_sides(cells, walls);
+  std::vector<int> labels(cells.size(), 0);
+  std::vector<char> is_visited(cells.size(), 0);
+  std::vector<std::size_t> region;
+  std::vector<Facet_side> entrances;
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    const auto [cell, label] = seeds[i];
+    if (is_visited[cell]) {
+      if (labels[cell] != label && !contradicting)
+        contradicting = i;
+      continue;
+    }
+    gather_region<d>(sides, cell, is_visited, region, entrances);
+    for (std::size_t c : region)
+      labels[c] = label;
   }
   return labels;
 }

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Points of a torus and the cells that fill it, all of almost the same shape.
-template <int d> struct Torus_grid
+// Points and the cells that fill a torus or a box, all of almost the same shape.
+template <int d> struct Grid
 {
   std::vector<std::array<double, d>> points;
   std::vector<std::array<std::size_t, d + 1>> cells;
@@ -31,16 +31,16 @@ inline std::size_t edges_in_period(double period, double edge, std::size_t least
     throw Error("the length of edges is not positive: use more than 0");
   const double number = std::round(period / edge);
   if (!(number <= most))
-    throw Error("the edges are too short for the torus: use more than a millionth of its periods");
+    throw Error("the edges are too short for the domain: use more than a millionth of its extent");
   return (std::max)(least, std::size_t(number));
 }
 
 // Rows of almost regular triangles, every other one shifted by half an edge.
-inline Torus_grid<2> torus_grid(const std::array<double, 2>& periods, double edge) {
+inline Grid<2> torus_grid(const std::array<double, 2>& periods, double edge) {
   const double height = std::sqrt(3.) / 2;
   const std::size_t columns = edges_in_period(periods[0], edge, 3),
                     rows = 2 * edges_in_period(periods[1] / 2, edge * height, 2);
-  Torus_grid<2> grid;
+  Grid<2> grid;
   const auto index = [&](std::size_t i, std::size_t j) { return j % rows * columns + i % columns; };
   for (std::size_t j = 0; j < rows; ++j)
     for (std::size_t i = 0; i < columns; ++i) {
@@ -55,11 +55,11 @@ inline Torus_grid<2> torus_grid(const std::array<double, 2>& periods, double edg
 
 // The Delaunay tetrahedra of a body-centered cubic lattice: on each edge between the centers of two
 // boxes, one for each edge of the face between these.
-inline Torus_grid<3> torus_grid(const std::array<double, 3>& periods, double edge) {
+inline Grid<3> torus_grid(const std::array<double, 3>& periods, double edge) {
   std::array<std::size_t, 3> n;
   for (int axis = 0; axis < 3; ++axis)
     n[axis] = edges_in_period(periods[axis], edge, 3);
-  Torus_grid<3> grid;
+  Grid<3> grid;
   const std::size_t boxes = n[0] * n[1] * n[2];
   grid.points.resize(2 * boxes);
   const auto corner = [&](const std::array<std::size_t, 3>& box) {

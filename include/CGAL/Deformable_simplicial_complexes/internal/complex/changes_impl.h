@@ -214,7 +214,7 @@ public:
     m_cavity.m_created.clear();
     for (std::size_t i : m_new_vertices) {
       if (m_cavity.m_vertices[i].handle != Vertex_handle())
-        m_tds.delete_vertex(m_cavity.m_vertices[i].handle);
+        internal::erase_item(m_tds.vertices(), m_cavity.m_vertices[i].handle);
       m_cavity.m_vertices[i].handle = Vertex_handle();
     }
   }
@@ -276,7 +276,7 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
 
   for (const auto& v : cavity.vertices())
     if (v.handle->cell()->tds_data().is_in_conflict()) // a removed cell: it has no other
-      tds.delete_vertex(v.handle);
+      internal::erase_item(tds.vertices(), v.handle);
   for (Cell_handle c : cavity.removed())
     Space::delete_cell(tds, c);
   if (is_label_mixed)

@@ -5,11 +5,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_BENDS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_BENDS_H
 
-#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-
-#include <cstddef>
-#include <vector>
-
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
@@ -23,22 +18,6 @@ How the interface of a snapshot bends at its vertices. In each dimension:
   by more than an angle, in radians
 */
 template <class Complex, int dimension = Complex::dimension> struct Interface_bends;
-
-// For each vertex, whether facets between different labels meet there.
-template <class Complex>
-std::vector<char> vertices_on_junctions(const Interface_snapshot<Complex>& interface_) {
-  std::vector<char> result(interface_.vertices.size(), false);
-  using Facet = typename Interface_vertices<Complex>::Facet;
-  std::vector<const Facet*> first(result.size(), nullptr);
-  for (const Facet& facet : interface_.facets())
-    for (std::size_t v : facet.vertices) {
-      if (first[v] == nullptr)
-        first[v] = &facet;
-      result[v] =
-          result[v] || facet.behind != first[v]->behind || facet.in_front != first[v]->in_front;
-    }
-  return result;
-}
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes

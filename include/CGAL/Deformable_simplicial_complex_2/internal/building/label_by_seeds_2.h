@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_LABEL_BY_SEEDS_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_LABEL_BY_SEEDS_2_H
+
+#include <CGAL/Deformable_simplicial_complex_2/internal/building/Planar_filling_2.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Labels of the triangles that fill a box, by points in its regions.
+template <class Point>
+std::vector<int> label_by_seeds(const std::vector<std::pair<Point, int>>& seeds,
+                                const Curve_soup_2& soup, const Planar_filling_2& filling) {
+  const auto refuse = [](std::size_t seed, const char* what) {
+    throw Error("seed " + std::to_string(seed) + ' ' + what);
+  };
+  std::vector<std::pair<std::size_t, int>> triangles;
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    const Planar_filling_2::Point p(to_double(seeds[i].first.x()), to_double(seeds[i].first.y()));
+    if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
+      refuse(i, "has coordinates that are no finite numbers: correct them");
+    const auto triangle = filling.locate(p);
+    if (!triangle)
+      refuse(i, "is outside the enclosing box: give a larger box");
+    if (filling.is_on_segment(p))
+      refuse(i, "is on a segment: choose a point within its region");
+    triangles.emplace_back(*triangle, seeds[i].second);
+  }
+  std::optional<std::size_t> contradicting;
+  auto labels = label_cells_by_seeds<2>(filling.triangles, soup.walls, triangles, contradicting);
+  if (contradicting)
+    refuse(*contradicting,
+           "is in the region of another seed with another label: are segments missing "
+           "between them?");
+  return labels;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_LABEL_BY_SEEDS_2_H

@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_CHECKPOINT_FILE_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_CHECKPOINT_FILE_H
+
+#include <CGAL/Deformable_simplicial_complexes/State.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/little_endian.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/crc.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Damaged by any conversion of text.
+template <int d> std::string checkpoint_magic() {
+  return "\211DSC" + std::to_string(d) + "\r\n\032";
+}
+constexpr std::size_t checkpoint_magic_size = 8;
+constexpr std::uint32_t checkpoint_version = 4;
+constexpr std::size_t checkpoint_header_size = 24;
+
+// What follows the metadata in a file of this version.
+template <int d>
+using Checkpoint_members =
+    std::tuple<std::vector<std::array<double, d>>&,            // points
+               std::vector<std::uint8_t>&,                     // boundary_classes
+               std::vector<float>&,                            // spacings
+               std::vector<std::uint32_t>&,                    // vertex_cells
+               std::vector<std::array<std::uint32_t, d + 1>>&, // cells
+               std::vector<std::int32_t>&,                     // cell_labels
+               std::vector<float>&,                            // noted_qualities
+               std::vector<std::uint8_t>&,                     // failures
+               std::vector<std::uint32_t>&,                    // cell_components
+               std::vector<double>&,                           // component_volumes
+               double&, double&,                               // mean_, minimum_interface_edge
+               std::array<double, d>&, double&,                // normalization_translation, _scale
+               std::array<double, d>&>;                        // periods
+static_assert(
+    std::is_same<decltype(members(std::declval<State<3>&>())), Checkpoint_members<3>>::value,
+    "the state has other members than files have: raise checkpoint_version, too");
+
+inline std::uint32_t crc_32(const char* bytes, std::size_t size) {
+  boost::crc_32_type crc;
+  crc.process_bytes(bytes, size);
+  return crc.checksum();
+}
+
+class Checkpoint_encoder
+{
+public:
+  template <class Number> void operator()(Number number) { append_little_endian(m_bytes, number); }
+
+  template <class T, std::size_t n> void operator()(const std::array<T, n>& elements) {
+    for (const T& element : elements)
+      (*this)(element);
+  }
+
+  template <class T> void operator()(const std::vector<T>& elements) {
+    (*this)(std::uint64_t(elements.size()));
+    for (const T& element : elements)
+      (*this)(element);
+  }
+
+  void operator()(const std::string& text) {
+    (*this)(std::uint64_t(text.size()));
+    m_bytes += text;
+  }
+
+  const std::string& bytes() const { return m_bytes; }
+
+private:
+  std::string m_bytes;
+};
+
+// Reads what the encoder wrote. Becomes and stays invalid when there are too few bytes; nothing is
+// allocated for elements that are not there.
+class Checkpoint_decoder
+{
+public:
+  Checkpoint_decoder(const char* begin, const char* end) : m_position(begin), m_end(end) {}
+
+  template <class Number> void operator()(Number& number) {
+    m_is_valid = m_is_valid && sizeof(Number) <= remaining();
+    if (m_is_valid) {
+      number = little_endian<Number>(m_position);
+      m_position += sizeof(Number);
+    }
+  }
+
+  template <class T, std::size_t n> void operator()(std::array<T, n>& elements) {
+    for (T& element : elements)
+      (*this)(element);
+  }
+
+  template <class T> void operator()(std::vector<T>& elements) {
+    elements.resize(number_of_elements(sizeof(T)));
+    for (T& element : elements)
+      (*this)(element);
+  }
+
+  void operator()(std::string& text) {
+    const std::size_t size = number_of_elements(1); // first, as it moves the position
+    text.assign(m_position, size);
+    m_position += size;
+  }
+
+  // whether everything was there and everything was read
+  bool is_complete() const { return m_is_valid && m_position == m_end; }
+
+private:
+  std::size_t remaining() const { return static_cast<std::size_t>(m_end - m_position); }
+
+  std::size_t number_of_elements(std::size_t element_size) {
+    std::uint64_t n = 0;
+    (*this)(n);
+    m_is_valid = m_is_valid && n <= remaining() / element_size;
+    return m_is_valid ? static_cast<std::size_t>(n) : 0;
+  }
+
+  const char* m_position;
+  const char* m_end;
+  bool m_is_valid = true;
+};
+
+template <int d> struct Checkpoint
+{
+  State<d> state;       ///< the complex
+  std::string metadata; ///< what the program added, e.g. time and settings
+};
+
+template <int d>
+void write_checkpoint_file(const std::string& path, const State<d>& state,
+                           const std::string& metadata) {
+  CGAL_precondition(has_consistent_sizes(state));
+
+  Checkpoint_encoder payload;
+  payload(metadata);
+  std::apply([&](const auto&... members) { (payload(members), ...); }, members(state));
+
+  Checkpoint_encoder header;
+  header(checkpoint_version);
+  header(crc_32(payload.bytes().data(), payload.bytes().size()));
+  header(std::uint64_t(payload.bytes().size()));
+
+  replace_file_by_stream(path, [&](std::ostream& out) {
+    out << checkpoint_magic<d>() << header.bytes() << payload.bytes();
+  });
+}
+
+template <int d> Checkpoint<d> read_checkpoint_file(const std::string& path) {
+  const auto require = [&](bool condition, const std::string& what) {
+    if (!condition)
+      throw File_error(path + " " + what, path);
+  };
+
+  const std::string bytes = file_contents(path);
+  require(bytes.compare(0, checkpoint_magic_size, checkpoint_magic<d>()) == 0,
+          "is not a checkpoint of a deformable simplicial complex in " + std::to_string(d) +
+              " dimensions: choose another file");
+  require(bytes.size() >= checkpoint_header_size,
+          "is truncated: continue from an older checkpoint");
+
+  std::uint32_t version = 0, crc = 0;
+  std::uint64_t size = 0;
+  const char* payload_begin = bytes.data() + checkpoint_header_size;
+  Checkpoint_decoder header(bytes.data() + checkpoint_magic_size, payload_begin);
+  header(version);
+  header(crc);
+  header(size);
+  require(version == checkpoint_version,
+          "has version " + std::to_string(version) + " and not " +
+              std::to_string(checkpoint_version) +
+              ": read it with the version of this package that wrote it");
+  const std::size_t payload_size = bytes.size() - checkpoint_header_size;
+  require(size <= payload_size, "is truncated: continue from an older checkpoint");
+  require(size == payload_size && crc == crc_32(payload_begin, payload_size),
+          "is damaged: continue from an older checkpoint or a copy of the file");
+
+  Checkpoint<d> checkpoint;
+  Checkpoint_decoder payload(payload_begin, payload_begin + payload_size);
+  payload(checkpoint.metadata);
+  std::apply([&](auto&... members) { (payload(members), ...); }, members(checkpoint.state));
+  require(payload.is_complete() && has_consistent_sizes(checkpoint.state),
+          "contradicts itself: it was not written by this package, choose another file");
+  return checkpoint;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_CHECKPOINT_FILE_H

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_WRITE_VTU_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_WRITE_VTU_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/Vtu_document.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Extracted_facets.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Vertex_numbering.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+constexpr Vtu_document::Cell_type vtu_simplex(int dimension) {
+  return dimension == 3   ? Vtu_document::tetrahedron
+         : dimension == 2 ? Vtu_document::triangle
+                          : Vtu_document::line;
+}
+
+// All cells. On a torus, those across its seam are where their first vertex sees them, at further
+// images of their vertices.
+template <class Complex> void write_cells_vtu(const std::string& path, const Complex& dsc) {
+  using Vertex_handle = typename Complex::Vertex_handle;
+  const Vertex_numbering<Vertex_handle> number(dsc.vertices());
+  std::vector<typename Complex::Approximate_point> points; // of the complex
+  std::vector<Vertex_handle> vertices = number.vertices();
+  for (const auto v : vertices)
+    points.push_back(dsc.position(v));
+  std::vector<std::vector<std::size_t>> images(Complex::Domain::has_outside ? 0 : points.size());
+
+  std::vector<std::int64_t> connectivity;
+  std::vector<std::int32_t> labels;
+  std::vector<double> qualities;
+  for (const auto c : dsc.cells()) {
+    for (int i = 0; i < Complex::corners; ++i) {
+      std::size_t index = number(c->vertex(i));
+      if constexpr (!Complex::Domain::has_outside) {
+        const auto p = dsc.corner(c, i);
+        if (p != points[index]) {
+          auto& further = images[index];
+          std::size_t k = 0;
+          while (k < further.size() && points[further[k]] != p)
+            ++k;
+          if (k == further.size()) {
+            further.push_back(points.size());
+            points.push_back(p);
+            vertices.push_back(c->vertex(i));
+          }
+          index = further[k];
+        }
+      }
+      connectivity.push_back(std::int64_t(index));
+    }
+    labels.push_back(dsc.label(c));
+    qualities.push_back(dsc.quality(c));
+  }
+  std::vector<std::uint8_t> boundary_classes, interface_flags;
+  for (const auto v : vertices) {
+    boundary_classes.push_back(v->boundary_class());
+    interface_flags.push_back(dsc.is_interface(v));
+  }
+  const auto& normalization = dsc.normalization();
+  for (auto& p : points)
+    p = ORIGIN + (normalization.translation + normalization.scale * (p - ORIGIN));
+
+  Vtu_document document(points.size(), labels.size());
+  document.begin("PointData");
+  document.array("boundary_class", boundary_classes);
+  document.array("interface", interface_flags);
+  document.end("PointData");
+  document.begin("CellData");
+  document.array("label", labels);
+  document.array("quality", qualities);
+  document.end("CellData");
+  document.points(points);
+  document.cells(connectivity, vtu_simplex(Complex::dimension));
+  replace_file_by_stream(path, [&](std::ostream& out) { document.write(out); });
+}
+
+// All facets of the interface.
+template <class Complex> void write_facets_vtu(const std::string& path, const Complex& dsc) {
+  const Extracted_facets<Complex> interface_(dsc, dsc.interface_facets(), false);
+  std::vector<std::int64_t> connectivity;
+  for (const auto& facet : interface_.facets)
+    connectivity.insert(connectivity.end(), facet.begin(), facet.end());
+  std::vector<std::int32_t> label_pairs;
+  for (const auto& pair : interface_.labels)
+    label_pairs.insert(label_pairs.end(), pair.begin(), pair.end());
+
+  Vtu_document document(interface_.points.size(), interface_.facets.size());
+  document.begin("CellData");
+  document.array("label_pair", label_pairs, 2);
+  document.end("CellData");
+  document.points(interface_.points);
+  document.cells(connectivity, vtu_simplex(Complex::dimension - 1));
+  replace_file_by_stream(path, [&](std::ostream& out) { document.write(out); });
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_WRITE_VTU_H

@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_IO_SVG_2_H
+#define CGAL_IO_SVG_2_H
+
+#include <CGAL/Deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
+#include <CGAL/extract_interface_2.h>
+
+#include <CGAL/Bbox_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace IO {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+is how `write_SVG()` draws.
+*/
+struct SVG_options
+{
+  double width = 800;       ///< of the picture in pixels; its height follows from the domain
+  bool draws_edges = false; ///< whether the edges of all triangles are drawn
+  double line_width = 1.5;  ///< of the interface in pixels; 0 leaves it out
+  Bbox_2 window;            ///< what is seen, in user coordinates; the whole domain if it is empty
+};
+
+} // namespace IO
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Colors for labels: white for 0, then hues by the golden angle, light enough for black lines.
+inline std::string color_of_label(int label) {
+  if (label == 0)
+    return "#ffffff";
+  static constexpr double golden_angle = 137.50776405, first_hue = 210, saturation = .55,
+                          lightness = .66;
+  const double hue = std::fmod(first_hue + golden_angle * double(std::int64_t(label) - 1), 360.);
+  const auto channel = [&](double shift) {
+    const double k = std::fmod(shift + (hue < 0 ? hue + 360 : hue) / 30, 12.);
+    const double a = saturation * (std::min)(lightness, 1 - lightness);
+    return int(
+        std::lround(255 * (lightness - a * (std::max)(-1., (std::min)({k - 3, 9 - k, 1.})))));
+  };
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", channel(0), channel(8), channel(4));
+  return text;
+}
+
+// Draws triangles and segments of the plane, each at all images of a period that are in sight.
+class Svg_canvas
+{
+public:
+  Svg_canvas(const Bbox_2& window, double width, const std::array<double, 2>& periods)
+      : m_window(window), m_scale(width / (window.xmax() - window.xmin())), m_periods(periods) {}
+
+  double height() const { return m_scale * (m_window.ymax() - m_window.ymin()); }
+
+  template <class Point, std::size_t n>
+  void add(const std::array<Point, n>& corners, std::string& path) const {
+    std::array<int, 2> first, last;
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto [low, high] =
+          std::minmax_element(corners.begin(), corners.end(),
+                              [&](const Point& p, const Point& q) { return p[axis] < q[axis]; });
+      const double begin = axis == 0 ? m_window.xmin() : m_window.ymin(),
+                   end = axis == 0 ? m_window.xmax() : m_window.ymax(), period = m_periods[axis];
+      first[axis] = period > 0 ? int(std::ceil((begin - (*high)[axis]) / period)) : 0;
+      last[axis] = period > 0 ? int(std::floor((end - (*low)[axis]) / period)) : 0;
+    }
+    for (int i = first[0]; i <= last[0]; ++i)
+      for (int j = first[1]; j <= last[1]; ++j) {
+        for (std::size_t k = 0; k < n; ++k)
+          append(k == 0 ? 'M' : 'L', corners[k].x() + i * m_periods[0],
+                 corners[k].y() + j * m_periods[1], path);
+        if (n > 2)
+          path += 'Z';
+      }
+  }
+
+private:
+  void append(char command, double x, double y, std::string& path) const {
+    char text[64];
+    std::snprintf(text, sizeof text, "%c%.2f,%.2f", command, m_scale * (x - m_window.xmin()),
+                  m_scale * (m_window.ymax() - y));
+    path += text;
+  }
+
+  Bbox_2 m_window;
+  double m_scale;
+  std::array<double, 2> m_periods;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
+namespace IO {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+draws a planar complex as a picture: scalable vector graphics (`.svg`), with a color for each label,
+white for 0, and the interface as black lines. A torus is shown as its box, with what is across its
+seam on both sides.
+
+\param path is the name of the file; its folder must exist.
+\param dsc is the complex.
+\param options tell how.
+
+\throws Deformable_simplicial_complexes::Error if the width is not positive, or the complex is empty.
+\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file
+of that name is unchanged then.
+
+n log n in the number of triangles.
+*/
+template <class Traits, class Tds, class Domain>
+void write_SVG(const std::string& path,
+               const Deformable_simplicial_complex_2<Traits, Tds, Domain>& dsc,
+               const SVG_options& options = SVG_options()) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  using Complex = Deformable_simplicial_complex_2<Traits, Tds, Domain>;
+  using Point = typename Complex::Approximate_point_2;
+  if (!(options.width > 0))
+    throw Deformable_simplicial_complexes::Error("the width of a picture is not positive");
+  if (dsc.number_of_cells() == 0)
+    throw Deformable_simplicial_complexes::Error("there is nothing to draw: the complex is empty");
+  const auto& normalization = dsc.normalization();
+  const auto in_user_coordinates = [&](const Point& p) {
+    return ORIGIN + (normalization.translation + normalization.scale * (p - ORIGIN));
+  };
+  std::array<double, 2> periods = dsc.domain().template periods<2>();
+  Bbox_2 window = options.window;
+  if (!(window.xmax() > window.xmin() && window.ymax() > window.ymin())) {
+    window = Bbox_2();
+    if constexpr (Domain::has_outside)
+      for (const auto v : dsc.vertices())
+        window += dsc.user_position(v).bbox();
+    else
+      window = in_user_coordinates(Point(0, 0)).bbox() +
+               in_user_coordinates(Point(periods[0], periods[1])).bbox();
+  }
+  for (double& period : periods)
+    period *= normalization.scale;
+  const internal::Svg_canvas canvas(window, options.width, periods);
+
+  std::map<int, std::string> regions;
+  std::string edges, interface_;
+  for (const auto c : dsc.cells()) {
+    const std::array<Point, 3> corners = {in_user_coordinates(dsc.corner(c, 0)),
+                                          in_user_coordinates(dsc.corner(c, 1)),
+                                          in_user_coordinates(dsc.corner(c, 2))};
+    canvas.add(corners, regions[dsc.label(c)]);
+    if (options.draws_edges)
+      canvas.add(corners, edges);
+    for (int i = 0; i < 3; ++i)
+      if (dsc.is_interface(typename Complex::Facet(c, i)) && c->label() > c->neighbor(i)->label())
+        canvas.add(std::array<Point, 2>{corners[(i + 1) % 3], corners[(i + 2) % 3]}, interface_);
+  }
+  internal::replace_file_by_stream(path, [&](std::ostream& out) {
+    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << options.width << "\" height=\""
+        << canvas.height() << "\" viewBox=\"0 0 " << options.width << ' ' << canvas.height()
+        << "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
+    // The thin lines around triangles close what smoothing leaves between them.
+    for (const auto& [label, region] : regions) {
+      const std::string color = internal::color_of_label(label);
+      out << "<path id=\"label_" << label << "\" fill=\"" << color << "\" stroke=\"" << color
+          << "\" stroke-width=\"0.4\" d=\"" << region << "\"/>\n";
+    }
+    if (options.draws_edges)
+      out << "<path id=\"edges\" fill=\"none\" stroke=\"#808080\" stroke-width=\"0.3\" d=\""
+          << edges << "\"/>\n";
+    if (options.line_width > 0)
+      out << "<path id=\"interface\" fill=\"none\" stroke=\"#000000\" stroke-width=\""
+          << options.line_width << "\" d=\"" << interface_ << "\"/>\n";
+    out << "</svg>\n";
+  });
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_IO_SVG_2_H
