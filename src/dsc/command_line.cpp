@@ -32,7 +32,8 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   CLI::App* info = app.add_subcommand("info", "Print what a file holds, in numbers");
   info->add_option(
           "FILE", info_options.file,
-          "A surface (.off, .obj, .ply, .stl), a checkpoint (.dsc) or a mesh (.mesh, .vtu)")
+          "A surface (.off, .obj, .ply, .stl), a figure in the plane (.wkt, .poly, .pgm), a "
+          "checkpoint (.dsc) or a mesh (.mesh, .vtu)")
       ->required();
 
   Run_commands run_commands(app);
@@ -41,8 +42,10 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   CLI::App* convert = app.add_subcommand("convert", "Write a checkpoint in another format");
   convert->add_option("CHECKPOINT", convert_options.checkpoint, "File to read")->required();
   convert
-      ->add_option("OUT", convert_options.output,
-                   "Interface (.off, .obj, .ply, .stl) or tetrahedra (.vtu, .mesh)")
+      ->add_option(
+          "OUT", convert_options.output,
+          "Interface (.off, .obj, .ply, .stl) or tetrahedra (.vtu, .mesh); in the plane regions "
+          "(.wkt, .poly), a picture (.svg) or triangles (.vtu)")
       ->required();
   convert->add_flag("--quiet", convert_options.quiet, "Print nothing but errors");
 
@@ -78,11 +81,13 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   }
 
   if (*info) {
-    require_extension(info_options.file, {"off", "obj", "ply", "stl", "dsc", "mesh", "vtu"});
+    require_extension(info_options.file,
+                      {"off", "obj", "ply", "stl", "wkt", "poly", "pgm", "dsc", "mesh", "vtu"});
     return info_options;
   }
   if (*convert) {
-    require_extension(convert_options.output, {"off", "obj", "ply", "stl", "vtu", "mesh"});
+    require_extension(convert_options.output,
+                      {"off", "obj", "ply", "stl", "vtu", "mesh", "wkt", "poly", "svg"});
     return convert_options;
   }
   if (*improve) {

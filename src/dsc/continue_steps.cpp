@@ -51,6 +51,8 @@ public:
     complete("--keep-volumes", before.keeps_volumes, asked.keeps_volumes);
   }
 
+  void complete(const Zalesak& before, Zalesak& asked) { complete("--dt", before.dt, asked.dt); }
+
   void complete(const Step_options& before, Step_options& asked) {
     std::visit(
         [&](auto& motion) {
@@ -79,7 +81,7 @@ private:
 
 void require_options(const Motion& motion, const std::set<std::string>& given) {
   static const std::map<std::string, std::vector<std::string>> needs = {
-      {"rotate", {"--axis", "--angle"}}, {"offset", {"--distance"}}, {"advect", {"--velocity"}}};
+      {"rotate", {"--angle"}}, {"offset", {"--distance"}}, {"advect", {"--velocity"}}};
   const std::string command = command_of(motion);
   if (const auto needed = needs.find(command); needed != needs.end())
     for (const std::string& option : needed->second)

@@ -13,14 +13,7 @@ namespace dsc {
 int execute(const Convert_options& options) {
   require_writable(options.output);
   std::string metadata;
-  const Tracked_complex complex = Tracked_complex::from_checkpoint(options.checkpoint, metadata);
-  const std::string format = extension(options.output);
-  if (format == "vtu")
-    complex.write_volume_vtu(options.output);
-  else if (format == "mesh")
-    complex.write_mesh(options.output);
-  else
-    complex.write_interface(options.output);
+  track_checkpoint(options.checkpoint, metadata)->write(options.output);
   if (!options.quiet)
     std::cout << "dsc: wrote " << options.output << '\n';
   return 0;

@@ -6,7 +6,7 @@
 #include "errors.h"
 #include "files.h"
 #include "report_json.h"
-#include "tracked_complex.h"
+#include "tracked_complex_3.h"
 
 #include <cstdio>
 
@@ -33,8 +33,8 @@ Json state_json(const Statistics& statistics, const Improvement_outcome& outcome
 void print_summary(const Statistics& before, const Statistics& after, double seconds) {
   std::printf("dsc: %zu -> %zu tetrahedra, dihedral angles %.3g to %.4g -> %.3g to %.4g degrees; "
               "%.3g s\n",
-              before.tetrahedra, after.tetrahedra, before.min_dihedral, before.max_dihedral,
-              after.min_dihedral, after.max_dihedral, seconds);
+              before.cells, after.cells, before.min_angle, before.max_angle, after.min_angle,
+              after.max_angle, seconds);
 }
 
 } // namespace
@@ -45,15 +45,11 @@ int execute(const Improve_options& options) {
     require_place_of_report(options.report, {options.input, options.output});
   require_writable(options.output);
 
-  Tracked_complex complex = Tracked_complex::from_mesh(options.input);
-  const Statistics before = complex.statistics();
-  const Improvement_outcome outcome = complex.improve(options);
-  const Statistics after = complex.statistics();
-
-  if (extension(options.output) == "vtu")
-    complex.write_volume_vtu(options.output);
-  else
-    complex.write_mesh(options.output);
+  const auto complex = Tracked_complex_3::from_mesh(options.input);
+  const Statistics before = complex->statistics();
+  const Improvement_outcome outcome = complex->improve(options);
+  const Statistics after = complex->statistics();
+  complex->write(options.output);
   if (!options.report.empty())
     write_json(options.report, {{"input", options.input},
                                 {"parameters", parameters_json(options)},

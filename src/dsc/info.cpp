@@ -5,27 +5,36 @@
 #include "commands.h"
 #include "files.h"
 #include "run_position.h"
-#include "tracked_complex.h"
+#include "tracked_complex_3.h"
 
 #include <iostream>
 #include <optional>
+#include <string>
 
 namespace dsc {
 namespace {
 
 void print(const Statistics& statistics) {
-  std::cout << "vertices             " << statistics.vertices << '\n'
-            << "tetrahedra           " << statistics.tetrahedra << '\n'
-            << "interface triangles  " << statistics.interface_triangles << '\n';
+  const bool is_planar = statistics.dimension == 2;
+  const char* const cells = is_planar ? "triangles" : "tetrahedra";
+  const auto line = [](std::string name, const auto& value) -> std::ostream& {
+    name.resize(21, ' ');
+    return std::cout << name << value;
+  };
+  line("vertices", statistics.vertices) << '\n';
+  line(cells, statistics.cells) << '\n';
+  line(is_planar ? "interface segments" : "interface triangles", statistics.interface_facets)
+      << '\n';
   for (const Label_statistics& label : statistics.labels)
-    std::cout << "label " << label.label << ": " << label.tetrahedra << " tetrahedra, volume "
-              << label.volume << ", interface area " << label.area << ", components "
+    std::cout << "label " << label.label << ": " << label.cells << ' ' << cells << ", "
+              << (is_planar ? "area " : "volume ") << label.volume << ", interface "
+              << (is_planar ? "length " : "area ") << label.area << ", components "
               << label.components << ", Euler characteristic " << label.euler_characteristic
               << '\n';
-  std::cout << "dihedral angles      " << statistics.min_dihedral << " to "
-            << statistics.max_dihedral << " degrees, " << 100 * statistics.dihedrals_outside_6_171
-            << " % outside 6 to 171\n"
-            << "smallest quality     " << statistics.min_quality << '\n';
+  line(is_planar ? "angles" : "dihedral angles", statistics.min_angle)
+      << " to " << statistics.max_angle << " degrees, " << 100 * statistics.angles_outside_6_171
+      << " % outside 6 to 171\n";
+  line("smallest quality", statistics.min_quality) << '\n';
 }
 
 void print(const Surface_statistics& statistics) {
@@ -46,17 +55,22 @@ void print(const Surface_statistics& statistics) {
 
 int execute(const Info_options& options) {
   const std::string format = extension(options.file);
-  if (format == "mesh" || format == "vtu")
-    print(Tracked_complex::from_mesh(options.file).statistics());
-  else if (format == "dsc") {
+  Run_start start;
+  start.inputs = {options.file};
+  if (format == "dsc") {
     std::string metadata;
-    const Tracked_complex complex = Tracked_complex::from_checkpoint(options.file, metadata);
+    const auto complex = track_checkpoint(options.file, metadata);
     if (const std::optional<Saved_run> run = from_metadata(metadata))
       std::cout << "step                 " << run->position.step << ", time " << run->position.time
                 << '\n';
-    print(complex.statistics());
-  } else
+    print(complex->statistics());
+  } else if (format == "mesh" || format == "vtu") {
+    print(Tracked_complex_3::from_mesh(options.file)->statistics());
+  } else if (dimension_of(start) == 2) {
+    print(track_figure(start, std::nullopt)->statistics());
+  } else {
     print(surface_statistics(options.file));
+  }
   return 0;
 }
 

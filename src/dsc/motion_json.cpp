@@ -47,6 +47,8 @@ Json json_of(const Curvature_flow& flow) {
           {"keep_volumes", flow.keeps_volumes}};
 }
 
+Json json_of(const Zalesak& zalesak) { return {{"command", "zalesak"}, {"dt", zalesak.dt}}; }
+
 } // namespace
 
 Json motion_json(const Motion& motion) {
@@ -61,6 +63,8 @@ Motion motion_from_json(const Json& json) {
     return Offset{{json.at("distance"), json.at("unit") == mean_edge}, json.at("move_faces")};
   if (command == "mean-curvature")
     return Curvature_flow{value_of<double>(json.at("dt")), json.at("keep_volumes")};
+  if (command == "zalesak")
+    return Zalesak{json.at("dt")};
   const auto field = std::find(commands_of_fields.begin(), commands_of_fields.end(), command);
   if (field == commands_of_fields.end())
     throw std::out_of_range("unknown command " + command);

@@ -67,10 +67,16 @@ std::array<double, 3> parse_axis(const std::string& text) {
   return axis;
 }
 
-std::array<double, 6> parse_domain(const std::string& text) {
-  const std::string form = "-1,-1,-1,1,1,1";
-  const std::array<double, 6> box = parse_numbers<6>(text, "--domain", form);
-  for (std::size_t i = 0; i < 3; ++i)
+std::array<double, 6> parse_domain(const std::string& text, int dimension) {
+  const std::string form = dimension == 2 ? "-1,-1,1,1" : "-1,-1,-1,1,1,1";
+  std::array<double, 6> box = {};
+  if (dimension == 2) {
+    const std::array<double, 4> square = parse_numbers<4>(text, "--domain", form);
+    box = {square[0], square[1], 0, square[2], square[3], 0};
+  } else {
+    box = parse_numbers<6>(text, "--domain", form);
+  }
+  for (int i = 0; i < dimension; ++i)
     if (!(box[i] < box[i + 3]))
       throw Usage_error(
           "--domain is empty; write its least and then its largest coordinates like " + form);

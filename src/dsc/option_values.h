@@ -20,7 +20,7 @@ namespace dsc {
 std::array<double, 3> parse_axis(const std::string& text);
 
 /// \return the least x, y and z, then the largest
-std::array<double, 6> parse_domain(const std::string& text);
+std::array<double, 6> parse_domain(const std::string& text, int dimension);
 
 double parse_angle(const std::string& text);
 

@@ -17,10 +17,10 @@
 
 namespace dsc {
 
-/// Turn about an axis through the centre of the domain.
+/// Turn about an axis through the centre of the domain, in the plane about that.
 struct Rotation
 {
-  std::array<double, 3> axis; ///< not zero, any length
+  std::array<double, 3> axis; ///< of any length; zero in the plane
   double degrees;             ///< per step
 };
 
@@ -47,7 +47,7 @@ struct Advection
   enum class Field { enright, vortex, expressions };
 
   Field field;
-  std::string expressions; ///< of the three coordinates, in x, y, z and t, if the field is these
+  std::string expressions; ///< of the coordinates, in x, y, z and t, if the field is these
   double period;           ///< T of the factor cos(pi t / T); 0 for no such factor
   double dt;               ///< per step
   CGAL::Deformable_simplicial_complexes::Integration_scheme scheme;
@@ -61,7 +61,15 @@ struct Curvature_flow
   bool keeps_volumes;
 };
 
-using Motion = std::variant<Rotation, Offset, Advection, Curvature_flow>;
+/// Turn about the point (50, 50) of the plane, once in 628 units of time.
+struct Zalesak
+{
+  static constexpr double period = 628;
+
+  double dt; ///< per step
+};
+
+using Motion = std::variant<Rotation, Offset, Advection, Curvature_flow, Zalesak>;
 
 /// What each step of a run does.
 struct Step_options
@@ -78,14 +86,22 @@ struct Ball
   double radius;
 };
 
-/// The surfaces that a run starts from.
+/// A figure in the plane that needs no file.
+enum class Figure { none, disk, slotted_disk };
+
+/// The surfaces, or the figures of the plane, that a run starts from.
 struct Run_start
 {
   std::vector<std::string> inputs; ///< files
   std::size_t triangles = 0;       ///< of all surfaces together; 0 keeps them as they are
   std::optional<Ball> ball;        ///< that the inputs are fitted into or, without any, that is the
                                    ///< surface
+  std::size_t segments = 0;        ///< of all curves together, at least; 0 keeps them as they are
+  Figure figure = Figure::none;    ///< without any input in the plane
 };
+
+/// 2 if a run starts in the plane, else 3.
+int dimension_of(const Run_start& start);
 
 /// What the commands that move an interface are asked to do.
 struct Run_options

@@ -77,6 +77,7 @@ void Output_folder::write(const Tracked_complex& complex, const Run_position& po
     const std::string interface = file(numbered("interface_%06u.vtu", position.step));
     complex.write_volume_vtu(volume);
     complex.write_interface_vtu(interface);
+    complex.write_picture(file(numbered("picture_%06u", position.step)));
     m_volume.append(position.time, volume);
     m_interface.append(position.time, interface);
     m_last_time = position.time;

@@ -15,8 +15,8 @@
 
 namespace dsc {
 
-/// The files of a run: one pair of VTU files for each written step, the two collections of them,
-/// and the checkpoint of the last.
+/// The files of a run: one pair of VTU files for each written step, in the plane also a picture,
+/// the two collections of them, and the checkpoint of the last.
 class Output_folder
 {
 public:

@@ -13,6 +13,7 @@ Json parameters_json(const Run_options& options, const Run_start& start) {
   Json json = motion_json(options.step.motion);
   json["steps"] = options.steps;
   json["triangles"] = value_or_null(start.triangles);
+  json["segments"] = value_or_null(start.segments);
   json["fit"] = start.ball && !start.inputs.empty();
   json["domain"] = options.domain ? Json(*options.domain) : Json();
   json["improve_interface"] = options.step.improves_interface;

@@ -7,18 +7,27 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
 
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace dsc {
 namespace {
 
-Json labels_json(const std::vector<Label_statistics>& labels) {
+// What the same thing is called in the plane and in space.
+struct Names
+{
+  const char *cells, *measure, *interface_measure, *facets;
+};
+const Names plane = {"triangles", "area", "length", "interface_segments"},
+            space = {"tetrahedra", "volume", "area", "interface_triangles"};
+
+Json labels_json(const std::vector<Label_statistics>& labels, const Names& names) {
   Json json = Json::array();
   for (const Label_statistics& label : labels)
     json.push_back({{"label", label.label},
-                    {"tetrahedra", label.tetrahedra},
-                    {"volume", label.volume},
-                    {"area", label.area},
+                    {names.cells, label.cells},
+                    {names.measure, label.volume},
+                    {names.interface_measure, label.area},
                     {"components", label.components},
                     {"euler_characteristic", label.euler_characteristic}});
   return json;
@@ -27,14 +36,16 @@ Json labels_json(const std::vector<Label_statistics>& labels) {
 } // namespace
 
 Json statistics_json(const Statistics& statistics) {
+  const Names& names = statistics.dimension == 2 ? plane : space;
+  const std::string angle = statistics.dimension == 2 ? "angle" : "dihedral";
   return {{"vertices", statistics.vertices},
-          {"tetrahedra", statistics.tetrahedra},
-          {"interface_triangles", statistics.interface_triangles},
-          {"labels", labels_json(statistics.labels)},
-          {"min_dihedral", statistics.min_dihedral},
-          {"max_dihedral", statistics.max_dihedral},
-          {"dihedral_histogram", statistics.dihedral_histogram},
-          {"dihedrals_outside_6_171", statistics.dihedrals_outside_6_171},
+          {names.cells, statistics.cells},
+          {names.facets, statistics.interface_facets},
+          {"labels", labels_json(statistics.labels, names)},
+          {"min_" + angle, statistics.min_angle},
+          {"max_" + angle, statistics.max_angle},
+          {angle + "_histogram", statistics.angle_histogram},
+          {angle + "s_outside_6_171", statistics.angles_outside_6_171},
           {"min_quality", statistics.min_quality}};
 }
 

@@ -11,6 +11,7 @@
 #include "progress_line.h"
 #include "report.h"
 #include "run_position.h"
+#include "start_curves.h"
 #include "start_distance.h"
 #include "surface.h"
 #include "tracked_complex.h"
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -36,16 +38,18 @@ void print_changes(const Run_position& position, const std::string& changes) {
 
 /// Builds or reads the complex; a run that is resumed goes on as before where `options` do not say
 /// how.
-Tracked_complex start(Run_options& options, Run_position& position) {
+std::unique_ptr<Tracked_complex> start(Run_options& options, Run_position& position) {
   if (options.resume.empty()) {
     position.start = options.start;
+    if (dimension_of(options.start) == 2)
+      return track_figure(options.start, options.domain);
     std::vector<std::string> names = options.start.inputs;
     if (names.empty())
       names = {"the ball"};
-    return Tracked_complex::from_surfaces(start_surfaces(options.start), names, options.domain);
+    return track_surfaces(start_surfaces(options.start), names, options.domain);
   }
   std::string metadata;
-  Tracked_complex complex = Tracked_complex::from_checkpoint(options.resume, metadata);
+  auto complex = track_checkpoint(options.resume, metadata);
   const std::optional<Saved_run> run = from_metadata(metadata);
   if (!run)
     throw Input_error(options.resume +
@@ -60,6 +64,8 @@ Tracked_complex start(Run_options& options, Run_position& position) {
 
 /// The time after which everything is back; 0 if there is none.
 double period(const Motion& motion) {
+  if (std::holds_alternative<Zalesak>(motion))
+    return Zalesak::period;
   const Advection* advection = std::get_if<Advection>(&motion);
   return advection ? advection->period : 0;
 }
@@ -69,10 +75,13 @@ double period(const Motion& motion) {
 std::optional<Start_distance> start_distance(const Run_options& options,
                                              const Run_position& position) {
   const Run_start& start = position.start;
-  if (period(options.step.motion) == 0 || (start.inputs.empty() && !start.ball))
+  if (period(options.step.motion) == 0 ||
+      (start.inputs.empty() && !start.ball && start.figure == Figure::none))
     return std::nullopt;
   try {
-    return std::optional<Start_distance>(std::in_place, start_surfaces(start));
+    return dimension_of(start) == 2
+               ? std::optional<Start_distance>(std::in_place, start_curves(start))
+               : std::optional<Start_distance>(std::in_place, start_surfaces(start));
   } catch (const std::runtime_error&) { // a run can be resumed without its inputs
     return std::nullopt;
   }
@@ -84,11 +93,13 @@ bool is_whole_period(double time, double time_step, double period) {
 
 void print_summary(const Run_position& position, const Statistics& statistics,
                    std::size_t unfinished, double seconds) {
-  std::printf(
-      "dsc: step %u, time %g: %zu tetrahedra, %zu interface triangles, dihedral angles %.3g "
-      "to %.4g degrees; %zu unfinished vertices, %.3g s\n",
-      position.step, position.time, statistics.tetrahedra, statistics.interface_triangles,
-      statistics.min_dihedral, statistics.max_dihedral, unfinished, seconds);
+  const bool is_planar = statistics.dimension == 2;
+  std::printf("dsc: step %u, time %g: %zu %s, %zu interface %s, %s %.3g to %.4g degrees; %zu "
+              "unfinished vertices, %.3g s\n",
+              position.step, position.time, statistics.cells,
+              is_planar ? "triangles" : "tetrahedra", statistics.interface_facets,
+              is_planar ? "segments" : "triangles", is_planar ? "angles" : "dihedral angles",
+              statistics.min_angle, statistics.max_angle, unfinished, seconds);
 }
 
 void print_interruption(const Run_position& position, const std::string& checkpoint,
@@ -119,7 +130,8 @@ int execute(const Run_options& asked) {
   }
 
   Run_position position;
-  Tracked_complex complex = start(options, position);
+  const std::unique_ptr<Tracked_complex> tracked = start(options, position);
+  Tracked_complex& complex = *tracked;
   if (folder && !options.resume.empty())
     folder->keep_until(position.time);
 
@@ -142,12 +154,11 @@ int execute(const Run_options& asked) {
   double seconds = 0;
   Progress_line progress(options.steps, options.quiet);
   progress.show(done);
-  std::optional<Tracked_complex::State> last; // during a step, unless the folder holds it
   const auto advance = [&] {
     if (folder && !folder->holds(position))
-      last = complex.state();
+      complex.keep();
     Step_outcome outcome = complex.advance(options.step, position.time, options.threads);
-    last.reset();
+    complex.forget();
     ++done;
     ++position.step;
     position.time += time_step;
@@ -168,10 +179,7 @@ int execute(const Run_options& asked) {
   } catch (...) {
     // A step that cannot be done, for whatever reason. Those before it are worth keeping.
     progress.clear();
-    if (last) {
-      complex.restore(*last);
-      last.reset(); // as memory may be short
-    }
+    complex.go_back();
     write_files();
     report.write();
     throw;

@@ -21,14 +21,17 @@ const Ball ball_of_enright = {{.35, .35, .35}, .15};
 const Ball ball_of_vortex = {{.5, .75, .5}, .15};
 constexpr std::array<double, 6> unit_cube = {0, 0, 0, 1, 1, 1};
 
-constexpr double default_dt = .01;
+constexpr std::array<double, 6> unit_square = {0, 0, 0, 1, 1, 0},
+                                square_of_zalesak = {0, 0, 0, 100, 100, 0};
+
+constexpr double default_dt = .01, default_dt_of_zalesak = 1;
 
 } // namespace
 
 Run_commands::Run_commands(CLI::App& app) {
   m_rotate = add_command(app, "rotate", "Turn the interface about the domain's centre");
   m_rotate->add_option("--axis", m_axis,
-                       "Direction of the axis, like 0,0,1; required for a new run");
+                       "Direction of the axis, like 0,0,1; required for a new run in space");
   m_rotate->add_option("--angle", m_angle, "Degrees per step; required for a new run");
 
   m_offset = add_command(app, "offset", "Move the interface along its normals");
@@ -52,7 +55,7 @@ Run_commands::Run_commands(CLI::App& app) {
   m_advect = add_command(app, "advect", "Move the interface with any velocities");
   m_advect->add_option("--velocity", m_expressions,
                        "Three expressions in x, y, z and t like '-y,x,sin(pi*t)', in the "
-                       "coordinates of the input; required for a new run");
+                       "coordinates of the input, in the plane two; required for a new run");
   add_flow_options(*m_advect);
 
   m_mean_curvature = add_command(app, "mean-curvature", "Move the interface by its mean curvature");
@@ -61,6 +64,11 @@ Run_commands::Run_commands(CLI::App& app) {
                                "square of its mean interface edge if not given");
   m_mean_curvature->add_flag("--keep-volumes", m_keeps_volumes,
                              "Keep the volume of each label but 0");
+
+  m_zalesak = add_command(app, "zalesak",
+                          "Turn curves, or a slotted disk if there is no INPUT, about (50, 50) in "
+                          "the square up to (100, 100), once in 628 units of time");
+  m_zalesak->add_option("--dt", m_dt, "Time per step; 1 if not given");
 }
 
 CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
@@ -68,7 +76,8 @@ CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
   CLI::App* command = app.add_subcommand(name, description);
   CLI::Option* inputs = command->add_option(
       "INPUT", m_options.start.inputs,
-      "Closed surfaces (.off, .obj, .ply, .stl); they get the labels 1, 2 and so on");
+      "Closed surfaces (.off, .obj, .ply, .stl), or in the plane polygons (.wkt); they get the "
+      "labels 1, 2 and so on. Or segments (.poly) or an image of labels (.pgm)");
   CLI::Option* resume = command->add_option("--resume", m_options.resume,
                                             "Continue the run of this checkpoint instead of an "
                                             "INPUT; options of its steps that are not given stay");
@@ -82,8 +91,14 @@ CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
       ->check(CLI::Range(4, INT_MAX))
       ->excludes(resume);
   command
+      ->add_option("--segments", m_options.start.segments,
+                   "Divide curves in the plane into about so many segments in total, or more")
+      ->check(CLI::Range(4, INT_MAX))
+      ->excludes(resume);
+  command
       ->add_option("--domain", m_domain,
-                   "Box around all, by its least and its largest coordinates like -1,-1,-1,1,1,1")
+                   "Box around all, by its least and its largest coordinates like -1,-1,-1,1,1,1, "
+                   "in the plane -1,-1,1,1")
       ->excludes(resume);
   CLI::Option* improves =
       command->add_flag("--improve-interface", m_options.step.improves_interface,
@@ -143,42 +158,74 @@ Motion Run_commands::motion(const std::set<std::string>& given) const {
   if (*m_vortex)
     return advection(Advection::Field::vortex, given, 8);
   if (*m_advect) {
-    if (given.count("--velocity") > 0)
-      const Velocity_expressions check(m_expressions);
+    if (given.count("--velocity") > 0 && m_options.resume.empty())
+      const Velocity_expressions check(m_expressions, dimension_of(m_options.start));
     return advection(Advection::Field::expressions, given, 0);
   }
+  if (*m_zalesak)
+    return Zalesak{given.count("--dt") > 0 ? parse_positive(m_dt, "--dt") : default_dt_of_zalesak};
   return Curvature_flow{given.count("--dt") > 0 ? parse_positive(m_dt, "--dt") : 0,
                         m_keeps_volumes};
+}
+
+/// What has a meaning in one dimension only is refused in the other.
+void Run_commands::require_dimension(const Run_options& options, bool is_planar) const {
+  const auto is_given = [&](const char* name) { return options.given.count(name) > 0; };
+  if (is_planar && *m_enright)
+    throw Usage_error("dsc enright deforms surfaces; in the plane, use dsc vortex");
+  if (!is_planar && *m_zalesak)
+    throw Usage_error("dsc zalesak turns curves in the plane; for surfaces, use dsc rotate");
+  for (const char* name : {"--axis", "--move-faces", "--fit", "--triangles"})
+    if (is_planar && is_given(name))
+      throw Usage_error(std::string(name) + " has no meaning in the plane; leave it out");
+  for (const char* name : {"--segments", "--plane"})
+    if (!is_planar && is_given(name))
+      throw Usage_error(std::string(name) + " has a meaning in the plane only; leave it out");
+  if (!is_planar && *m_rotate && !is_given("--axis"))
+    throw Usage_error("--axis is required; see dsc rotate --help");
 }
 
 Run_options Run_commands::options() const {
   Run_options options = m_options;
   for (const CLI::App* command :
-       {m_rotate, m_offset, m_enright, m_vortex, m_advect, m_mean_curvature})
+       {m_rotate, m_offset, m_enright, m_vortex, m_advect, m_mean_curvature, m_zalesak})
     for (const CLI::Option* option : command->get_options())
       if (option->count() > 0)
         options.given.insert(option->get_name());
+  const bool is_new = options.resume.empty(), has_input = !options.start.inputs.empty();
+  if (is_new && !has_input && *m_zalesak)
+    options.start.figure = Figure::slotted_disk;
+  if (is_new && !has_input && *m_vortex && m_is_planar)
+    options.start.figure = Figure::disk;
+  const bool is_planar = is_new && dimension_of(options.start) == 2;
   options.step.motion = motion(options.given);
   if (options.given.count("--domain") > 0)
-    options.domain = parse_domain(m_domain);
+    options.domain = parse_domain(m_domain, is_planar ? 2 : 3);
   if (options.given.count("--aggressiveness") > 0)
     options.step.aggressiveness = parse_aggressiveness(m_aggressiveness);
-  if (options.resume.empty())
+  if (is_new)
     require_options(options.step.motion, options.given);
 
-  const bool has_ball = *m_enright || *m_vortex;
-  if (options.resume.empty() && options.start.inputs.empty() && !has_ball)
+  const bool has_ball = (*m_enright || *m_vortex) && !is_planar;
+  if (is_new && !has_input && !has_ball && !is_planar)
     throw Usage_error("there is no INPUT; name at least one surface, or a checkpoint by --resume");
-  if (options.start.inputs.empty() && m_fits)
+  if (!has_input && m_fits)
     throw Usage_error("--fit has nothing to fit; name at least one INPUT");
   for (const std::string& input : options.start.inputs)
-    require_extension(input, {"off", "obj", "ply", "stl"});
-  if (options.resume.empty() && has_ball) {
-    if (m_fits || options.start.inputs.empty())
+    if (is_planar)
+      require_extension(input, {"wkt", "poly", "pgm"});
+    else
+      require_extension(input, {"off", "obj", "ply", "stl", "wkt", "poly", "pgm"});
+  if (is_new)
+    require_dimension(options, is_planar);
+  if (is_new && has_ball) {
+    if (m_fits || !has_input)
       options.start.ball = *m_enright ? ball_of_enright : ball_of_vortex;
     if (!options.domain)
       options.domain = unit_cube;
   }
+  if (is_planar && !options.domain && (*m_vortex || *m_zalesak))
+    options.domain = *m_vortex ? unit_square : square_of_zalesak;
   return options;
 }
 

@@ -28,17 +28,18 @@ public:
 private:
   CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description);
   void add_flow_options(CLI::App& command);
+  void require_dimension(const Run_options& options, bool is_planar) const;
   Motion motion(const std::set<std::string>& given) const;
   Advection advection(Advection::Field field, const std::set<std::string>& given,
                       double default_period) const;
 
-  CLI::App *m_rotate, *m_offset, *m_enright, *m_vortex, *m_advect, *m_mean_curvature;
+  CLI::App *m_rotate, *m_offset, *m_enright, *m_vortex, *m_advect, *m_mean_curvature, *m_zalesak;
   Run_options m_options;
   // As they were written.
   std::string m_axis, m_angle, m_distance, m_expressions, m_period, m_dt, m_domain,
       m_aggressiveness;
   std::string m_scheme = "rk4";
-  bool m_moves_faces = false, m_fits = false, m_keeps_volumes = false;
+  bool m_moves_faces = false, m_fits = false, m_keeps_volumes = false, m_is_planar = false;
 };
 
 } // namespace dsc

@@ -17,6 +17,8 @@ std::string to_metadata(const Run_position& position, const Step_options& step) 
   parameters["improve_interface"] = step.improves_interface;
   parameters["aggressiveness"] = step.aggressiveness ? Json(*step.aggressiveness) : Json();
   parameters["triangles"] = position.start.triangles;
+  parameters["segments"] = position.start.segments;
+  parameters["figure"] = static_cast<int>(position.start.figure);
   if (const std::optional<Ball>& ball = position.start.ball)
     parameters["ball"] = {{"center", ball->center}, {"radius", ball->radius}};
   return Json{{"step", position.step},
@@ -36,6 +38,8 @@ std::optional<Saved_run> from_metadata(const std::string& metadata) {
     position.start.inputs = json.at("input").get<std::vector<std::string>>();
     const Json& parameters = json.at("parameters");
     position.start.triangles = parameters.at("triangles");
+    position.start.segments = parameters.at("segments");
+    position.start.figure = static_cast<Figure>(parameters.at("figure").get<int>());
     if (parameters.contains("ball")) {
       const Json& ball = parameters.at("ball");
       position.start.ball = Ball{ball.at("center"), ball.at("radius")};

@@ -5,6 +5,7 @@
 #ifndef DSC_START_DISTANCE_H
 #define DSC_START_DISTANCE_H
 
+#include "start_curves.h"
 #include "statistics.h"
 #include "surface.h"
 
@@ -22,6 +23,7 @@ class Start_distance
 {
 public:
   explicit Start_distance(const std::vector<Surface>& surfaces);
+  explicit Start_distance(const Curves& curves);
 
   /// Of points, in units of `edge`; nothing if there are none.
   std::optional<Distance_statistics> of(const std::vector<Surface_point>& points,
@@ -34,8 +36,14 @@ private:
       CGAL::Deformable_simplicial_complexes::internal::Tree_traits_3<Kernel,
                                                                      Triangles::const_iterator>;
 
+  using Segments = std::vector<Kernel::Segment_3>; // of the plane, where z is 0
+  using Segment_traits = CGAL::Deformable_simplicial_complexes::internal::Segment_tree_traits_3<
+      Kernel, Segments::const_iterator>;
+
   Triangles m_triangles;
+  Segments m_segments;
   CGAL::AABB_tree<Tree_traits> m_tree;
+  CGAL::AABB_tree<Segment_traits> m_segment_tree; // one of the trees is empty
 };
 
 } // namespace dsc

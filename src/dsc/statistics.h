@@ -19,24 +19,25 @@ namespace dsc {
 struct Label_statistics
 {
   int label;
-  std::size_t tetrahedra;
-  double volume;
-  double area; ///< of the label's part of the interface
+  std::size_t cells;
+  double volume; ///< in the plane, area
+  double area;   ///< of the label's part of the interface; in the plane, its length
   std::size_t components;
-  int euler_characteristic; ///< of the label's part of the interface
+  int euler_characteristic; ///< of the label's part of the interface; in the plane, of its region
 };
 
 /// The state of a complex in numbers; angles in degrees.
 struct Statistics
 {
+  int dimension;
   std::size_t vertices;
-  std::size_t tetrahedra;
-  std::size_t interface_triangles;
+  std::size_t cells;
+  std::size_t interface_facets;
   std::vector<Label_statistics> labels;
-  double min_dihedral;
-  double max_dihedral;
-  std::array<std::size_t, 18> dihedral_histogram; ///< bins of 10 degrees
-  double dihedrals_outside_6_171;                 ///< fraction of all dihedral angles
+  double min_angle; ///< dihedral in space
+  double max_angle;
+  std::array<std::size_t, 18> angle_histogram; ///< bins of 10 degrees
+  double angles_outside_6_171;                 ///< fraction of all angles
   double min_quality;
 };
 

@@ -9,9 +9,9 @@
 #include "statistics.h"
 #include "surface.h"
 
-#include <CGAL/Deformable_simplicial_complexes/State.h>
-
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,68 +19,95 @@
 
 namespace dsc {
 
-/// A deformable simplicial complex behind a wall, so that a single file compiles its templates.
-/// All functions throw std::runtime_error if a file cannot be read or written, or makes no complex.
+/// A deformable simplicial complex of either dimension behind a wall, so that few files compile its
+/// templates. All functions throw std::runtime_error if a file cannot be read or written, or makes
+/// no complex.
 class Tracked_complex
 {
 public:
-  using State = CGAL::Deformable_simplicial_complex_state_3;
+  virtual ~Tracked_complex() = default;
 
-  /// Fills the space inside and around surfaces.
-  /// \param names of the surfaces, for messages
-  /// \param domain least and largest coordinates of the box; that of the library if not set
-  static Tracked_complex from_surfaces(const std::vector<Surface>& surfaces,
-                                       const std::vector<std::string>& names,
-                                       const std::optional<std::array<double, 6>>& domain);
-
-  /// The labelled tetrahedra of a MEDIT or VTU file; points that none of them uses are left out.
-  static Tracked_complex from_mesh(const std::string& path);
-
-  /// The complex in a checkpoint, and what was written with it.
-  static Tracked_complex from_checkpoint(const std::string& path, std::string& metadata);
-
-  Tracked_complex(Tracked_complex&&);
-  ~Tracked_complex();
+  virtual int dimension() const = 0;
 
   /// The length of a step in time.
-  double time_step(const Motion& motion) const;
+  virtual double time_step(const Motion& motion) const = 0;
 
   /// Deforms the interface by one step that starts at `time`. If this throws, the complex may have
-  /// been prepared for the step, or worse: go back by restore().
-  Step_outcome advance(const Step_options& options, double time, unsigned threads);
+  /// been prepared for the step, or worse: go_back(). \throws Usage_error if the motion is none of
+  /// this dimension
+  virtual Step_outcome advance(const Step_options& options, double time, unsigned threads) = 0;
 
-  /// The complex in numbers, to go back to.
-  State state() const;
-  void restore(const State& state);
+  /// Keeps the complex as it is, to go back to, until forget().
+  virtual void keep() = 0;
+  virtual void forget() = 0;
+  virtual void go_back() = 0; ///< if there is something to go back to
 
-  /// Improves the tetrahedra; neither the interface nor the boundary changes its shape.
-  Improvement_outcome improve(const Improve_options& options);
+  virtual Statistics statistics() const = 0;
 
-  Statistics statistics() const;
-
-  /// The vertices of the interface, in the coordinates of the input.
-  std::vector<Surface_point> interface_points() const;
+  /// The vertices of the interface, in the coordinates of the input; at height 0 in the plane.
+  virtual std::vector<Surface_point> interface_points() const = 0;
 
   /// The mean length of an interface edge of the input.
-  double mean_edge() const;
+  virtual double mean_edge() const = 0;
 
-  /// Seconds that one pass over all tetrahedra takes which only evaluates the exact orientation and
-  /// the quality of their corners: the unit that steps are compared by.
-  double sweep_seconds() const;
+  /// Seconds that one pass over all cells takes which only evaluates the exact orientation and the
+  /// quality of their corners: the unit that steps are compared by.
+  virtual double sweep_seconds() const = 0;
 
-  /// Writes the interface as a surface, in the format of the extension.
-  void write_interface(const std::string& path) const;
-  void write_interface_vtu(const std::string& path) const;
-  void write_volume_vtu(const std::string& path) const;
-  void write_mesh(const std::string& path) const;
-  void write_checkpoint(const std::string& path, const std::string& metadata) const;
-
-private:
-  struct Implementation;
-  explicit Tracked_complex(std::unique_ptr<Implementation> implementation);
-
-  std::unique_ptr<Implementation> m_implementation;
+  /// Writes the interface, in the plane the regions, or the cells, in the format of the extension.
+  /// \throws Usage_error if it is none of this dimension
+  virtual void write(const std::string& path) const = 0;
+  virtual void write_interface_vtu(const std::string& path) const = 0;
+  virtual void write_volume_vtu(const std::string& path) const = 0;
+  /// In the plane, draws the complex to `stem` + ".svg".
+  virtual void write_picture(const std::string& stem) const = 0;
+  virtual void write_checkpoint(const std::string& path, const std::string& metadata) const = 0;
 };
+
+/// Fills the space inside and around surfaces.
+/// \param names of the surfaces, for messages
+/// \param domain least and largest coordinates of the box; that of the library if not set
+std::unique_ptr<Tracked_complex> track_surfaces(const std::vector<Surface>& surfaces,
+                                                const std::vector<std::string>& names,
+                                                const std::optional<std::array<double, 6>>& domain);
+
+/// The complex of the files of the plane, or of the figure, that a run starts from.
+/// \param domain as above, at heights 0
+std::unique_ptr<Tracked_complex> track_figure(const Run_start& start,
+                                              const std::optional<std::array<double, 6>>& domain);
+
+/// The complex in a checkpoint, and what was written with it.
+std::unique_ptr<Tracked_complex> track_checkpoint(const std::string& path, std::string& metadata);
+
+using Clock = std::chrono::steady_clock;
+
+inline double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// The median time of a pass over cells that evaluates a number for each.
+template <class Cells, class Evaluate>
+double seconds_of_sweep(const Cells& cells, const Evaluate& evaluate) {
+  std::array<double, 9> seconds;
+  [[maybe_unused]] volatile double sum; // so that no pass can be optimized away
+  for (double& s : seconds) {
+    double total = 0;
+    const auto start = Clock::now();
+    for (const auto c : cells)
+      total += evaluate(c);
+    s = seconds_since(start);
+    sum = total;
+  }
+  std::nth_element(seconds.begin(), seconds.begin() + seconds.size() / 2, seconds.end());
+  // A clock may be too coarse for a few cells, but nothing is ever divided by zero.
+  return std::max(seconds[seconds.size() / 2], 1e-9);
+}
+
+/// What a step did, by the report of the library.
+template <class Report> Step_outcome step_outcome(double seconds, const Report& report) {
+  return {seconds,          report.complete, report.unfinished.size(), report.passes, report.split,
+          report.collapsed, report.flipped,  report.relabeled,         std::nullopt};
+}
 
 } // namespace dsc
 

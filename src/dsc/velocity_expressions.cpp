@@ -10,6 +10,8 @@
 
 #include <muParser.h>
 
+#include <algorithm>
+
 namespace dsc {
 
 struct Velocity_expressions::Parser
@@ -18,8 +20,11 @@ struct Velocity_expressions::Parser
   mu::Parser parser;
 };
 
-Velocity_expressions::Velocity_expressions(const std::string& expressions)
+Velocity_expressions::Velocity_expressions(const std::string& expressions, int dimension)
     : m_parser(std::make_unique<Parser>()) {
+  const std::string form = dimension == 2
+                               ? "two expressions in x, y and t like '-y,sin(pi*t)'"
+                               : "three expressions in x, y, z and t like '-y,x,sin(pi*t)'";
   static const std::array<const char*, 4> names = {"x", "y", "z", "t"};
   int number = 0;
   try {
@@ -31,20 +36,22 @@ Velocity_expressions::Velocity_expressions(const std::string& expressions)
     parser.Eval(number);
   } catch (const mu::Parser::exception_type& error) {
     throw Usage_error("--velocity '" + expressions + "' cannot be read: " + error.GetMsg() +
-                      "; write three expressions in x, y, z and t like '-y,x,sin(pi*t)'");
+                      "; write " + form);
   }
-  if (number != 3)
+  if (number != dimension)
     throw Usage_error("--velocity '" + expressions + "' has " + std::to_string(number) +
-                      " components; write three expressions like '-y,x,sin(pi*t)'");
+                      " components; write " + form);
 }
 
 Velocity_expressions::~Velocity_expressions() = default;
 
-std::array<double, 3> Velocity_expressions::at(double x, double y, double z, double t) const {
-  m_parser->variables = {x, y, z, t};
+std::array<double, 3> Velocity_expressions::at(const std::array<double, 3>& p, double t) const {
+  m_parser->variables = {p[0], p[1], p[2], t};
   int number;
   const double* values = m_parser->parser.Eval(number);
-  return {values[0], values[1], values[2]};
+  std::array<double, 3> result = {};
+  std::copy_n(values, number, result.begin());
+  return result;
 }
 
 } // namespace dsc

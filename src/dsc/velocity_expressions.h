@@ -15,11 +15,13 @@ namespace dsc {
 class Velocity_expressions
 {
 public:
-  /// \throws Usage_error if these are not three expressions, with what is wrong and where
-  explicit Velocity_expressions(const std::string& expressions);
+  /// \throws Usage_error if these are not as many expressions as there are dimensions, with what is
+  /// wrong and where
+  Velocity_expressions(const std::string& expressions, int dimension);
   ~Velocity_expressions();
 
-  std::array<double, 3> at(double x, double y, double z, double t) const;
+  /// At a point, whose z is 0 in the plane; so is then that of the velocity.
+  std::array<double, 3> at(const std::array<double, 3>& p, double t) const;
 
 private:
   struct Parser;

@@ -12,6 +12,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Component_tracker.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Label_totals.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Time_stamps.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
 
 #include <array>
@@ -417,6 +418,7 @@ private:
   void collect_surroundings(const Cavity& cavity);
   void sew(bool counts_interface);
   void initialize_caches();
+  std::vector<Cell_handle> all_cells() const;
   void rebuild(const State& state);
   void create_items(const State& state);
   void check_stars(const std::vector<Vertex_handle>& vertices) const;
@@ -433,6 +435,7 @@ private:
   };
 
   Triangulation m_triangulation;
+  internal::Time_stamps m_time_stamps;
   Quality_measure m_quality_measure;
   Domain m_domain;
   internal::Label_totals m_totals;

@@ -65,6 +65,18 @@ inline Checkpoint_2 read_checkpoint_2(const std::string& path) {
   return Deformable_simplicial_complexes::internal::read_checkpoint_file<2>(path);
 }
 
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+returns the dimension of the complex in a checkpoint file, and 0 if it is none: whether
+`read_checkpoint_2()` or `read_checkpoint()` is to read it. Constant time.
+
+\throws Deformable_simplicial_complexes::File_error if the file cannot be opened.
+*/
+inline int checkpoint_dimension(const std::string& path) {
+  return Deformable_simplicial_complexes::internal::checkpoint_file_dimension(path);
+}
+
 } // namespace IO
 } // namespace CGAL
 

@@ -5,11 +5,10 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_GRADED_POINTS_2_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_GRADED_POINTS_2_H
 
-#include <CGAL/AABB_segment_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/Curve_soup_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/cgal_compat.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,8 +51,7 @@ public:
 
 private:
   using Segments = std::vector<Planar_kernel::Segment_3>;
-  using Tree = AABB_tree<
-      AABB_traits<Planar_kernel, AABB_segment_primitive<Planar_kernel, Segments::const_iterator>>>;
+  using Tree = AABB_tree<Segment_tree_traits_3<Planar_kernel, Segments::const_iterator>>;
 
   static constexpr int least_parts = 8;     // of the longer side of the box
   static constexpr int most_parts = 1000;   // of a side, before the curves ask for more

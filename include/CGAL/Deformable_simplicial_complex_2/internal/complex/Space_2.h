@@ -7,7 +7,6 @@
 
 #include <CGAL/Deformable_simplicial_complex_face_base_2.h>
 #include <CGAL/Deformable_simplicial_complex_vertex_base_2.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/cgal_compat.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
@@ -103,9 +102,7 @@ public:
   static auto finite_cells(const Triangulation& t) { return t.finite_face_handles(); }
   static const auto& cell_container(const Triangulation_data_structure& tds) { return tds.faces(); }
   static Cell_handle create_cell(Triangulation_data_structure& tds) { return tds.create_face(); }
-  static void delete_cell(Triangulation_data_structure& tds, Cell_handle c) {
-    erase_item(tds.faces(), c);
-  }
+  static void delete_cell(Triangulation_data_structure& tds, Cell_handle c) { tds.delete_face(c); }
 
   // Both cells with the edge between two vertices of a cell, that cell first.
   static void cells_around_edge(const Triangulation&, Cell_handle c, int i, int j,

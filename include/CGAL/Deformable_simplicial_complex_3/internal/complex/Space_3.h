@@ -8,7 +8,6 @@
 #include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
 #include <CGAL/Deformable_simplicial_complex_cell_base_3.h>
 #include <CGAL/Deformable_simplicial_complex_vertex_base_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/cgal_compat.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
@@ -109,9 +108,7 @@ public:
   static auto finite_cells(const Triangulation& t) { return t.finite_cell_handles(); }
   static const auto& cell_container(const Triangulation_data_structure& tds) { return tds.cells(); }
   static Cell_handle create_cell(Triangulation_data_structure& tds) { return tds.create_cell(); }
-  static void delete_cell(Triangulation_data_structure& tds, Cell_handle c) {
-    erase_item(tds.cells(), c);
-  }
+  static void delete_cell(Triangulation_data_structure& tds, Cell_handle c) { tds.delete_cell(c); }
 
   // All cells with the edge between two vertices of a cell, that cell first.
   static void cells_around_edge(const Triangulation& t, Cell_handle c, int i, int j,

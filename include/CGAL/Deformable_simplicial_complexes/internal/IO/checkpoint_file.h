@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <ostream>
 #include <string>
 #include <tuple>
@@ -162,6 +163,16 @@ void write_checkpoint_file(const std::string& path, const State<d>& state,
   replace_file_by_stream(path, [&](std::ostream& out) {
     out << checkpoint_magic<d>() << header.bytes() << payload.bytes();
   });
+}
+
+// The dimension that a file tells in its first bytes; 0 if it is no checkpoint.
+inline int checkpoint_file_dimension(const std::string& path) {
+  std::string bytes(checkpoint_magic_size, '\0');
+  std::ifstream in(path, std::ios::binary);
+  if (!in)
+    throw File_error("cannot open " + path + ": check that it exists and may be read", path);
+  in.read(&bytes[0], std::streamsize(bytes.size()));
+  return bytes == checkpoint_magic<2>() ? 2 : bytes == checkpoint_magic<3>() ? 3 : 0;
 }
 
 template <int d> Checkpoint<d> read_checkpoint_file(const std::string& path) {

@@ -119,14 +119,14 @@ template <class Space> void prepare_for_cells(typename Space::Triangulation& tri
 // side.
 template <class Space>
 std::vector<typename Space::Cell_handle>
-create_cells(typename Space::Triangulation_data_structure& tds,
+create_cells(typename Space::Triangulation_data_structure& tds, Time_stamps& stamps,
              const std::vector<typename Space::Vertex_handle>& vertices,
              const std::vector<Cell_vertices<Space::dimension>>& cells) {
   static constexpr int corners = Space::dimension + 1;
   std::vector<typename Space::Cell_handle> handles;
   handles.reserve(cells.size());
   for (const auto& c : cells) {
-    handles.push_back(Space::create_cell(tds));
+    handles.push_back(stamps.mark(Space::create_cell(tds)));
     for (int i = 0; i < corners; ++i) {
       handles.back()->set_vertex(i, vertices[c[i]]);
       vertices[c[i]]->set_cell(handles.back());

@@ -186,7 +186,8 @@ CGAL_DSC_TEMPLATE
 class CGAL_DSC_CLASS::Created_items
 {
 public:
-  Created_items(Triangulation_data_structure& tds, Cavity& cavity) : m_tds(tds), m_cavity(cavity) {}
+  Created_items(Triangulation_data_structure& tds, internal::Time_stamps& stamps, Cavity& cavity)
+      : m_tds(tds), m_stamps(stamps), m_cavity(cavity) {}
   Created_items(const Created_items&) = delete;
   Created_items& operator=(const Created_items&) = delete;
 
@@ -195,13 +196,13 @@ public:
       if (m_cavity.m_vertices[i].handle == Vertex_handle()) {
         m_new_vertices.push_back(i);
         auto& v = m_cavity.m_vertices[i];
-        v.handle = m_tds.create_vertex();
+        v.handle = m_stamps.mark(m_tds.create_vertex());
         v.handle->set_point(v.point);
         v.handle->set_boundary_class(v.boundary_class);
       }
     m_cavity.m_created.reserve(m_cavity.m_planned.size());
     while (m_cavity.m_created.size() < m_cavity.m_planned.size())
-      m_cavity.m_created.push_back(Space::create_cell(m_tds));
+      m_cavity.m_created.push_back(m_stamps.mark(Space::create_cell(m_tds)));
   }
 
   void keep() { m_are_kept = true; }
@@ -214,13 +215,14 @@ public:
     m_cavity.m_created.clear();
     for (std::size_t i : m_new_vertices) {
       if (m_cavity.m_vertices[i].handle != Vertex_handle())
-        internal::erase_item(m_tds.vertices(), m_cavity.m_vertices[i].handle);
+        m_tds.delete_vertex(m_cavity.m_vertices[i].handle);
       m_cavity.m_vertices[i].handle = Vertex_handle();
     }
   }
 
 private:
   Triangulation_data_structure& m_tds;
+  internal::Time_stamps& m_stamps;
   Cavity& m_cavity;
   std::vector<std::size_t> m_new_vertices; // by their indices within the cavity
   bool m_are_kept = false;
@@ -234,7 +236,7 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
   Triangulation_data_structure& tds = m_triangulation.tds();
   m_half_facets.clear();
   m_half_facets.reserve(corners * (cavity.removed().size() + cavity.planned().size()));
-  Created_items items(tds, cavity);
+  Created_items items(tds, m_time_stamps, cavity);
   items.create();
   items.keep();
 
@@ -276,7 +278,7 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
 
   for (const auto& v : cavity.vertices())
     if (v.handle->cell()->tds_data().is_in_conflict()) // a removed cell: it has no other
-      internal::erase_item(tds.vertices(), v.handle);
+      tds.delete_vertex(v.handle);
   for (Cell_handle c : cavity.removed())
     Space::delete_cell(tds, c);
   if (is_label_mixed)

@@ -9,7 +9,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Marks.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Time_stamps.h>
 
 #include <algorithm>
 #include <array>

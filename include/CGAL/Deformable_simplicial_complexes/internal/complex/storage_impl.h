@@ -10,7 +10,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Time_stamps.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>
@@ -32,27 +32,44 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// What CGAL cannot copy: one without an infinite vertex, as its content was moved elsewhere, or
-// with one that no cell has.
+// Not by CGAL's copies, which have other time stamps from CGAL 6 on, and need an infinite vertex.
 CGAL_DSC_TEMPLATE
 CGAL_DSC_CLASS::Labelled_complex(const Labelled_complex& other)
-    : m_triangulation(!Domain::has_outside || other.m_triangulation.tds().vertices().empty()
-                          ? Triangulation(other.geom_traits())
-                          : other.m_triangulation),
-      m_quality_measure(other.m_quality_measure), m_domain(other.m_domain),
-      m_totals(other.m_totals), m_normalization(other.m_normalization),
+    : m_triangulation(other.geom_traits()), m_quality_measure(other.m_quality_measure),
+      m_domain(other.m_domain), m_normalization(other.m_normalization),
       m_mean_interface_edge(other.m_mean_interface_edge),
-      m_minimum_interface_edge(other.m_minimum_interface_edge), m_version(other.m_version),
-      m_components(other.m_components) {
-  if (!Domain::has_outside && other.number_of_cells() > 0)
+      m_minimum_interface_edge(other.m_minimum_interface_edge) {
+  if (other.number_of_cells() > 0) {
     rebuild(other.state());
+    const auto copy_time_stamps = [](const auto& from, const auto& to) {
+      for (size_type i = 0; i < from.size(); ++i)
+        to[i]->set_time_stamp(from[i]->time_stamp());
+    };
+    copy_time_stamps(other.vertices(), vertices());
+    copy_time_stamps(other.all_cells(), all_cells());
+    m_time_stamps = other.m_time_stamps;
+    m_totals = other.m_totals;
+    m_components = other.m_components;
+  }
+  m_version = other.m_version;
+}
+
+// All cells, infinite ones included, by increasing time stamp.
+CGAL_DSC_TEMPLATE
+auto CGAL_DSC_CLASS::all_cells() const -> std::vector<Cell_handle> {
+  std::vector<Cell_handle> result;
+  for (Cell_handle c : Space::all_cells(m_triangulation))
+    result.push_back(c);
+  std::sort(result.begin(), result.end(), internal::Less_time_stamp());
+  return result;
 }
 
 // A moved complex is an empty one.
 CGAL_DSC_TEMPLATE
 CGAL_DSC_CLASS::Labelled_complex(Labelled_complex&& other) noexcept
-    : m_triangulation(std::move(other.m_triangulation)), m_quality_measure(other.m_quality_measure),
-      m_domain(other.m_domain), m_totals(std::move(other.m_totals)),
+    : m_triangulation(std::move(other.m_triangulation)), m_time_stamps(other.m_time_stamps),
+      m_quality_measure(other.m_quality_measure), m_domain(other.m_domain),
+      m_totals(std::move(other.m_totals)),
       m_normalization(std::exchange(other.m_normalization, Normalization())),
       m_mean_interface_edge(std::exchange(other.m_mean_interface_edge, 0)),
       m_minimum_interface_edge(std::exchange(other.m_minimum_interface_edge, 0)),
@@ -64,6 +81,7 @@ CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::swap(Labelled_complex& other) noexcept {
   using std::swap;
   m_triangulation.swap(other.m_triangulation);
+  swap(m_time_stamps, other.m_time_stamps);
   swap(m_quality_measure, other.m_quality_measure);
   swap(m_domain, other.m_domain);
   swap(m_totals, other.m_totals);
@@ -129,7 +147,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
   std::vector<Vertex_handle> handles(1, result.m_triangulation.infinite_vertex());
   for (size_type i = 0; i < vertex_order.size(); ++i) {
     rank[vertex_order[i]] = i + 1;
-    handles.push_back(result.m_triangulation.tds().create_vertex());
+    handles.push_back(result.m_time_stamps.mark(result.m_triangulation.tds().create_vertex()));
     handles.back()->set_point(exact(positions[vertex_order[i]]));
   }
   std::vector<Cell_vertices> cells;
@@ -141,8 +159,8 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
   try {
     if (Domain::has_outside)
       internal::append_infinite_cells(cells);
-    const auto cell_handles =
-        internal::create_cells<Space>(result.m_triangulation.tds(), handles, cells);
+    const auto cell_handles = internal::create_cells<Space>(result.m_triangulation.tds(),
+                                                            result.m_time_stamps, handles, cells);
     for (size_type i = 0; i < cell_order.size(); ++i)
       cell_handles[i]->set_label(labels[cell_order[i]]);
     result.check_stars(handles);
@@ -234,10 +252,7 @@ auto CGAL_DSC_CLASS::state() const -> State {
   result.component_volumes = m_components.volumes();
 
   const internal::Less_time_stamp order;
-  std::vector<Cell_handle> cells;
-  for (Cell_handle c : Space::all_cells(m_triangulation))
-    cells.push_back(c);
-  std::sort(cells.begin(), cells.end(), order);
+  const std::vector<Cell_handle> cells = all_cells();
   const auto add_cell_of = [&](Vertex_handle v) {
     const auto position =
         std::lower_bound(cells.begin(), cells.end(), v->cell(), order) - cells.begin();
@@ -292,7 +307,7 @@ void CGAL_DSC_CLASS::create_items(const State& state) {
   internal::prepare_for_cells<Space>(m_triangulation);
   std::vector<Vertex_handle> vertices(1, m_triangulation.infinite_vertex());
   for (size_type i = 0; i < state.points.size(); ++i) {
-    vertices.push_back(m_triangulation.tds().create_vertex());
+    vertices.push_back(m_time_stamps.mark(m_triangulation.tds().create_vertex()));
     vertices.back()->set_point(exact(internal::point_at<Labelled_complex>(state.points[i])));
     vertices.back()->set_boundary_class(state.boundary_classes[i]);
     vertices.back()->set_spacing(state.spacings[i]);
@@ -300,7 +315,8 @@ void CGAL_DSC_CLASS::create_items(const State& state) {
   std::vector<Cell_vertices> indices(state.cells.size());
   for (size_type c = 0; c < indices.size(); ++c)
     std::copy(state.cells[c].begin(), state.cells[c].end(), indices[c].begin());
-  const auto cells = internal::create_cells<Space>(m_triangulation.tds(), vertices, indices);
+  const auto cells =
+      internal::create_cells<Space>(m_triangulation.tds(), m_time_stamps, vertices, indices);
   for (size_type i = 0; i < cells.size(); ++i) {
     if (!is_infinite(cells[i]))
       cells[i]->set_label(state.cell_labels[i]);

@@ -2,9 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tracked_complex_3.h"
 #include "errors.h"
+#include "files.h"
 #include "labelled_tetrahedra.h"
-#include "tracked_complex_implementation.h"
+#include "option_values.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
@@ -28,7 +30,7 @@
 namespace dsc {
 namespace {
 
-using Complex = CGAL::Deformable_simplicial_complex_3<>;
+using Complex = Tracked_complex_3::Complex;
 // At rest, angles count.
 using Complex_at_rest =
     CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
@@ -64,37 +66,28 @@ std::array<double, 6> dihedral_angles(const std::array<Point, 4>& p) {
 }
 
 void add_dihedral_angles(const Complex& complex, Statistics& statistics) {
-  statistics.min_dihedral = 180;
-  statistics.max_dihedral = 0;
+  statistics.min_angle = 180;
+  statistics.max_angle = 0;
   std::size_t outside = 0;
   for (const Complex::Cell_handle c : complex.triangulation().finite_cell_handles())
     for (const double angle : dihedral_angles(corners(complex, c))) {
-      statistics.min_dihedral = std::min(statistics.min_dihedral, angle);
-      statistics.max_dihedral = std::max(statistics.max_dihedral, angle);
-      ++statistics
-            .dihedral_histogram[std::min<std::size_t>(17, static_cast<std::size_t>(angle / 10))];
+      statistics.min_angle = std::min(statistics.min_angle, angle);
+      statistics.max_angle = std::max(statistics.max_angle, angle);
+      ++statistics.angle_histogram[std::min<std::size_t>(17, static_cast<std::size_t>(angle / 10))];
       outside += angle < 6 || angle > 171;
     }
-  statistics.dihedrals_outside_6_171 =
+  statistics.angles_outside_6_171 =
       static_cast<double>(outside) / (6 * static_cast<double>(complex.number_of_cells()));
 }
 
 } // namespace
 
-Tracked_complex::Tracked_complex(std::unique_ptr<Implementation> implementation)
-    : m_implementation(std::move(implementation)) {}
-
-Tracked_complex::Tracked_complex(Tracked_complex&&) = default;
-
-Tracked_complex::~Tracked_complex() = default;
-
-Tracked_complex Tracked_complex::from_surfaces(const std::vector<Surface>& surfaces,
-                                               const std::vector<std::string>& names,
-                                               const std::optional<std::array<double, 6>>& domain) {
+std::unique_ptr<Tracked_complex>
+track_surfaces(const std::vector<Surface>& surfaces, const std::vector<std::string>& names,
+               const std::optional<std::array<double, 6>>& domain) {
   const auto build = [&](const auto& np) {
-    return Tracked_complex(std::make_unique<Implementation>(
-        Implementation{CGAL::make_deformable_simplicial_complex_3<Complex>(
-            surfaces, CGAL::Tetgen_tetrahedralizer_3(), np)}));
+    return std::make_unique<Tracked_complex_3>(CGAL::make_deformable_simplicial_complex_3<Complex>(
+        surfaces, CGAL::Tetgen_tetrahedralizer_3(), np));
   };
   try {
     const auto normalized = parameters::normalize(true);
@@ -110,59 +103,47 @@ Tracked_complex Tracked_complex::from_surfaces(const std::vector<Surface>& surfa
   }
 }
 
-Tracked_complex Tracked_complex::from_mesh(const std::string& path) {
+std::unique_ptr<Tracked_complex_3> Tracked_complex_3::from_mesh(const std::string& path) {
   const Labelled_tetrahedra mesh = read_tetrahedra(path);
   try {
-    return Tracked_complex(std::make_unique<Implementation>(
-        Implementation{CGAL::make_deformable_simplicial_complex_3<Complex>(
-            mesh.points, mesh.tetrahedra, mesh.labels, parameters::improve(false))}));
+    return std::make_unique<Tracked_complex_3>(CGAL::make_deformable_simplicial_complex_3<Complex>(
+        mesh.points, mesh.tetrahedra, mesh.labels, parameters::improve(false)));
   } catch (const Invalid_tetrahedra_error& error) {
     throw Input_error(path + ": " + error.what() + place_of(error, mesh));
   }
 }
 
-Tracked_complex Tracked_complex::from_checkpoint(const std::string& path, std::string& metadata) {
-  CGAL::IO::Checkpoint_3 checkpoint = CGAL::IO::read_checkpoint(path);
-  auto implementation = std::make_unique<Implementation>();
-  try {
-    implementation->complex.restore(checkpoint.state);
-  } catch (const Invalid_tetrahedra_error& error) {
-    throw Input_error(path + ": " + error.what());
-  }
-  metadata = std::move(checkpoint.metadata);
-  return Tracked_complex(std::move(implementation));
-}
-
-Improvement_outcome Tracked_complex::improve(const Improve_options& options) {
+Improvement_outcome Tracked_complex_3::improve(const Improve_options& options) {
   const auto aggressive = parameters::aggressive(options.aggressive);
   const auto start = Clock::now();
-  Complex_at_rest complex;
-  complex.restore(m_implementation->complex.state());
+  Complex_at_rest at_rest;
+  at_rest.restore(complex.state());
   const auto report =
       options.threshold
-          ? CGAL::improve_mesh(complex, aggressive.quality_threshold(*options.threshold))
-          : CGAL::improve_mesh(complex, aggressive);
-  auto state = complex.state();
+          ? CGAL::improve_mesh(at_rest, aggressive.quality_threshold(*options.threshold))
+          : CGAL::improve_mesh(at_rest, aggressive);
+  auto state = at_rest.state();
   // What was tried in vain was measured otherwise.
   std::fill(state.failures.begin(), state.failures.end(), std::uint8_t(0));
-  m_implementation->complex.restore(state);
+  complex.restore(state);
   return {seconds_since(start), report};
 }
 
-Tracked_complex::State Tracked_complex::state() const { return m_implementation->complex.state(); }
-
-void Tracked_complex::restore(const State& state) {
-  m_implementation->complex.clear(); // as memory may be short
-  m_implementation->complex.restore(state);
+void Tracked_complex_3::go_back() {
+  if (!m_kept)
+    return;
+  complex.clear(); // as memory may be short
+  complex.restore(*m_kept);
+  m_kept.reset();
 }
 
-Statistics Tracked_complex::statistics() const {
-  const Complex& complex = m_implementation->complex;
+Statistics Tracked_complex_3::statistics() const {
   const double scale = complex.normalization().scale;
   Statistics statistics = {};
+  statistics.dimension = 3;
   statistics.vertices = complex.number_of_vertices();
-  statistics.tetrahedra = complex.number_of_cells();
-  statistics.interface_triangles = complex.interface_facets().size();
+  statistics.cells = complex.number_of_cells();
+  statistics.interface_facets = complex.interface_facets().size();
   for (const auto& [label, area, euler_characteristic] : complex.label_interfaces())
     statistics.labels.push_back(
         {label, complex.number_of_cells(label), complex.volume(label) * scale * scale * scale,
@@ -174,30 +155,16 @@ Statistics Tracked_complex::statistics() const {
   return statistics;
 }
 
-double Tracked_complex::sweep_seconds() const {
-  const Complex& complex = m_implementation->complex;
-  const std::vector<Complex::Cell_handle> cells = complex.cells();
-  std::array<double, 9> seconds;
-  [[maybe_unused]] volatile double sum; // so that no pass can be optimized away
-  for (double& s : seconds) {
-    double total = 0;
-    const auto start = Clock::now();
-    for (const Complex::Cell_handle c : cells) {
-      const auto& point = [c](int i) -> const Complex::Point_3& { return c->vertex(i)->point(); };
-      const std::array<Point, 4> p = corners(complex, c);
-      total += CGAL::orientation(point(0), point(1), point(2), point(3)) +
-               complex.quality_measure()(p[0], p[1], p[2], p[3]);
-    }
-    s = seconds_since(start);
-    sum = total;
-  }
-  std::nth_element(seconds.begin(), seconds.begin() + seconds.size() / 2, seconds.end());
-  // A clock may be too coarse for a few tetrahedra, but nothing is ever divided by zero.
-  return std::max(seconds[seconds.size() / 2], 1e-9);
+double Tracked_complex_3::sweep_seconds() const {
+  return seconds_of_sweep(complex.cells(), [&](Complex::Cell_handle c) {
+    const auto& point = [c](int i) -> const Complex::Point_3& { return c->vertex(i)->point(); };
+    const std::array<Point, 4> p = corners(complex, c);
+    return CGAL::orientation(point(0), point(1), point(2), point(3)) +
+           complex.quality_measure()(p[0], p[1], p[2], p[3]);
+  });
 }
 
-std::vector<Surface_point> Tracked_complex::interface_points() const {
-  const Complex& complex = m_implementation->complex;
+std::vector<Surface_point> Tracked_complex_3::interface_points() const {
   std::vector<Surface_point> points;
   for (const Complex::Vertex_handle v : complex.interface_vertices()) {
     const Point p = complex.user_position(v);
@@ -206,24 +173,28 @@ std::vector<Surface_point> Tracked_complex::interface_points() const {
   return points;
 }
 
-void Tracked_complex::write_interface(const std::string& path) const {
-  CGAL::IO::write_interface(path, m_implementation->complex);
+void Tracked_complex_3::write(const std::string& path) const {
+  require_extension(path, {"off", "obj", "ply", "stl", "vtu", "mesh"});
+  const std::string format = extension(path);
+  if (format == "vtu")
+    write_volume_vtu(path);
+  else if (format == "mesh")
+    CGAL::IO::write_MEDIT(path, complex);
+  else
+    CGAL::IO::write_interface(path, complex);
 }
 
-void Tracked_complex::write_interface_vtu(const std::string& path) const {
-  CGAL::IO::write_interface_VTU(path, m_implementation->complex);
+void Tracked_complex_3::write_interface_vtu(const std::string& path) const {
+  CGAL::IO::write_interface_VTU(path, complex);
 }
 
-void Tracked_complex::write_volume_vtu(const std::string& path) const {
-  CGAL::IO::write_VTU(path, m_implementation->complex);
+void Tracked_complex_3::write_volume_vtu(const std::string& path) const {
+  CGAL::IO::write_VTU(path, complex);
 }
 
-void Tracked_complex::write_mesh(const std::string& path) const {
-  CGAL::IO::write_MEDIT(path, m_implementation->complex);
-}
-
-void Tracked_complex::write_checkpoint(const std::string& path, const std::string& metadata) const {
-  CGAL::IO::write_checkpoint(path, m_implementation->complex.state(), metadata);
+void Tracked_complex_3::write_checkpoint(const std::string& path,
+                                         const std::string& metadata) const {
+  CGAL::IO::write_checkpoint(path, complex.state(), metadata);
 }
 
 } // namespace dsc

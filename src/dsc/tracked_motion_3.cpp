@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "tracked_complex_implementation.h"
+#include "errors.h"
+#include "tracked_complex_3.h"
 #include "velocity_expressions.h"
 
 #include <CGAL/Curvature_size_field_3.h>
@@ -17,6 +18,7 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -25,7 +27,7 @@
 namespace dsc {
 namespace {
 
-using Complex = CGAL::Deformable_simplicial_complex_3<>;
+using Complex = Tracked_complex_3::Complex;
 using Point = Complex::Approximate_point_3;
 using Vector = Complex::Approximate_vector_3;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
@@ -49,6 +51,7 @@ struct Time_step
 
   double operator()(const Rotation&) const { return 1; }
   double operator()(const Offset&) const { return 1; }
+  double operator()(const Zalesak& zalesak) const { return zalesak.dt; }
   double operator()(const Advection& advection) const { return advection.dt; }
   double operator()(const Curvature_flow& flow) const {
     return flow.dt > 0 ? flow.dt : mean_edge(complex) * mean_edge(complex);
@@ -64,7 +67,13 @@ struct Step
 
   using Report = CGAL::Deformation_report<Complex>;
 
+  Report operator()(const Zalesak&) const {
+    throw Usage_error("dsc zalesak moves figures in the plane, and this is a complex in space");
+  }
+
   Report operator()(const Rotation& rotation) const {
+    if (rotation.axis == std::array<double, 3>())
+      throw Usage_error("a rotation in space needs an --axis");
     const auto [x, y, z] = rotation.axis;
     return advect(CGAL::Rigid_rotation_3(centre_of_domain(complex), Vector(x, y, z),
                                          rotation.degrees * (CGAL_PI / 180)),
@@ -88,10 +97,10 @@ struct Step
     case Advection::Field::vortex:
       return follow(CGAL::Single_vortex_velocity_3(advection.period), advection);
     default: {
-      const Velocity_expressions velocity(advection.expressions);
+      const Velocity_expressions velocity(advection.expressions, 3);
       return follow(
           [&](const Point& p, double t) {
-            const auto [x, y, z] = velocity.at(p.x(), p.y(), p.z(), t);
+            const auto [x, y, z] = velocity.at({p.x(), p.y(), p.z()}, t);
             const double factor =
                 advection.period > 0 ? std::cos(CGAL_PI * t / advection.period) : 1;
             return factor * Vector(x, y, z);
@@ -151,21 +160,19 @@ void improve_interface(Complex& complex, const std::optional<double>& aggressive
 
 } // namespace
 
-double Tracked_complex::mean_edge() const { return dsc::mean_edge(m_implementation->complex); }
+double Tracked_complex_3::mean_edge() const { return dsc::mean_edge(complex); }
 
-double Tracked_complex::time_step(const Motion& motion) const {
-  return std::visit(Time_step{m_implementation->complex}, motion);
+double Tracked_complex_3::time_step(const Motion& motion) const {
+  return std::visit(Time_step{complex}, motion);
 }
 
-Step_outcome Tracked_complex::advance(const Step_options& options, double time, unsigned threads) {
-  Complex& complex = m_implementation->complex;
+Step_outcome Tracked_complex_3::advance(const Step_options& options, double time,
+                                        unsigned threads) {
   const auto start = Clock::now();
   if (options.improves_interface)
     improve_interface(complex, options.aggressiveness);
   const auto report = std::visit(Step{complex, time, threads}, options.motion);
-  return {seconds_since(start), report.complete,  report.unfinished.size(),
-          report.passes,        report.split,     report.collapsed,
-          report.flipped,       report.relabeled, std::nullopt};
+  return step_outcome(seconds_since(start), report);
 }
 
 } // namespace dsc

@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "start_curves.h"
+
+#include "errors.h"
+#include "files.h"
+
+#include <CGAL/IO/labelled_curves_2.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace dsc {
+namespace {
+
+using Curve = CGAL::Labelled_curve_2<Curve_point>;
+
+constexpr std::size_t segments_of_figures = 200;
+
+Curve_point on_circle(const Curve_point& center, double radius, double angle) {
+  return {center.x() + radius * std::cos(angle), center.y() + radius * std::sin(angle)};
+}
+
+/// A regular polygon with the area of the disk in which single vortices usually start.
+Curve disk(std::size_t segments) {
+  const Curve_point center(.5, .75);
+  const double radius = .15, step = 2 * CGAL_PI / double(segments);
+  std::vector<Curve_point> points;
+  for (std::size_t i = 0; i < segments; ++i)
+    points.push_back(
+        on_circle(center, radius * std::sqrt(step / std::sin(step)), double(i) * step));
+  Curve curve;
+  curve.add_polyline(points);
+  return curve;
+}
+
+/// Zalesak's disk. The vertices of the arc are a little outside the circle, but for its ends, so
+/// that the area is that of the figure.
+Curve slotted_disk(std::size_t segments) {
+  const Curve_point center(50, 75);
+  const double radius = 15, half_width = 2.5, top = 10, half_gap = std::asin(half_width / radius),
+               first = half_gap - CGAL_PI / 2, whole = 2 * (CGAL_PI - half_gap),
+               step = whole / double(segments);
+  // (n - 2) r^2 + 2 R r = R^2 n step / sin(step), r being the radius of inner vertices
+  const double a = double(segments) - 2, b = 2 * radius,
+               c = -radius * radius * whole / std::sin(step);
+  const double inner = (std::sqrt(b * b - 4 * a * c) - b) / (2 * a);
+  std::vector<Curve_point> points;
+  for (std::size_t i = 0; i <= segments; ++i)
+    points.push_back(
+        on_circle(center, i % segments == 0 ? radius : inner, first + double(i) * step));
+  points.emplace_back(center.x() - half_width, center.y() + top);
+  points.emplace_back(center.x() + half_width, center.y() + top);
+  Curve curve;
+  curve.add_polyline(points);
+  return curve;
+}
+
+/// Divides segments so that none is longer than a bound.
+template <class Segments> void divide(double longest, Segments& curve) {
+  std::vector<std::array<std::size_t, 2>> parts;
+  for (const auto& [a, b] : curve.segments) {
+    const Curve_point p = curve.points[a], q = curve.points[b];
+    const double length = std::sqrt(CGAL::squared_distance(p, q));
+    const auto n = std::max<std::size_t>(1, std::size_t(std::ceil(length / longest)));
+    std::size_t last = a;
+    for (std::size_t i = 1; i < n; ++i) {
+      curve.points.push_back(p + double(i) / double(n) * (q - p));
+      parts.push_back({last, curve.points.size() - 1});
+      last = curve.points.size() - 1;
+    }
+    parts.push_back({last, b});
+  }
+  curve.segments = parts;
+}
+
+} // namespace
+
+Curves start_curves(const Run_start& start) {
+  Curves curves;
+  const std::size_t segments = start.segments > 0 ? start.segments : segments_of_figures;
+  if (start.inputs.empty()) {
+    curves.closed.push_back(start.figure == Figure::disk ? disk(segments) : slotted_disk(segments));
+    curves.names.push_back("the figure");
+    return curves;
+  }
+  for (const std::string& input : start.inputs) {
+    const std::string format = extension(input);
+    if (format != "wkt" && start.inputs.size() > 1)
+      throw Usage_error(input + " cannot be joined with other inputs; give it alone");
+    if (format == "poly")
+      curves.seeded = CGAL::IO::read_seeded_segments(input);
+    if (format != "wkt")
+      continue;
+    for (Curve& curve : CGAL::IO::read_labelled_curves(input)) {
+      curve.label = static_cast<int>(curves.closed.size()) + 1;
+      curves.closed.push_back(std::move(curve));
+      curves.names.push_back(input);
+    }
+  }
+  double length = 0;
+  for_each_segment(curves, [&](const Curve_point& p, const Curve_point& q) {
+    length += std::sqrt(CGAL::squared_distance(p, q));
+  });
+  if (start.segments > 0 && length > 0) {
+    for (Curve& curve : curves.closed)
+      divide(length / double(start.segments), curve);
+    if (curves.seeded)
+      divide(length / double(start.segments), *curves.seeded);
+  }
+  return curves;
+}
+
+} // namespace dsc

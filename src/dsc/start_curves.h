@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_START_CURVES_H
+#define DSC_START_CURVES_H
+
+#include "options.h"
+
+#include <CGAL/Deformable_simplicial_complex_2/Labelled_curve_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/Seeded_segments_2.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dsc {
+
+using Curve_point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
+
+/// What divides the plane when a run starts: closed curves, or segments with seeds.
+struct Curves
+{
+  std::vector<CGAL::Labelled_curve_2<Curve_point>> closed;
+  std::vector<std::string> names; ///< of these, for messages
+  std::optional<CGAL::Seeded_segments_2<Curve_point>> seeded;
+};
+
+/// The curves that a run starts from: those of its files or, without any, of its figure; none if it
+/// starts from an image. \throws std::runtime_error if a file cannot be read
+Curves start_curves(const Run_start& start);
+
+/// Calls f(p, q) for the ends of all segments.
+template <class Function> void for_each_segment(const Curves& curves, const Function& f) {
+  for (const auto& curve : curves.closed)
+    for (const auto& [a, b] : curve.segments)
+      f(curve.points[a], curve.points[b]);
+  if (curves.seeded)
+    for (const auto& [a, b] : curves.seeded->segments)
+      f(curves.seeded->points[a], curves.seeded->points[b]);
+}
+
+} // namespace dsc
+
+#endif // DSC_START_CURVES_H

@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tracked_complex_2.h"
+
+#include "errors.h"
+#include "files.h"
+#include "option_values.h"
+#include "start_curves.h"
+
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/IO/SVG_2.h>
+#include <CGAL/IO/VTU_2.h>
+#include <CGAL/IO/checkpoint_2.h>
+#include <CGAL/IO/labelled_curves_2.h>
+#include <CGAL/IO/labelled_image_2.h>
+#include <CGAL/make_deformable_simplicial_complex_2.h>
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace dsc {
+namespace {
+
+using Complex = Tracked_complex_2::Complex;
+using Point = Complex::Approximate_point_2;
+using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
+std::array<Point, 3> corners(const Complex& complex, Complex::Cell_handle c) {
+  return {complex.position(c->vertex(0)), complex.position(c->vertex(1)),
+          complex.position(c->vertex(2))};
+}
+
+void add_angles(const Complex& complex, Statistics& statistics) {
+  statistics.min_angle = 180;
+  statistics.max_angle = 0;
+  std::size_t outside = 0;
+  for (const Complex::Cell_handle c : complex.finite_cells()) {
+    const std::array<Point, 3> p = corners(complex, c);
+    for (int i = 0; i < 3; ++i) {
+      const auto a = p[(i + 1) % 3] - p[i], b = p[(i + 2) % 3] - p[i];
+      const double angle = std::atan2(CGAL::determinant(a, b), a * b) * (180 / CGAL_PI);
+      statistics.min_angle = std::min(statistics.min_angle, angle);
+      statistics.max_angle = std::max(statistics.max_angle, angle);
+      ++statistics.angle_histogram[std::clamp(static_cast<int>(angle / 10), 0, 17)];
+      outside += angle < 6 || angle > 171;
+    }
+  }
+  statistics.angles_outside_6_171 =
+      static_cast<double>(outside) / (3 * static_cast<double>(complex.number_of_cells()));
+}
+
+/// Vertices less edges plus triangles of each label.
+std::map<int, int> euler_characteristics(const Complex& complex) {
+  std::map<int, int> result;
+  std::set<std::pair<int, Complex::Vertex_handle>> vertices;
+  for (const Complex::Cell_handle c : complex.finite_cells()) {
+    const int label = complex.label(c);
+    int& sum = result[label];
+    ++sum;
+    for (int i = 0; i < 3; ++i) {
+      sum += vertices.emplace(label, c->vertex(i)).second;
+      const Complex::Cell_handle d = c->neighbor(i);
+      const bool is_shared = !complex.is_infinite(d) && complex.label(d) == label;
+      sum -= !is_shared || c->time_stamp() < d->time_stamp();
+    }
+  }
+  return result;
+}
+
+constexpr double edge_of_images = 1; // in pixels
+
+} // namespace
+
+std::unique_ptr<Tracked_complex> track_figure(const Run_start& start,
+                                              const std::optional<std::array<double, 6>>& domain) {
+  if (start.inputs.size() == 1 && extension(start.inputs[0]) == "pgm") {
+    const auto image = CGAL::IO::read_labelled_image(start.inputs[0]);
+    return std::make_unique<Tracked_complex_2>(
+        CGAL::make_deformable_simplicial_complex_2<Complex>(image.bbox(), edge_of_images, image));
+  }
+  const Curves curves = start_curves(start);
+  const auto build = [&](const auto& np) {
+    return std::make_unique<Tracked_complex_2>(
+        curves.seeded ? CGAL::make_deformable_simplicial_complex_2<Complex>(*curves.seeded, np)
+                      : CGAL::make_deformable_simplicial_complex_2<Complex>(curves.closed, np));
+  };
+  try {
+    if (!domain)
+      return build(parameters::default_values());
+    return build(parameters::enclosing_box(
+        CGAL::Bbox_2((*domain)[0], (*domain)[1], (*domain)[3], (*domain)[4])));
+  } catch (const Invalid_surface_error& error) {
+    throw Input_error((curves.seeded ? start.inputs[0] : curves.names[error.surface()]) + ": " +
+                      error.what());
+  } catch (const CGAL::Deformable_simplicial_complexes::Error& error) {
+    throw Input_error((start.inputs.empty() ? "the figure" : start.inputs[0]) + std::string(": ") +
+                      error.what());
+  }
+}
+
+void Tracked_complex_2::go_back() {
+  if (!m_kept)
+    return;
+  complex.clear(); // as memory may be short
+  complex.restore(*m_kept);
+  m_kept.reset();
+}
+
+Statistics Tracked_complex_2::statistics() const {
+  Statistics statistics = {};
+  statistics.dimension = 2;
+  statistics.vertices = complex.number_of_vertices();
+  statistics.cells = complex.number_of_cells();
+  std::map<int, double> lengths;
+  for (const auto& facet : complex.interface_facets()) {
+    ++statistics.interface_facets;
+    for (const Complex::Cell_handle c : {facet.first, facet.first->neighbor(facet.second)})
+      lengths[complex.label(c)] += complex.measure(facet);
+  }
+  const std::map<int, int> characteristics = euler_characteristics(complex);
+  for (const int label : complex.labels())
+    statistics.labels.push_back({label, complex.number_of_cells(label), complex.area(label),
+                                 lengths[label], complex.number_of_components(label),
+                                 characteristics.at(label)});
+  add_angles(complex, statistics);
+  statistics.min_quality = 1;
+  for (const Complex::Cell_handle c : complex.finite_cells())
+    statistics.min_quality = std::min(statistics.min_quality, complex.quality(c));
+  return statistics;
+}
+
+std::vector<Surface_point> Tracked_complex_2::interface_points() const {
+  std::vector<Surface_point> points;
+  for (const Complex::Vertex_handle v : complex.interface_vertices()) {
+    const Point p = complex.user_position(v);
+    points.emplace_back(p.x(), p.y(), 0);
+  }
+  return points;
+}
+
+double Tracked_complex_2::sweep_seconds() const {
+  return seconds_of_sweep(complex.cells(), [&](Complex::Cell_handle c) {
+    const auto& point = [c](int i) -> const Complex::Point_2& { return c->vertex(i)->point(); };
+    const std::array<Point, 3> p = corners(complex, c);
+    return CGAL::orientation(point(0), point(1), point(2)) +
+           complex.quality_measure()(p[0], p[1], p[2]);
+  });
+}
+
+void Tracked_complex_2::write(const std::string& path) const {
+  require_extension(path, {"wkt", "poly", "svg", "vtu"});
+  const std::string format = extension(path);
+  if (format == "wkt")
+    CGAL::IO::write_WKT(path, complex);
+  else if (format == "poly")
+    CGAL::IO::write_poly(path, complex);
+  else if (format == "svg")
+    CGAL::IO::write_SVG(path, complex);
+  else
+    write_volume_vtu(path);
+}
+
+void Tracked_complex_2::write_interface_vtu(const std::string& path) const {
+  CGAL::IO::write_interface_VTU(path, complex);
+}
+
+void Tracked_complex_2::write_volume_vtu(const std::string& path) const {
+  CGAL::IO::write_VTU(path, complex);
+}
+
+void Tracked_complex_2::write_picture(const std::string& stem) const {
+  CGAL::IO::write_SVG(stem + ".svg", complex);
+}
+
+void Tracked_complex_2::write_checkpoint(const std::string& path,
+                                         const std::string& metadata) const {
+  CGAL::IO::write_checkpoint(path, complex.state(), metadata);
+}
+
+} // namespace dsc

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_TRACKED_COMPLEX_3_H
+#define DSC_TRACKED_COMPLEX_3_H
+
+#include "tracked_complex.h"
+
+#include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/State.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dsc {
+
+class Tracked_complex_3 : public Tracked_complex
+{
+public:
+  using Complex = CGAL::Deformable_simplicial_complex_3<>;
+
+  Tracked_complex_3() = default;
+  explicit Tracked_complex_3(Complex&& built) : complex(std::move(built)) {}
+
+  /// The labelled tetrahedra of a MEDIT or VTU file; points that none of them uses are left out.
+  static std::unique_ptr<Tracked_complex_3> from_mesh(const std::string& path);
+
+  int dimension() const override { return 3; }
+  double time_step(const Motion& motion) const override;
+  Step_outcome advance(const Step_options& options, double time, unsigned threads) override;
+  void keep() override { m_kept = complex.state(); }
+  void forget() override { m_kept.reset(); }
+  void go_back() override;
+  Statistics statistics() const override;
+  std::vector<Surface_point> interface_points() const override;
+  double mean_edge() const override;
+  double sweep_seconds() const override;
+  void write(const std::string& path) const override;
+  void write_interface_vtu(const std::string& path) const override;
+  void write_volume_vtu(const std::string& path) const override;
+  void write_picture(const std::string&) const override {}
+  void write_checkpoint(const std::string& path, const std::string& metadata) const override;
+
+  /// Improves the tetrahedra; neither the interface nor the boundary changes its shape.
+  Improvement_outcome improve(const Improve_options& options);
+
+  Complex complex;
+
+private:
+  std::optional<CGAL::Deformable_simplicial_complex_state_3> m_kept;
+};
+
+} // namespace dsc
+
+#endif // DSC_TRACKED_COMPLEX_3_H

@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "errors.h"
+#include "tracked_complex_2.h"
+#include "velocity_expressions.h"
+
+#include <CGAL/Curvature_size_field_2.h>
+#include <CGAL/advect_interface_2.h>
+#include <CGAL/control_detail_2.h>
+#include <CGAL/curve_shortening_flow_2.h>
+#include <CGAL/improve_interface_2.h>
+#include <CGAL/interface_flows_2.h>
+#include <CGAL/velocity_fields_2.h>
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <variant>
+
+namespace dsc {
+namespace {
+
+using Complex = Tracked_complex_2::Complex;
+using Point = Complex::Approximate_point_2;
+using Vector = Complex::Approximate_vector_2;
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
+Point centre_of_domain(const Complex& complex) {
+  CGAL::Bbox_2 box;
+  for (const Complex::Vertex_handle v : complex.vertices())
+    box += complex.position(v).bbox();
+  return CGAL::midpoint(Point(box.xmin(), box.ymin()), Point(box.xmax(), box.ymax()));
+}
+
+/// The length of a step of each motion.
+struct Time_step
+{
+  const Complex& complex;
+
+  double operator()(const Rotation&) const { return 1; }
+  double operator()(const Offset&) const { return 1; }
+  double operator()(const Zalesak& zalesak) const { return zalesak.dt; }
+  double operator()(const Advection& advection) const { return advection.dt; }
+  double operator()(const Curvature_flow& flow) const {
+    const double edge = complex.mean_interface_edge();
+    return flow.dt > 0 ? flow.dt : edge * edge;
+  }
+};
+
+/// Does a step of each motion.
+struct Step
+{
+  Complex& complex;
+  double time;
+  unsigned threads;
+
+  using Report = CGAL::Deformation_report<Complex>;
+
+  Report operator()(const Rotation& rotation) const {
+    return advect(
+        CGAL::Rigid_rotation_2(centre_of_domain(complex), rotation.degrees * (CGAL_PI / 180)), 1);
+  }
+
+  Report operator()(const Zalesak& zalesak) const {
+    return advect(CGAL::Rigid_rotation_2(Point(50, 50), 2 * CGAL_PI / Zalesak::period), zalesak.dt);
+  }
+
+  Report operator()(const Offset& offset) const {
+    if (offset.moves_faces)
+      throw Usage_error("--move-faces moves surfaces, and this is a complex in the plane");
+    const double unit = offset.distance.in_mean_edges ? complex.mean_interface_edge() : 1;
+    make_room();
+    return advect(CGAL::Normal_offset_2{offset.distance.value * unit}, 1);
+  }
+
+  Report operator()(const Advection& advection) const {
+    switch (advection.field) {
+    case Advection::Field::enright:
+      throw Usage_error("dsc enright deforms surfaces, and this is a complex in the plane");
+    case Advection::Field::vortex:
+      return follow(CGAL::Single_vortex_velocity_2(advection.period), advection);
+    default: {
+      const Velocity_expressions velocity(advection.expressions, 2);
+      return follow(
+          [&](const Point& p, double t) {
+            const auto v = velocity.at({p.x(), p.y(), 0}, t);
+            const double factor =
+                advection.period > 0 ? std::cos(CGAL_PI * t / advection.period) : 1;
+            return factor * Vector(v[0], v[1]);
+          },
+          advection);
+    }
+    }
+  }
+
+  Report operator()(const Curvature_flow& flow) const {
+    make_room();
+    return advect(CGAL::Curve_shortening_flow_2(flow.keeps_volumes), Time_step{complex}(flow));
+  }
+
+private:
+  // A field stretches segments and presses triangles flat, and may bring them back: the interface
+  // is to change only where it must.
+  template <class Field> Report follow(const Field& field, const Advection& advection) const {
+    static constexpr double quality_threshold = .1, minimum_angle = .1, minimum_facet_angle = 0;
+    make_room();
+    return CGAL::advect_interface(complex, field, time, advection.dt,
+                                  parameters::number_of_threads(threads)
+                                      .scheme(advection.scheme)
+                                      .quality_threshold(quality_threshold)
+                                      .minimum_angle(minimum_angle)
+                                      .minimum_facet_angle(minimum_facet_angle));
+  }
+
+  // These motions stretch the interface, and the mesh around it has to follow.
+  void make_room() const { CGAL::control_detail(complex, parameters::collapse_length(2.)); }
+
+  template <class Flow> Report advect(const Flow& flow, double dt) const {
+    return CGAL::advect_interface(complex, flow, time, dt, parameters::number_of_threads(threads));
+  }
+};
+
+/// Segments as short as the curvature asks for, so that a smooth interface stays smooth when it is
+/// pressed together; corners stay. Ten times as exact as in space: curves have few segments.
+void improve_interface(Complex& complex, const std::optional<double>& aggressiveness) {
+  const double edge = complex.mean_interface_edge();
+  static constexpr double feature_angle = 60, tolerance = .005, shortest = .2, longest = 4;
+  const CGAL::Curvature_size_field_2 size(complex, tolerance * edge, shortest * edge,
+                                          longest * edge, .5, feature_angle);
+  CGAL::improve_interface(complex, parameters::size_field(std::cref(size))
+                                       .feature_angle(feature_angle)
+                                       .interface_split_length(1.5)
+                                       .interface_collapse_length(.5)
+                                       .swept_volume(.01)
+                                       .curved_splits(true)
+                                       .aggressiveness(aggressiveness.value_or(0)));
+}
+
+} // namespace
+
+double Tracked_complex_2::time_step(const Motion& motion) const {
+  return std::visit(Time_step{complex}, motion);
+}
+
+Step_outcome Tracked_complex_2::advance(const Step_options& options, double time,
+                                        unsigned threads) {
+  const auto start = Clock::now();
+  if (options.improves_interface)
+    improve_interface(complex, options.aggressiveness);
+  const auto report = std::visit(Step{complex, time, threads}, options.motion);
+  return step_outcome(seconds_since(start), report);
+}
+
+} // namespace dsc
