@@ -46,7 +46,9 @@ Run_commands::Run_commands(CLI::App& app) {
                           "the flow of LeVeque and Enright");
   m_vortex = add_command(app, "vortex",
                          "Deform surfaces in the unit cube, or a ball if there is no INPUT, with a "
-                         "single vortex about the z direction");
+                         "single vortex about the z direction; in the plane, curves in the unit "
+                         "square or, with --plane, a disk");
+  m_vortex->add_flag("--plane", m_is_planar, "Without INPUT, deform a disk in the unit square");
   for (CLI::App* command : {m_enright, m_vortex}) {
     add_flow_options(*command);
     command->add_flag("--fit", m_fits, "Scale and move the surfaces into that ball");
