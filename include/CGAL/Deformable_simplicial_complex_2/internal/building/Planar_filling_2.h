@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -33,8 +34,10 @@ public:
     std::vector<Triangulation::Vertex_handle> handles;
     for (const Point& p : soup.points)
       handles.push_back(m_triangulation.insert(p));
+    std::set<std::array<std::size_t, 2>> segments; // each once, though several curves may have it
     for (const auto& wall : soup.walls)
-      m_triangulation.insert_constraint(handles[wall.vertices[0]], handles[wall.vertices[1]]);
+      if (segments.insert(wall.vertices).second)
+        m_triangulation.insert_constraint(handles[wall.vertices[0]], handles[wall.vertices[1]]);
     const Graded_points_2 graded(soup, box);
     m_triangulation.insert(graded.points().begin(), graded.points().end());
 
