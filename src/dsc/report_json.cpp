@@ -4,7 +4,7 @@
 
 #include "report_json.h"
 
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 
 #include <ostream>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/State_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/little_endian.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
 #include <CGAL/IO/checkpoint_3.h>
 
 #include <boost/crc.hpp>

@@ -4,11 +4,15 @@
 #include "whole_files.h"
 
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/little_endian.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
 #include <CGAL/IO/MEDIT_3.h>
 #include <CGAL/IO/VTU_3.h>
+#include <CGAL/IO/checkpoint_2.h>
 #include <CGAL/IO/checkpoint_3.h>
+#include <CGAL/IO/labelled_curves_2.h>
+#include <CGAL/IO/labelled_image_2.h>
 #include <CGAL/IO/labelled_surface_3.h>
+#include <CGAL/make_deformable_simplicial_complex_2.h>
 
 #include <boost/crc.hpp>
 
@@ -120,6 +124,41 @@ void read_vtu(const std::string& path) {
 
 void read_checkpoint(const std::string& path) {
   small_meshes::Complex().restore(CGAL::IO::read_checkpoint(path).state);
+}
+
+// In the plane, complexes are made, too: builders have to survive what readers let pass.
+
+using Planar_complex = CGAL::Deformable_simplicial_complex_2<>;
+
+void build_from_wkt(const std::string& path) {
+  CGAL::make_deformable_simplicial_complex_2<Planar_complex>(CGAL::IO::read_labelled_curves(path));
+}
+
+void build_from_poly(const std::string& path) {
+  CGAL::make_deformable_simplicial_complex_2<Planar_complex>(CGAL::IO::read_seeded_segments(path));
+}
+
+void read_planar_checkpoint(const std::string& path) {
+  Planar_complex().restore(CGAL::IO::read_checkpoint_2(path).state);
+}
+
+const char* const wkt = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1))\n"
+                        "MULTIPOLYGON (((4 0, 6 0, 6 1, 4 0)), ((5 2, 6 2, 6 3, 5 2)))\n"
+                        "LINESTRING (7 0, 8.5 0, 8 1e0, 7 0)\n";
+
+const char* const poly = "# a square of two halves\n6 2 1 1\n1 0 0 9 1\n2 2 0 9 1\n3 2 2 9 1\n"
+                         "4 0 2 9 1\n5 1 0 9 0\n6 1.25 2 9 0\n7 1\n1 1 5 1\n2 5 2 1\n3 2 3 1\n"
+                         "4 3 6 1\n5 6 4 1\n6 4 1 1\n7 5 6\n1\n1 1.5 .1\n1\n1 .1 1.5 7 -1\n";
+
+const char* const pgm = "P2\n# comment\n4 3\n300\n0 1 2 3\n4 5 300 7\n8 9 10 11\n";
+
+std::string planar_checkpoint() {
+  const Temporary_folder folder;
+  write_bytes(folder / "a.wkt", wkt);
+  const auto dsc = CGAL::make_deformable_simplicial_complex_2<Planar_complex>(
+      CGAL::IO::read_labelled_curves(folder / "a.wkt"));
+  CGAL::IO::write_checkpoint(folder / "a.dsc", dsc.state(), "metadata");
+  return file_bytes(folder / "a.dsc");
 }
 
 // What is printed while it lives.
@@ -360,5 +399,32 @@ TEST(Fuzzed_readers, checkpoint) {
 
 TEST(Fuzzed_readers, signed_checkpoint) {
   expect_survival({"checkpoint, checksum corrected", ".dsc", {checkpoint()}, read_checkpoint},
+                  signed_checkpoint);
+}
+
+TEST(Fuzzed_readers, well_known_text) {
+  expect_survival({"well-known text", ".wkt", {wkt}, build_from_wkt});
+}
+
+TEST(Fuzzed_readers, poly) {
+  expect_survival({"Triangle's .poly", ".poly", {poly}, build_from_poly});
+}
+
+TEST(Fuzzed_readers, pgm) {
+  expect_survival({"PGM",
+                   ".pgm",
+                   {pgm, std::string("P5 4 3 255\n0123456789ab"), std::string("P5 2 1 999\n1234")},
+                   [](const std::string& path) { CGAL::IO::read_labelled_image(path); }});
+}
+
+TEST(Fuzzed_readers, planar_checkpoint) {
+  expect_survival({"planar checkpoint", ".dsc", {planar_checkpoint()}, read_planar_checkpoint});
+}
+
+TEST(Fuzzed_readers, signed_planar_checkpoint) {
+  expect_survival({"planar checkpoint, checksum corrected",
+                   ".dsc",
+                   {planar_checkpoint()},
+                   read_planar_checkpoint},
                   signed_checkpoint);
 }

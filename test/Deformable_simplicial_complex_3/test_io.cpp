@@ -3,8 +3,8 @@
 #include "temporary_folder.h"
 
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/little_endian.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
 #include <CGAL/IO/MEDIT_3.h>
 #include <CGAL/IO/PVD_series.h>
 #include <CGAL/IO/VTU_3.h>

@@ -3,7 +3,7 @@
 #include "vtu_grid.h"
 
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/base64.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/base64.h>
 #include <CGAL/IO/MEDIT_3.h>
 #include <CGAL/IO/VTU_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>

@@ -3,8 +3,8 @@
 
 #include "vtu_grid.h"
 
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/File_scanner.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/little_endian.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/File_scanner.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -6,7 +6,7 @@
 #define CGAL_IO_PVD_SERIES_H
 
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 
 #include <cmath>
 #include <filesystem>

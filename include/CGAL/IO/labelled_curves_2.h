@@ -11,7 +11,7 @@
 #include <CGAL/Deformable_simplicial_complex_2/internal/IO/read_poly.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/IO/read_wkt.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 #include <CGAL/extract_interface_2.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

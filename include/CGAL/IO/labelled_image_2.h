@@ -7,7 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_2/Labelled_image_2.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 
 #include <algorithm>
 #include <cctype>

@@ -8,9 +8,9 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Labelled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/read_polygons.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/triangulated_polygon.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 #include <CGAL/extract_interface_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -6,8 +6,8 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IO_READ_POLY_H
 
 #include <CGAL/Deformable_simplicial_complex_2/Seeded_segments_2.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/File_scanner.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/File_scanner.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 
 #include <array>
 #include <cmath>

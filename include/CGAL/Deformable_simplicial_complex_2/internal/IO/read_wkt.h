@@ -7,8 +7,8 @@
 
 #include <CGAL/Deformable_simplicial_complex_2/Labelled_curve_2.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/number_of_word.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/number_of_word.h>
 
 #include <algorithm>
 #include <array>

@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_PLY_READER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_PLY_READER_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/File_scanner.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/File_scanner.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 
 #include <cmath>
 #include <cstddef>

@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTU_DOCUMENT_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTU_DOCUMENT_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/little_endian.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
 
 #include <cstddef>
 #include <cstdint>

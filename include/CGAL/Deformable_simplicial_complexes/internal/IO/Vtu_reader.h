@@ -6,12 +6,12 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTU_READER_H
 
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/Xml_element.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/base64.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/little_endian.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/number_of_word.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/vtk_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/Xml_element.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/base64.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/number_of_word.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -5,9 +5,9 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_OBJ_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_OBJ_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/File_scanner.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/number_of_word.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/File_scanner.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/number_of_word.h>
 
 #include <cstddef>
 #include <cstdint>

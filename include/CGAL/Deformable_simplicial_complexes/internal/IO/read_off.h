@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_OFF_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_OFF_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/File_scanner.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/File_scanner.h>
 
 #include <cstddef>
 #include <cstdint>

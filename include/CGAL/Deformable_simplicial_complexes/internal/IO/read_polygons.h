@@ -5,11 +5,11 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_POLYGONS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_POLYGONS_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/File_scanner.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/Ply_reader.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/read_obj.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/read_off.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/read_stl.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/File_scanner.h>
 
 #include <istream>
 #include <string>

@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTK_NUMBERS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTK_NUMBERS_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/little_endian.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/number_of_word.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/number_of_word.h>
 
 #include <cstddef>
 #include <cstdint>

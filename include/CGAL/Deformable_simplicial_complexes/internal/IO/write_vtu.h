@@ -6,8 +6,8 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_WRITE_VTU_H
 
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/Vtu_document.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Extracted_facets.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Vertex_numbering.h>
 
 #include <cstddef>

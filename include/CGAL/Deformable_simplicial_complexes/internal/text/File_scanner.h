@@ -2,13 +2,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_FILE_SCANNER_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_FILE_SCANNER_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TEXT_FILE_SCANNER_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TEXT_FILE_SCANNER_H
 
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/files.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/little_endian.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/number_of_word.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/number_of_word.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -128,4 +128,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_FILE_SCANNER_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TEXT_FILE_SCANNER_H

@@ -1,0 +1,123 @@
+#include "program.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+// What the program does in the plane, seen from outside.
+
+namespace {
+
+using namespace program;
+
+class Planar_program : public Program_test
+{
+protected:
+  void SetUp() override {
+    Program_test::SetUp();
+    write("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n");
+    write("two.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\nPOLYGON ((2 0, 3 0, 3 1, 2 1, 2 0))\n");
+    write("half.poly", "4 2\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 1 3\n"
+                       "0\n1\n1 .9 .1 5\n");
+    write("image.pgm", "P2 6 6 9\n0 0 0 0 0 0\n0 0 4 4 0 0\n0 4 4 4 4 0\n0 4 4 4 4 0\n"
+                       "0 0 4 4 0 0\n0 0 0 0 0 0\n");
+    write("cube.off",
+          "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+  }
+
+  Json label(const Json& step, int wanted) const {
+    for (const Json& label : step.at("labels"))
+      if (label.at("label") == wanted)
+        return label;
+    ADD_FAILURE() << "no label " << wanted;
+    return {};
+  }
+
+  Json last_step(const std::string& arguments) const {
+    expect_success(arguments + " --quiet --report report.json");
+    return report("report.json").at("steps").back();
+  }
+};
+
+} // namespace
+
+TEST_F(Planar_program, refuses_what_belongs_to_space) {
+  for (const std::string arguments :
+       {"rotate square.wkt --angle 5 --axis 0,0,1", "rotate square.wkt",
+        "offset square.wkt --distance .1 --move-faces", "enright square.wkt",
+        "offset square.wkt cube.off --distance .1",
+        "offset square.wkt --distance .1 --triangles 99",
+        "offset cube.off --distance .1 --segments 99", "zalesak cube.off",
+        "vortex cube.off --plane", "rotate cube.off --angle 5",
+        "advect square.wkt --velocity x,y,z",
+        "offset square.wkt --distance .1 --domain 0,0,0,1,1,1", "vortex square.wkt --fit",
+        "offset half.poly square.wkt --distance .1"})
+    expect_error(arguments, 2);
+  write("open.wkt", "POLYGON ((0 0, 1 0, 1 1))");
+  write("crossing.wkt", "POLYGON ((0 0, 1 1, 1 0, 0 1, 0 0))");
+  for (const std::string arguments :
+       {"offset open.wkt --distance .1", "offset crossing.wkt --distance .1",
+        "offset nowhere.wkt --distance .1", "offset square.wkt --distance .1 --domain .5,.5,2,2"})
+    expect_error(arguments, 1);
+}
+
+TEST_F(Planar_program, rotates_and_is_back) {
+  const Json step = last_step("rotate two.wkt --angle 30 --steps 12");
+  EXPECT_NEAR(label(step, 1).at("area"), 1, 1e-12);
+  EXPECT_NEAR(label(step, 2).at("length"), 4, 1e-12);
+  EXPECT_EQ(label(step, 0).at("euler_characteristic"), -1);
+  EXPECT_EQ(step.at("unfinished_vertices"), 0);
+  EXPECT_GT(step.at("min_angle").get<double>(), 1);
+}
+
+TEST_F(Planar_program, offsets_what_merges) {
+  const Json step = last_step("offset two.wkt --segments 80 --distance .15 --steps 2");
+  EXPECT_EQ(step.at("interface_segments").get<int>() > 40, true);
+  EXPECT_GT(label(step, 1).at("area").get<double>() + label(step, 2).at("area").get<double>(), 3);
+}
+
+TEST_F(Planar_program, brings_back_zalesaks_disk) {
+  const Json step = last_step("zalesak --segments 60 --dt 15.7 --steps 40");
+  EXPECT_NEAR(label(step, 1).at("area"), 582.2070, 1e-4);
+  EXPECT_LT(step.at("distance_to_start").at("maximum"), 1e-9);
+}
+
+TEST_F(Planar_program, stirs_a_disk_there_and_back) {
+  const Json step =
+      last_step("vortex --plane --segments 60 --improve-interface --period 1 --dt .05 --steps 20");
+  EXPECT_NEAR(label(step, 1).at("area").get<double>(), .0706858, 1.2e-4);
+  EXPECT_LT(step.at("distance_to_start").at("maximum"), .05);
+}
+
+TEST_F(Planar_program, shortens_curves) {
+  const Json step = last_step("mean-curvature square.wkt --segments 80 --dt .002 --steps 20");
+  EXPECT_NEAR(label(step, 1).at("area"), 1 - .04 * 2 * 3.14159265, .005);
+  const Json kept =
+      last_step("mean-curvature square.wkt --segments 80 --dt .01 --steps 4 --keep-volumes");
+  EXPECT_NEAR(label(kept, 1).at("area"), 1, 1e-9);
+}
+
+TEST_F(Planar_program, reads_segments_and_images) {
+  const Json step = last_step("advect half.poly --velocity .1,0 --dt 1 --steps 1");
+  EXPECT_NEAR(label(step, 5).at("area"), .5, 1e-9);
+  EXPECT_NEAR(label(last_step("advect image.pgm --velocity .1,0 --dt 1 --steps 1"), 4).at("area"),
+              12, 1.5);
+  EXPECT_EQ(info("two.wkt", "interface segments"), 8);
+}
+
+TEST_F(Planar_program, resumes_to_the_same_bits) {
+  const std::string vortex = "vortex --plane --segments 40 --period 1 --dt .05 --quiet ";
+  expect_success(vortex + "--steps 4 --output whole");
+  expect_success(vortex + "--steps 2 --output parts");
+  expect_success("vortex --resume parts/checkpoint.dsc --steps 2 --quiet --output parts");
+  EXPECT_EQ(contents(path("whole/checkpoint.dsc")), contents(path("parts/checkpoint.dsc")));
+  EXPECT_TRUE(fs::exists(path("whole/picture_000004.svg")));
+  EXPECT_TRUE(fs::exists(path("whole/volume_000004.vtu")));
+  EXPECT_EQ(info("whole/checkpoint.dsc", "step"), 4);
+  expect_error("convert whole/checkpoint.dsc out.off", 2);
+  for (const std::string format : {"wkt", "poly", "svg", "vtu"})
+    expect_success("convert whole/checkpoint.dsc out." + format + " --quiet");
+  EXPECT_NEAR(last_step("rotate out.wkt --angle 1 --steps 1").at("labels")[1].at("area"), .0706858,
+              1e-3);
+}
