@@ -1,8 +1,9 @@
 // A dry foam on a flat torus coarsens: cells with fewer than six sides shrink, others grow, at
 // pi / 3 for each side (von Neumann, Mullins).
-// Usage: planar_foam [CELLS [EDGE [STEPS]]]
+// Usage: planar_foam [CELLS [EDGE [STEPS [FILE.svg]]]]
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
+#include <CGAL/IO/SVG_2.h>
 #include <CGAL/advect_interface_2.h>
 #include <CGAL/control_detail_2.h>
 #include <CGAL/curve_shortening_flow_2.h>
@@ -61,6 +62,7 @@ int main(int argc, char** argv) {
   const std::size_t number_of_cells = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 20;
   const double edge = argc > 2 ? std::atof(argv[2]) : .02;
   const int steps = argc > 3 ? std::atoi(argv[3]) : 100;
+  const char* const picture = argc > 4 ? argv[4] : nullptr;
   const double dt = edge * edge / 5;
 
   // Seeds that keep clear of each other
@@ -101,6 +103,8 @@ int main(int argc, char** argv) {
         xy += (n - 6) * (foam.area(label) - areas[label]) / dt;
       }
   }
+  if (picture)
+    CGAL::IO::write_SVG(picture, foam);
   const double pi = std::acos(-1.);
   std::cout << foam.labels().size() << " of " << number_of_cells << " cells are left; neighbors "
             << "exchanged " << exchanged << " times, " << vanished << " cells vanished\n"

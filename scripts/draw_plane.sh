@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Makes the manual's pictures of the plane anew: doc/Deformable_simplicial_complex_3/fig/plane_NAME.png.
+# Takes a minute.
+# Usage: scripts/draw_plane.sh [BUILD_DIR]
+set -euo pipefail
+source=$(realpath "$(dirname "$0")/..")
+build=$(realpath --canonicalize-missing "${1:-$source/build}")
+work=$build/plane
+figures=$source/doc/Deformable_simplicial_complex_3/fig
+foam=$build/examples/planar_foam
+cut_locus=$build/examples/cut_locus
+
+"$source/scripts/install_dependencies.sh" librsvg2-bin
+for program in "$build/dsc" "$foam" "$cut_locus"; do
+  [ -x "$program" ] || { echo "draw_plane.sh: $program is missing; build it first" >&2; exit 1; }
+done
+rm -rf "$work"
+mkdir -p "$work"
+cd "$work"
+
+picture() { # FILE.svg NAME
+  rsvg-convert --width 480 --background-color white "$1" --output "$figures/plane_$2.png"
+}
+
+run() { # NAME COMMAND ARGUMENT...
+  echo "dsc ${*:2}"
+  "$build/dsc" "${@:2}" --quiet --output "$1"
+}
+
+# Two stars and a ring
+python3 - >offset.wkt <<'STARS'
+from math import cos, pi, sin
+
+
+def way(x, y, n, radius):
+    points = [(x + radius(2 * pi * i / n) * cos(2 * pi * i / n),
+               y + radius(2 * pi * i / n) * sin(2 * pi * i / n)) for i in range(n)]
+    return "(" + ", ".join(f"{x} {y}" for x, y in points + points[:1]) + ")"
+
+
+for x in (-1.2, 1.2):
+    print("POLYGON (" + way(x, 0, 120, lambda a: .8 + .25 * cos(5 * a)) + ")")
+print("POLYGON (" + way(0, 1.8, 90, lambda a: .75) + ", " + way(0, 1.8, 60, lambda a: .4) + ")")
+STARS
+run offset offset offset.wkt --distance .05 --steps 8 --every 4 --domain -3,-2,3,3.5
+picture offset/picture_000000.svg offset_before
+picture offset/picture_000008.svg offset
+run zalesak zalesak --dt 15.7 --steps 15 --every 15
+picture zalesak/picture_000015.svg zalesak
+run vortex vortex --plane --improve-interface --steps 400 --every 400
+picture vortex/picture_000400.svg vortex
+"$foam" 100 .014 60 foam.svg
+picture foam.svg foam
+"$cut_locus" .15 0 1 cut_locus.svg
+picture cut_locus.svg cut_locus
