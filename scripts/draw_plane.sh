@@ -38,11 +38,11 @@ def way(x, y, n, radius):
     return "(" + ", ".join(f"{x} {y}" for x, y in points + points[:1]) + ")"
 
 
-for x in (-1.2, 1.2):
-    print("POLYGON (" + way(x, 0, 120, lambda a: .8 + .25 * cos(5 * a)) + ")")
-print("POLYGON (" + way(0, 1.8, 90, lambda a: .75) + ", " + way(0, 1.8, 60, lambda a: .4) + ")")
+stars = ["(" + way(x, 0, 120, lambda a: .8 + .25 * cos(5 * a)) + ")" for x in (-1.2, 1.2)]
+ring = "(" + way(0, 1.8, 90, lambda a: .75) + ", " + way(0, 1.8, 60, lambda a: .6) + ")"
+print("MULTIPOLYGON (" + ", ".join(stars + [ring]) + ")")
 STARS
-run offset offset offset.wkt --distance .05 --steps 8 --every 4 --domain -3,-2,3,3.5
+run offset offset offset.wkt --distance .05 --steps 8 --every 8 --domain -3,-2,3,3.5
 picture offset/picture_000000.svg offset_before
 picture offset/picture_000008.svg offset
 run zalesak zalesak --dt 15.7 --steps 15 --every 15
@@ -51,5 +51,5 @@ run vortex vortex --plane --improve-interface --steps 400 --every 400
 picture vortex/picture_000400.svg vortex
 "$foam" 100 .014 60 foam.svg
 picture foam.svg foam
-"$cut_locus" .15 0 1 cut_locus.svg
+"$cut_locus" .16 .314159265 1 cut_locus.svg
 picture cut_locus.svg cut_locus
