@@ -59,7 +59,23 @@ public:
     return result;
   }
 
-  // Takes away chains from an end to a junction that are short, until there are none.
+  // The nodes that some edges or fewer lead to from a node, and that.
+  std::vector<std::size_t> within(std::size_t node, std::size_t edges) const {
+    std::vector<std::size_t> result = {node};
+    std::size_t last = 0; // where the nodes begin that one edge less leads to
+    for (std::size_t k = 0; k < edges; ++k) {
+      const std::size_t end = result.size();
+      for (std::size_t i = last; i < end; ++i)
+        for (std::size_t neighbor : m_neighbors[result[i]])
+          if (std::find(result.begin(), result.end(), neighbor) == result.end())
+            result.push_back(neighbor);
+      last = end;
+    }
+    return result;
+  }
+
+  // Takes away chains from an end to a junction, and from a junction to itself, that are short,
+  // until there are none.
   template <class Distance> void prune(const Distance& distance, double shortest) {
     for (bool has_changed = true; has_changed;) {
       has_changed = false;
@@ -67,19 +83,39 @@ public:
         if (m_neighbors[end].size() != 1)
           continue;
         const auto spur = chain(end, *m_neighbors[end].begin());
-        double length = 0;
-        for (std::size_t i = 1; i < spur.size(); ++i)
-          length += distance(spur[i - 1], spur[i]);
-        if (length >= shortest || m_neighbors[spur.back()].size() < 3)
+        if (length_of(spur, distance) >= shortest || m_neighbors[spur.back()].size() < 3)
           continue;
         for (std::size_t i = 0; i + 1 < spur.size(); ++i)
           remove(spur[i]);
         has_changed = true;
       }
+      for (std::size_t junction = 0; junction < size(); ++junction) {
+        if (m_neighbors[junction].size() < 3)
+          continue;
+        const std::set<std::size_t> neighbors = m_neighbors[junction];
+        for (std::size_t next : neighbors) {
+          if (m_neighbors[junction].count(next) == 0)
+            continue;
+          const auto loop = chain(junction, next);
+          if (loop.back() != junction || length_of(loop, distance) >= shortest)
+            continue;
+          for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+            remove(loop[i]);
+          has_changed = true;
+        }
+      }
     }
   }
 
 private:
+  template <class Distance>
+  static double length_of(const std::vector<std::size_t>& chain, const Distance& distance) {
+    double length = 0;
+    for (std::size_t i = 1; i < chain.size(); ++i)
+      length += distance(chain[i - 1], chain[i]);
+    return length;
+  }
+
   std::vector<std::set<std::size_t>> m_neighbors;
 };
 

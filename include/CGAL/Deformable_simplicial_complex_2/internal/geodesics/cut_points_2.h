@@ -61,26 +61,26 @@ public:
     return near(p, (*solution)[2], a, start[2]);
   }
 
-  // Where three of the geodesics around a junction meet.
-  std::optional<Cut_point> at_junction(const Node& junction) const {
-    const auto angles = spread_angles(junction);
-    double length = 0;
-    for (Vertex_handle v : junction.front)
-      length += m_front.ray(v).length / double(junction.front.size());
-    const Unknowns start(angles[0], angles[1], angles[2], length);
-    const auto solution = solve(start, [&](const Unknowns& x, Jacobian& jacobian) {
-      const Arrival p(*this, junction.position, x[0], x[3]),
-          q(*this, junction.position, x[1], x[3]), r(*this, junction.position, x[2], x[3]);
-      jacobian << -p.by_angle, q.by_angle, Pair::Zero(), q.by_length - p.by_length, //
-          -p.by_angle, Pair::Zero(), r.by_angle, r.by_length - p.by_length;
-      return Unknowns(q.x - p.x, q.y - p.y, r.x - p.x, r.y - p.y);
-    });
-    if (!solution || !are_distinct((*solution)[0], (*solution)[1]) ||
-        !are_distinct((*solution)[1], (*solution)[2]) ||
-        !are_distinct((*solution)[0], (*solution)[2]))
-      return std::nullopt;
-    const Point p = place(junction.position, (*solution)[0], (*solution)[3]);
-    return near(p, (*solution)[3], junction.position, length);
+  // Where three of the geodesics around a junction meet, and none of the others comes earlier.
+  // These are those of some vertices of the front around it.
+  std::optional<Cut_point> at_junction(const Node& junction,
+                                       const std::vector<Vertex_handle>& around) const {
+    for (const auto& angles : triples(around))
+      if (const auto found = at_junction(junction, angles); found && is_shortest(*found, around))
+        return found;
+    return std::nullopt;
+  }
+
+  // Whether no geodesic of some vertices of the front comes to a point before those that it was
+  // found from.
+  bool is_shortest(const Cut_point& p, const std::vector<Vertex_handle>& around) const {
+    static constexpr double rounding = 1e-7; // of distances, beside what is solved for
+    for (Vertex_handle v : around) {
+      const auto length = length_to(p.point, m_front.ray(v));
+      if (length && *length < (1 - rounding) * p.distance)
+        return false;
+    }
+    return true;
   }
 
   // Where an arc begins that ends in a rung: at the nearest of the points where geodesics between
@@ -114,6 +114,72 @@ public:
   }
 
 private:
+  // Where three geodesics meet that have about these angles.
+  std::optional<Cut_point> at_junction(const Node& junction,
+                                       const std::array<double, 3>& angles) const {
+    const double length = mean_length(junction);
+    const Unknowns start(angles[0], angles[1], angles[2], length);
+    const auto solution = solve(start, [&](const Unknowns& x, Jacobian& jacobian) {
+      const Arrival p(*this, junction.position, x[0], x[3]),
+          q(*this, junction.position, x[1], x[3]), r(*this, junction.position, x[2], x[3]);
+      jacobian << -p.by_angle, q.by_angle, Pair::Zero(), q.by_length - p.by_length, //
+          -p.by_angle, Pair::Zero(), r.by_angle, r.by_length - p.by_length;
+      return Unknowns(q.x - p.x, q.y - p.y, r.x - p.x, r.y - p.y);
+    });
+    if (!solution || !are_distinct((*solution)[0], (*solution)[1]) ||
+        !are_distinct((*solution)[1], (*solution)[2]) ||
+        !are_distinct((*solution)[0], (*solution)[2]))
+      return std::nullopt;
+    const Point p = place(junction.position, (*solution)[0], (*solution)[3]);
+    return near(p, (*solution)[3], junction.position, length);
+  }
+
+  // The length of a geodesic to a point that has about the angle of a ray; nothing if none is
+  // found.
+  std::optional<double> length_to(const Point& target, const typename Front::Ray& ray) const {
+    static constexpr int iterations = 8;
+    static constexpr double precision = 1e-10, farthest = .5;
+    Pair x(ray.angle, ray.length);
+    for (int k = 0; k < iterations; ++k) {
+      const Arrival p(*this, target, x[0], x[1]);
+      Eigen::Matrix2d jacobian;
+      jacobian << p.by_angle, p.by_length;
+      const Pair step = jacobian.fullPivLu().solve(Pair(p.x - target.x(), p.y - target.y()));
+      x -= step;
+      if (!(std::abs(x[0] - ray.angle) < farthest && x[1] > 0))
+        return std::nullopt;
+      if (step.norm() < precision)
+        return x[1];
+    }
+    return std::nullopt;
+  }
+
+  // Triples of the angles of the geodesics of vertices, those first whose nearest two are farthest
+  // from each other: there are three parts of the front around a junction.
+  std::vector<std::array<double, 3>> triples(const std::vector<Vertex_handle>& around) const {
+    static constexpr std::size_t most = 40; // of them
+    std::vector<double> angles;
+    for (Vertex_handle v : around)
+      if (std::all_of(angles.begin(), angles.end(),
+                      [&](double angle) { return are_distinct(angle, m_front.ray(v).angle); }))
+        angles.push_back(m_front.ray(v).angle);
+    std::vector<std::array<double, 3>> result;
+    for (std::size_t i = 0; i < angles.size(); ++i)
+      for (std::size_t j = i + 1; j < angles.size(); ++j)
+        for (std::size_t k = j + 1; k < angles.size(); ++k)
+          result.push_back({angles[i], angles[j], angles[k]});
+    const auto spread = [](const std::array<double, 3>& a) {
+      const auto apart = [&](int i, int j) {
+        return std::abs(std::remainder(a[i] - a[j], 2 * std::acos(-1.)));
+      };
+      return (std::min)({apart(0, 1), apart(1, 2), apart(2, 0)});
+    };
+    std::stable_sort(result.begin(), result.end(),
+                     [&](const auto& a, const auto& b) { return spread(a) > spread(b); });
+    result.resize((std::min)(result.size(), most));
+    return result;
+  }
+
   double mean_length(const Node& node) const {
     double sum = 0;
     for (Vertex_handle v : node.front)
@@ -152,7 +218,7 @@ private:
   // A point at a distance, if both are about where the front has stopped.
   std::optional<Cut_point> near(const Point& p, double distance, const Point& front_point,
                                 double front_length) const {
-    static constexpr double farthest = 5; // spacings, and steps
+    static constexpr double farthest = 10; // spacings, and steps
     const double way =
         std::sqrt((m_front.complex().domain().near(p, front_point) - p).squared_length());
     if (way < farthest * m_front.spacing() &&
@@ -203,25 +269,6 @@ private:
     return std::nullopt;
   }
 
-  // Angles of three of the geodesics around a junction that are far from each other.
-  std::array<double, 3> spread_angles(const Node& junction) const {
-    std::array<double, 3> result = {m_front.ray(junction.front[0]).angle, 0, 0};
-    for (std::size_t k = 1; k < 3; ++k) {
-      double widest = -1;
-      for (Vertex_handle v : junction.front) {
-        double nearest = std::numeric_limits<double>::infinity();
-        for (std::size_t j = 0; j < k; ++j)
-          nearest = (std::min)(nearest, std::abs(std::remainder(m_front.ray(v).angle - result[j],
-                                                                2 * std::acos(-1.))));
-        if (nearest > widest) {
-          widest = nearest;
-          result[k] = m_front.ray(v).angle;
-        }
-      }
-    }
-    return result;
-  }
-
   // How far it is along a geodesic to the first point that is conjugate to the source: where its
   // neighbors cross it. Infinity if that is much farther than the front.
   double conjugate_distance(double angle, const Node& rung) const {
@@ -253,7 +300,8 @@ template <class Cut_locus, class Front>
 Cut_locus cut_points(const Front& front, const Chordal_axis_2<Front>& axis) {
   using Finder = Cut_point_finder_2<Front>;
   using Cut_point = typename Finder::Cut_point;
-  static constexpr double same = .02, crossed = .5, shortest_spur = 4; // spacings
+  static constexpr double same = .02, crossed = .5, shortest_spur = 4, shortest_arc = 2; // spacings
+  static constexpr std::size_t around = 3, reach = 8; // edges of the axis from a junction
   const Finder finder(front);
   const auto& nodes = axis.nodes();
   const auto& domain = front.complex().domain();
@@ -265,10 +313,27 @@ Cut_locus cut_points(const Front& front, const Chordal_axis_2<Front>& axis) {
   graph.prune(
       [&](std::size_t i, std::size_t j) { return between(nodes[i].position, nodes[j].position); },
       shortest_spur * front.spacing());
+  const auto front_around = [&](std::size_t i) {
+    std::vector<typename Finder::Vertex_handle> result;
+    for (std::size_t j : graph.within(i, around))
+      for (auto v : nodes[j].front)
+        if (std::find(result.begin(), result.end(), v) == result.end())
+          result.push_back(v);
+    return result;
+  };
   std::vector<std::optional<Cut_point>> found(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i)
     if (!graph[i].empty())
-      found[i] = nodes[i].is_rung() ? finder.on_rung(i, axis) : finder.at_junction(nodes[i]);
+      found[i] = nodes[i].is_rung() ? finder.on_rung(i, axis)
+                                    : finder.at_junction(nodes[i], front_around(i));
+  // Beside where three parts of the front meet, two of them may meet beyond the third.
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (!graph[i].empty() && !nodes[i].is_rung()) {
+      const auto front = front_around(i);
+      for (std::size_t j : graph.within(i, reach))
+        if (nodes[j].is_rung() && found[j] && !finder.is_shortest(*found[j], front))
+          found[j].reset();
+    }
   for (std::size_t i = 0; i < nodes.size(); ++i)
     if (!found[i] && !graph[i].empty())
       graph.merge(i, *graph[i].begin());
@@ -291,7 +356,7 @@ Cut_locus cut_points(const Front& front, const Chordal_axis_2<Front>& axis) {
             has_merged = true;
           }
       }
-  graph.prune(distance, shortest_spur * front.spacing());
+  graph.prune(distance, shortest_arc * front.spacing());
 
   for (std::size_t i = 0, size = nodes.size(); i < size; ++i)
     if (graph[i].size() == 1 && nodes[i].is_rung())
