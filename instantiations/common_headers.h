@@ -6,7 +6,9 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Triangulation_3.h>
+#include <CGAL/advect_interface_2.h>
 #include <CGAL/advect_interface_3.h>
+#include <CGAL/make_deformable_simplicial_complex_2.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/velocity_fields_3.h>
 

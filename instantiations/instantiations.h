@@ -1,6 +1,7 @@
 #ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_3_INSTANTIATIONS_H
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_3_INSTANTIATIONS_H
 
+#include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
@@ -13,8 +14,11 @@
 #include <CGAL/Deformable_simplicial_complex_3/vertex_optimization_3.h>
 #include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 #include <CGAL/IO/labelled_surface_3.h>
+#include <CGAL/control_detail_2.h>
 #include <CGAL/control_detail_3.h>
+#include <CGAL/deform_interface_2.h>
 #include <CGAL/deform_interface_3.h>
+#include <CGAL/improve_interface_2.h>
 #include <CGAL/improve_interface_3.h>
 #include <CGAL/improve_mesh_3.h>
 
@@ -36,6 +40,7 @@ using Cell = Complex::Cell_handle;
 using Cells = std::vector<Cell>;
 using Vertex = Complex::Vertex_handle;
 using Cavity = CGAL::Cavity_3<Complex>;
+using Planar_complex = CGAL::Deformable_simplicial_complex_2<>;
 
 } // namespace instantiations
 
@@ -95,6 +100,20 @@ DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Inter
 
 DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Patch_improver_3<
     instantiations::Complex>;
+
+DSC_EXTERN template class CGAL::Deformable_simplicial_complex_2<>;
+DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Mesh_improver<
+    instantiations::Planar_complex>;
+DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Topology_log<
+    instantiations::Planar_complex>;
+DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Trapped_cells<
+    instantiations::Planar_complex>;
+DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Interface_deformer<
+    instantiations::Planar_complex>;
+DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Detail_controller<
+    instantiations::Planar_complex>;
+DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Interface_improver<
+    instantiations::Planar_complex>;
 
 DSC_EXTERN template CGAL::Labelled_surface_3<CGAL::Epick::Point_3>
 CGAL::IO::read_labelled_surface(const std::string&, int);

@@ -68,6 +68,29 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
                       "JSON file with the state before and after");
   improve->add_flag("--quiet", improve_options.quiet, "Print nothing but errors");
 
+  Cut_locus_options cut_locus_options;
+  std::string point, periods = "6.283185307179586,6.283185307179586", spacing, step;
+  CLI::App* cut_locus = app.add_subcommand(
+      "cut-locus", "Find where the shortest ways end that begin in a point of a surface");
+  cut_locus
+      ->add_option(
+          "--surface", cut_locus_options.surface,
+          "'torus', of the radii 2 and 1, or its three coordinates as expressions in u and "
+          "v like '(2+cos(v))*cos(u),(2+cos(v))*sin(u),2*sin(v)'")
+      ->capture_default_str();
+  cut_locus->add_option("--point", point, "u and v of the point, like 0,0.3")->required();
+  cut_locus->add_option("--periods", periods,
+                        "after which the surface repeats itself; 2 pi each if not given");
+  cut_locus->add_option("--spacing", spacing,
+                        "Length of edges in u and v; a fortieth of a period if not given");
+  cut_locus->add_option("--step", step,
+                        "By how much the front of all ways advances at once; half "
+                        "the spacing if not given");
+  cut_locus->add_option("-o,--output", cut_locus_options.output, "Picture in u and v (.svg)");
+  cut_locus->add_option("--report", cut_locus_options.report,
+                        "JSON file with points, distances and arcs");
+  cut_locus->add_flag("--quiet", cut_locus_options.quiet, "Print nothing but errors");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
@@ -96,6 +119,17 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
     if (improve->count("--threshold") > 0)
       improve_options.threshold = parse_threshold(threshold);
     return improve_options;
+  }
+  if (*cut_locus) {
+    cut_locus_options.point = parse_pair(point, "--point");
+    cut_locus_options.periods = parse_pair(periods, "--periods");
+    if (cut_locus->count("--spacing") > 0)
+      cut_locus_options.spacing = parse_positive(spacing, "--spacing");
+    if (cut_locus->count("--step") > 0)
+      cut_locus_options.step = parse_positive(step, "--step");
+    if (!cut_locus_options.output.empty())
+      require_extension(cut_locus_options.output, {"svg"});
+    return cut_locus_options;
   }
   return run_commands.options();
 }

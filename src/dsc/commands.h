@@ -15,6 +15,7 @@ int execute(const Run_options& options);
 int execute(const Info_options& options);
 int execute(const Convert_options& options);
 int execute(const Improve_options& options);
+int execute(const Cut_locus_options& options);
 
 } // namespace dsc
 

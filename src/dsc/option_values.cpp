@@ -83,6 +83,10 @@ std::array<double, 6> parse_domain(const std::string& text, int dimension) {
   return box;
 }
 
+std::array<double, 2> parse_pair(const std::string& text, const std::string& option) {
+  return parse_numbers<2>(text, option, "1.5,0");
+}
+
 double parse_angle(const std::string& text) { return parse_number(text, "--angle", "7.2"); }
 
 double parse_threshold(const std::string& text) {

@@ -24,6 +24,8 @@ std::array<double, 6> parse_domain(const std::string& text, int dimension);
 
 double parse_angle(const std::string& text);
 
+std::array<double, 2> parse_pair(const std::string& text, const std::string& option);
+
 /// A quality in (0, 1].
 double parse_threshold(const std::string& text);
 

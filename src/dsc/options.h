@@ -144,7 +144,21 @@ struct Improve_options
   bool quiet = false;
 };
 
-using Options = std::variant<Info_options, Run_options, Convert_options, Improve_options>;
+/// What `dsc cut-locus` is asked to do.
+struct Cut_locus_options
+{
+  std::string surface = "torus"; ///< that, or three expressions in u and v
+  std::array<double, 2> point = {};
+  std::array<double, 2> periods;
+  double spacing = 0; ///< in the chart; a fortieth of the shorter period if 0
+  double step = 0;    ///< of the front; half the spacing if 0
+  std::string output; ///< picture; empty for none
+  std::string report; ///< file; empty for none
+  bool quiet = false;
+};
+
+using Options =
+    std::variant<Info_options, Run_options, Convert_options, Improve_options, Cut_locus_options>;
 
 } // namespace dsc
 

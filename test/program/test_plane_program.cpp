@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -120,4 +121,20 @@ TEST_F(Planar_program, resumes_to_the_same_bits) {
     expect_success("convert whole/checkpoint.dsc out." + format + " --quiet");
   EXPECT_NEAR(last_step("rotate out.wkt --angle 1 --steps 1").at("labels")[1].at("area"), .0706858,
               1e-3);
+}
+
+TEST_F(Planar_program, finds_cut_loci) {
+  for (const std::string arguments :
+       {"", "--point 0", "--point 0,0 --surface u,v", "--point 0,0 --surface u+,v,1",
+        "--point 0,0 --spacing 0", "--point 0,0 -o a.png"})
+    expect_error("cut-locus " + arguments, 2);
+  expect_error("cut-locus --point 0,0 --spacing 1", 1);
+  expect_error("cut-locus --point 0,0 --surface u,0,0", 1);
+  expect_success("cut-locus --point 0,0 --spacing .3 --quiet -o a.svg --report a.json --surface "
+                 "'(2+cos(v))*cos(u),(2+cos(v))*sin(u),sin(v)'");
+  double farthest = 0;
+  for (const Json& vertex : report("a.json").at("vertices"))
+    farthest = std::max(farthest, vertex.at("distance").get<double>());
+  EXPECT_NEAR(farthest, 7.63112309, .01);
+  EXPECT_NE(contents(path("a.svg")).find("cut_locus"), std::string::npos);
 }

@@ -67,9 +67,16 @@ class Svg_canvas
 {
 public:
   Svg_canvas(const Bbox_2& window, double width, const std::array<double, 2>& periods)
-      : m_window(window), m_scale(width / (window.xmax() - window.xmin())), m_periods(periods) {}
+      : m_window(window), m_width(width), m_scale(width / (window.xmax() - window.xmin())),
+        m_periods(periods) {}
 
-  double height() const { return m_scale * (m_window.ymax() - m_window.ymin()); }
+  void begin(std::ostream& out) const {
+    const double height = m_scale * (m_window.ymax() - m_window.ymin());
+    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << m_width << "\" height=\""
+        << height << "\" viewBox=\"0 0 " << m_width << ' ' << height
+        << "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n"
+        << "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+  }
 
   template <class Point, std::size_t n>
   void add(const std::array<Point, n>& corners, std::string& path) const {
@@ -102,7 +109,7 @@ private:
   }
 
   Bbox_2 m_window;
-  double m_scale;
+  double m_width, m_scale;
   std::array<double, 2> m_periods;
 };
 
@@ -172,9 +179,7 @@ void write_SVG(const std::string& path,
         canvas.add(std::array<Point, 2>{corners[(i + 1) % 3], corners[(i + 2) % 3]}, interface_);
   }
   internal::replace_file_by_stream(path, [&](std::ostream& out) {
-    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << options.width << "\" height=\""
-        << canvas.height() << "\" viewBox=\"0 0 " << options.width << ' ' << canvas.height()
-        << "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
+    canvas.begin(out);
     // The thin lines around triangles close what smoothing leaves between them.
     for (const auto& [label, region] : regions) {
       const std::string color = internal::color_of_label(label);
