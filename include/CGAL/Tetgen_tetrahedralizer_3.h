@@ -71,7 +71,8 @@ public:
   said to be bad, the points in another order; and at last it does without the bounds, so that
   tetrahedra are worse. Within a third of the time limit, the result is the same each time.
 
-  Several threads may call this at the same time where there is `fork()`.
+  Several threads may call this at the same time where there is `fork()`, and an allocator that works
+  in its child, as that of glibc does, and that of the address sanitizer of GCC 12 does not.
 
   \pre Points are finite and differ. Triangles meet only in common vertices and edges.
   \return see `ConstrainedTetrahedralizer_3`

@@ -227,6 +227,9 @@ TEST(Tetgen, puts_the_input_first) {
   EXPECT_FALSE(has_children());
 }
 
+// The allocator of the sanitizer may be locked for ever in the child of a process with threads, other
+// than that of the system. test/installed_package has threads, too.
+#ifndef __SANITIZE_ADDRESS__
 TEST(Tetgen, several_threads_get_the_same) {
   const auto expected = fill(Tetgen_tetrahedralizer_3(), cube);
   std::vector<CGAL::Tetrahedralization_3> meshes(4);
@@ -240,6 +243,7 @@ TEST(Tetgen, several_threads_get_the_same) {
     EXPECT_EQ(mesh.tetrahedra, expected.tetrahedra);
   }
 }
+#endif
 
 TEST(Tetgen, says_what_is_wrong_with_the_input) {
   Triangle_soup_3 soup = cube;

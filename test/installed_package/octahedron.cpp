@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <thread>
 #include <vector>
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
@@ -15,11 +16,22 @@ int main() {
       {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
       {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}},
       1};
-  const auto complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
-      std::vector<Surface>{octahedron}, CGAL::Tetgen_tetrahedralizer_3());
+  // Several threads at the same time: each runs TetGen in a process of its own.
+  std::vector<Complex> complexes(4);
+  std::vector<std::thread> threads;
+  for (Complex& complex : complexes)
+    threads.emplace_back([&] {
+      complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+          std::vector<Surface>{octahedron}, CGAL::Tetgen_tetrahedralizer_3());
+    });
+  for (std::thread& thread : threads)
+    thread.join();
 
-  const bool right = complex.is_valid() && std::abs(complex.volume(1) - 4. / 3.) < 1e-9 &&
-                     complex.euler_characteristic(1) == 2;
-  std::cout << "volume " << complex.volume(1) << '\n';
+  bool right = true;
+  for (const Complex& complex : complexes)
+    right = right && complex.is_valid() && std::abs(complex.volume(1) - 4. / 3.) < 1e-9 &&
+            complex.euler_characteristic(1) == 2 &&
+            complex.number_of_cells() == complexes[0].number_of_cells();
+  std::cout << "volume " << complexes[0].volume(1) << '\n';
   return right ? EXIT_SUCCESS : EXIT_FAILURE;
 }
