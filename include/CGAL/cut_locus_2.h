@@ -8,7 +8,7 @@
 #include <CGAL/Deformable_simplicial_complex_2/Geodesic_front_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/Riemannian_metric_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/Chordal_axis_2.h>
-#include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/cut_points_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/Cut_graph_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -73,7 +73,7 @@ Cut_locus_2 cut_locus_2(const Metric& metric,
   while (front.radius() < longest_distance && front.advance(step)) {
   }
   const internal::Chordal_axis_2<Geodesic_front_2<Metric>> axis(front);
-  return internal::cut_points<Cut_locus_2>(front, axis);
+  return internal::make_cut_locus<Cut_locus_2>(internal::Cut_graph_2(front, axis), domain);
 }
 
 } // namespace CGAL

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace {
 
@@ -116,6 +117,85 @@ TEST(Cut_locus, of_a_flat_torus) {
   }
   EXPECT_EQ(crossings, 1u);
   EXPECT_EQ(locus.polylines.size(), 2u);
+}
+
+// A torus of revolution whose generator is an ellipse, of the height 2 b; by formulas, which are faster
+// than differentiation.
+struct Torus_by_formulas
+{
+  double b;
+
+  CGAL::Metric_jet_2 operator()(double, double v) const {
+    const double radius = 2 + std::cos(v), s = std::sin(v), c = std::cos(v);
+    return {radius * radius, 0, s * s + b * b * c * c, 0, -2 * radius * s, 0, 0, 0,
+            2 * (1 - b * b) * s * c};
+  }
+};
+
+constexpr double pi = 3.14159265358979324;
+
+// An end or a junction, in the chart from -pi to pi.
+struct Special_point
+{
+  double u, v, distance;
+  std::size_t multiplicity;
+};
+
+// The cut locus is symmetric: u and -u, or both halves of the opposite meridian.
+void expect_cut_locus(double b, double v, double spacing, std::size_t arcs,
+                      const std::vector<Special_point>& expected) {
+  const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(
+      Torus_by_formulas{b}, Domain({2 * pi, 2 * pi}), Point(0, v), spacing, spacing / 2);
+  EXPECT_EQ(locus.polylines.size(), arcs);
+  std::vector<Special_point> found;
+  for (const auto& p : locus.vertices)
+    if (p.multiplicity != 2)
+      found.push_back({std::abs(std::remainder(p.point.x(), 2 * pi)),
+                       std::remainder(p.point.y(), 2 * pi), p.distance, p.multiplicity});
+  EXPECT_EQ(found.size(), expected.size());
+  for (const Special_point& e : expected)
+    EXPECT_TRUE(std::any_of(found.begin(), found.end(),
+                            [&](const Special_point& f) {
+                              return std::abs(f.u - e.u) < 1e-3 &&
+                                     std::abs(std::remainder(f.v - e.v, 2 * pi)) < 1e-3 &&
+                                     std::abs(f.distance - e.distance) < 1e-3 &&
+                                     f.multiplicity == e.multiplicity;
+                            }))
+        << e.u << ' ' << e.v;
+}
+
+TEST(Cut_locus, of_a_point_of_the_outer_equator_of_a_torus) {
+  const double conjugate = pi * std::sqrt(1. / 3);
+  expect_cut_locus(1, 0, .3, 5,
+                   {{pi, pi, 5.47597569, 4},
+                    {pi, 0, 7.63112309, 4},
+                    {conjugate, 0, 3 * conjugate, 1},
+                    {conjugate, 0, 3 * conjugate, 1}});
+}
+
+// The ends lie on the opposite parallel, where it meets the curve that goes around.
+TEST(Cut_locus, of_another_point_of_a_torus) {
+  const double v = .1 * pi;
+  expect_cut_locus(1, v, .2, 6,
+                   {{pi, -.158299, 7.48836, 4},
+                    {2.51091, -v, 6.80779, 3},
+                    {2.51091, -v, 6.80779, 3},
+                    {1.82135894, -v, 5.46388, 1},
+                    {1.82135894, -v, 5.46388, 1}});
+}
+
+// Geodesics are focused by the rims of a high torus: four more arcs begin there.
+TEST(Cut_locus, of_a_point_of_a_high_torus) {
+  const double v = .1 * pi;
+  expect_cut_locus(2, v, .15, 9,
+                   {{pi, -2.03121, 7.41805, 4},
+                    {pi, -v, 9.23702, 4},
+                    {2.99242, -v, 9.00772, 3},
+                    {2.99242, -v, 9.00772, 3},
+                    {2.0936, .6714, 5.9127, 1},
+                    {2.0936, .6714, 5.9127, 1},
+                    {2.2483, -1.0245, 6.7902, 1},
+                    {2.2483, -1.0245, 6.7902, 1}});
 }
 
 TEST(Cut_locus, refuses_what_it_cannot_do) {

@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cstddef>
-#include <tuple>
 #include <utility>
 
 namespace CGAL {
@@ -30,14 +29,12 @@ struct Metric_jet_2
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Calls f with u and v as numbers of one type that carry derivatives up to an order.
+// What f(u, v) returns, with its derivatives up to an order in one direction: numbers with one
+// variable are a tenth of the work of those with two.
 template <std::size_t order, class Function>
-auto with_derivatives(double u, double v, const Function& f) {
-  const auto variables = boost::math::differentiation::make_ftuple<double, order, order>(u, v);
-  // Zeros of the other variable make them the same type.
-  const auto x = std::get<0>(variables) + 0. * std::get<1>(variables);
-  const auto y = std::get<1>(variables) + 0. * std::get<0>(variables);
-  return f(x, y);
+auto along(double du, double dv, double u, double v, const Function& f) {
+  const auto t = boost::math::differentiation::make_fvar<double, order>(0);
+  return f(u + du * t, v + dv * t);
 }
 
 } // namespace internal
@@ -62,25 +59,26 @@ public:
 
   /// The metric at a point of the chart.
   Metric_jet_2 operator()(double u, double v) const {
-    return Deformable_simplicial_complexes::internal::with_derivatives<2>(
-        u, v, [&](const auto& x, const auto& y) {
-          const auto r = m_embedding(x, y);
-          const auto dot = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
-            double sum = 0;
-            for (const auto& coordinate : r)
-              sum += coordinate.derivative(i, j) * coordinate.derivative(k, l);
-            return sum;
-          };
-          return Metric_jet_2{dot(1, 0, 1, 0),
-                              dot(1, 0, 0, 1),
-                              dot(0, 1, 0, 1),
-                              2 * dot(2, 0, 1, 0),
-                              2 * dot(1, 1, 1, 0),
-                              dot(2, 0, 0, 1) + dot(1, 0, 1, 1),
-                              dot(1, 1, 0, 1) + dot(1, 0, 0, 2),
-                              2 * dot(1, 1, 0, 1),
-                              2 * dot(0, 2, 0, 1)};
-        });
+    namespace internal = Deformable_simplicial_complexes::internal;
+    const auto by_u = internal::along<2>(1, 0, u, v, m_embedding),
+               by_v = internal::along<2>(0, 1, u, v, m_embedding),
+               by_both = internal::along<2>(1, 1, u, v, m_embedding);
+    Metric_jet_2 g = {0, 0, 0, 0, 0, 0, 0, 0, 0};
+    for (std::size_t i = 0; i < 3; ++i) {
+      // Coefficients of Taylor series: those of second order are half the derivatives.
+      const double r_u = by_u[i].at(1), r_uu = 2 * by_u[i].at(2), r_v = by_v[i].at(1),
+                   r_vv = 2 * by_v[i].at(2), r_uv = by_both[i].at(2) - (r_uu + r_vv) / 2;
+      g.E += r_u * r_u;
+      g.F += r_u * r_v;
+      g.G += r_v * r_v;
+      g.E_u += 2 * r_uu * r_u;
+      g.E_v += 2 * r_uv * r_u;
+      g.F_u += r_uu * r_v + r_u * r_uv;
+      g.F_v += r_uv * r_v + r_u * r_vv;
+      g.G_u += 2 * r_uv * r_v;
+      g.G_v += 2 * r_vv * r_v;
+    }
+    return g;
   }
 
 private:
@@ -104,15 +102,19 @@ public:
 
   /// The metric at a point of the chart.
   Metric_jet_2 operator()(double u, double v) const {
-    return Deformable_simplicial_complexes::internal::with_derivatives<1>(
-        u, v, [&](const auto& x, const auto& y) {
-          const auto g = m_tensor(x, y);
-          const auto d = [&](std::size_t which, std::size_t i, std::size_t j) {
-            return double(g[which].derivative(i, j));
-          };
-          return Metric_jet_2{d(0, 0, 0), d(1, 0, 0), d(2, 0, 0), d(0, 1, 0), d(0, 0, 1),
-                              d(1, 1, 0), d(1, 0, 1), d(2, 1, 0), d(2, 0, 1)};
-        });
+    namespace internal = Deformable_simplicial_complexes::internal;
+    const auto by_u = internal::along<1>(1, 0, u, v, m_tensor),
+               by_v = internal::along<1>(0, 1, u, v, m_tensor);
+    const auto value = [&](std::size_t i) { return by_u[i].at(0); };
+    return {value(0),
+            value(1),
+            value(2),
+            by_u[0].at(1),
+            by_v[0].at(1),
+            by_u[1].at(1),
+            by_v[1].at(1),
+            by_u[2].at(1),
+            by_v[2].at(1)};
   }
 
 private:

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,8 @@ namespace internal {
 class Neighborhoods
 {
 public:
+  explicit Neighborhoods(std::size_t size = 0) : m_neighbors(size) {}
+
   std::size_t size() const { return m_neighbors.size(); }
   const std::set<std::size_t>& operator[](std::size_t node) const { return m_neighbors[node]; }
 
@@ -31,6 +34,11 @@ public:
       return;
     m_neighbors[a].insert(b);
     m_neighbors[b].insert(a);
+  }
+
+  void part(std::size_t a, std::size_t b) {
+    m_neighbors[a].erase(b);
+    m_neighbors[b].erase(a);
   }
 
   // Leaves the node without neighbors.
@@ -59,23 +67,7 @@ public:
     return result;
   }
 
-  // The nodes that some edges or fewer lead to from a node, and that.
-  std::vector<std::size_t> within(std::size_t node, std::size_t edges) const {
-    std::vector<std::size_t> result = {node};
-    std::size_t last = 0; // where the nodes begin that one edge less leads to
-    for (std::size_t k = 0; k < edges; ++k) {
-      const std::size_t end = result.size();
-      for (std::size_t i = last; i < end; ++i)
-        for (std::size_t neighbor : m_neighbors[result[i]])
-          if (std::find(result.begin(), result.end(), neighbor) == result.end())
-            result.push_back(neighbor);
-      last = end;
-    }
-    return result;
-  }
-
-  // Takes away chains from an end to a junction, and from a junction to itself, that are short,
-  // until there are none.
+  // Takes away chains from an end to a junction that are short, until there are none.
   template <class Distance> void prune(const Distance& distance, double shortest) {
     for (bool has_changed = true; has_changed;) {
       has_changed = false;
@@ -89,25 +81,45 @@ public:
           remove(spur[i]);
         has_changed = true;
       }
-      for (std::size_t junction = 0; junction < size(); ++junction) {
-        if (m_neighbors[junction].size() < 3)
-          continue;
-        const std::set<std::size_t> neighbors = m_neighbors[junction];
-        for (std::size_t next : neighbors) {
-          if (m_neighbors[junction].count(next) == 0)
-            continue;
-          const auto loop = chain(junction, next);
-          if (loop.back() != junction || length_of(loop, distance) >= shortest)
-            continue;
-          for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-            remove(loop[i]);
-          has_changed = true;
-        }
-      }
     }
   }
 
+  // The edges of another graph with the same nodes, the shortest first, are taken over where no way
+  // leads from end to end that is not longer than a limit.
+  template <class Distance>
+  void join_what_is_apart(const Neighborhoods& other, const Distance& distance, double longest) {
+    std::vector<std::tuple<double, std::size_t, std::size_t>> edges;
+    for (std::size_t a = 0; a < other.size(); ++a)
+      for (std::size_t b : other[a])
+        if (a < b)
+          edges.emplace_back(distance(a, b), a, b);
+    std::sort(edges.begin(), edges.end());
+    for (const auto& [length, a, b] : edges)
+      if (!are_joined(a, b, longest, distance))
+        join(a, b);
+  }
+
 private:
+  // Whether a way leads from a node to another one that is not longer.
+  template <class Distance>
+  bool are_joined(std::size_t from, std::size_t to, double longest,
+                  const Distance& distance) const {
+    std::set<std::pair<double, std::size_t>> queue = {{0., from}};
+    std::set<std::size_t> done;
+    while (!queue.empty()) {
+      const auto [way, a] = *queue.begin();
+      queue.erase(queue.begin());
+      if (a == to)
+        return true;
+      if (!done.insert(a).second)
+        continue;
+      for (std::size_t b : m_neighbors[a])
+        if (const double next = way + distance(a, b); next <= longest)
+          queue.insert({next, b});
+    }
+    return false;
+  }
+
   template <class Distance>
   static double length_of(const std::vector<std::size_t>& chain, const Distance& distance) {
     double length = 0;
@@ -131,6 +143,7 @@ public:
   using Vertex_handle = typename Front::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
   using Point = typename Front::Point_2;
+  using Vector = typename Complex::Approximate_vector_2;
 
   struct Node
   {
@@ -143,6 +156,19 @@ public:
 
   const std::vector<Node>& nodes() const { return m_nodes; }
   const Neighborhoods& neighborhoods() const { return m_neighborhoods; }
+
+  // Of the axis at a rung: from one of its neighbors to the other, or across the rung.
+  Vector direction(std::size_t i) const {
+    const auto& neighbors = m_neighborhoods[i];
+    if (neighbors.size() == 2) {
+      const Point p = m_nodes[*neighbors.begin()].position;
+      const Point q = m_complex.domain().near(p, m_nodes[*neighbors.rbegin()].position);
+      if (p != q)
+        return q - p;
+    }
+    const Vector rung = m_complex.displacement(m_nodes[i].front[0], m_nodes[i].front[1]);
+    return Vector(-rung.y(), rung.x());
+  }
 
 private:
   bool is_left(Cell_handle c) const { return c->label() == 0; }

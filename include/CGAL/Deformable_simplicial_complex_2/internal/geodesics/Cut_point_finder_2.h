@@ -1,0 +1,345 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_GEODESICS_CUT_POINT_FINDER_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_GEODESICS_CUT_POINT_FINDER_2_H
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+/*
+Finds where shortest geodesics of a front meet, to rounding, by Newton's method.
+
+Near a point, each vertex of the front tells of a geodesic to it, as it does for its own place. The
+shortest two, or three, that differ are followed to where they are equally long. Others may be
+shorter there: then it goes on with those.
+*/
+template <class Front> class Cut_point_finder_2
+{
+public:
+  using Point = typename Front::Point_2;
+  using Vertex_handle = typename Front::Vertex_handle;
+  using Vector = typename Front::Complex::Approximate_vector_2;
+
+  // From the source.
+  struct Geodesic
+  {
+    double angle, length;
+  };
+
+  // The geodesics to it are equally long.
+  struct Cut_point
+  {
+    Point point;
+    double distance;
+    std::vector<Geodesic> geodesics;
+  };
+
+  explicit Cut_point_finder_2(const Front& front) : m_front(front) {
+    for (Vertex_handle v : front.complex().interface_vertices())
+      m_arrivals.push_back(arrival(geodesic(v)));
+  }
+
+  Geodesic geodesic(Vertex_handle v) const {
+    const auto& ray = m_front.ray(v);
+    return {ray.angle, ray.length};
+  }
+
+  // Where two geodesics meet, near a point on the line through it that is perpendicular to a
+  // direction; they may be like some that are known.
+  std::optional<Cut_point> between(const std::vector<Geodesic>& known, const Point& p,
+                                   const Vector& direction) const {
+    const auto result = follow(known, 2, p, direction);
+    return result ? result : follow(geodesics_to(p, 2, {}), 2, p, direction);
+  }
+
+  // Where three geodesics or more meet, near a point.
+  std::optional<Cut_point> junction(const Point& p) const {
+    return follow(geodesics_to(p, 3, {}), 3, p, Vector(0, 0));
+  }
+
+  // Where an arc begins that ends in a point: at the nearest of the points where geodesics between
+  // those to its end are conjugate to the source.
+  std::optional<Cut_point> begin_of_arc(const Cut_point& end) const {
+    static constexpr double precision = 1e-6; // radians
+    static const double golden = (std::sqrt(5.) - 1) / 2;
+    double low = end.geodesics[0].angle, high = low + turn(low, end.geodesics[1].angle);
+    double x = high - golden * (high - low), y = low + golden * (high - low);
+    double at_x = conjugate_distance(x, end.distance), at_y = conjugate_distance(y, end.distance);
+    while (std::abs(high - low) > precision)
+      if (at_x < at_y) {
+        high = y;
+        y = x;
+        at_y = at_x;
+        x = high - golden * (high - low);
+        at_x = conjugate_distance(x, end.distance);
+      } else {
+        low = x;
+        x = y;
+        at_x = at_y;
+        y = low + golden * (high - low);
+        at_y = conjugate_distance(y, end.distance);
+      }
+    const Geodesic geodesic = {(low + high) / 2, (std::min)(at_x, at_y)};
+    if (!std::isfinite(geodesic.length))
+      return std::nullopt;
+    const auto state = m_front.shoot(geodesic.angle, geodesic.length);
+    const Cut_point result = {near(end.point, state), geodesic.length, {geodesic, geodesic}};
+    if (!is_near(result, end.point, end.distance))
+      return std::nullopt;
+    return result;
+  }
+
+  // The geodesics to a point that are like those to another one near it: of each two that are like
+  // each other the mean.
+  static std::vector<Geodesic> common(const Cut_point& p, const Cut_point& q) {
+    static constexpr double similar = .2; // radians
+    std::vector<Geodesic> result;
+    std::vector<char> is_taken(q.geodesics.size(), 0);
+    for (const Geodesic& g : p.geodesics) {
+      const auto gap = [&](const Geodesic& h) { return std::abs(turn(g.angle, h.angle)); };
+      const auto nearest =
+          std::min_element(q.geodesics.begin(), q.geodesics.end(),
+                           [&](const auto& a, const auto& b) { return gap(a) < gap(b); });
+      char& taken = is_taken[std::size_t(nearest - q.geodesics.begin())];
+      if (gap(*nearest) < similar && !taken)
+        result.push_back(
+            {g.angle + turn(g.angle, nearest->angle) / 2, (g.length + nearest->length) / 2});
+      taken = 1;
+    }
+    return result;
+  }
+
+  // A point of an arc between two others.
+  std::optional<Cut_point> middle(const Cut_point& p, const Cut_point& q) const {
+    const std::vector<Geodesic> known = common(p, q);
+    const Vector way = m_front.complex().domain().near(p.point, q.point) - p.point;
+    return known.size() < 2 ? std::nullopt : between(known, p.point + way / 2, way);
+  }
+
+private:
+  using Pair = Eigen::Vector2d;
+
+  // The end of a geodesic, and how that depends on its angle and its length.
+  struct Arrival
+  {
+    Geodesic geodesic;
+    typename Front::State state;
+    Pair by_angle, by_length;
+  };
+
+  Arrival arrival(const Geodesic& g) const {
+    static constexpr double difference = 1e-5; // radians
+    const auto state = m_front.shoot(g.angle, g.length),
+               next = m_front.shoot(g.angle + difference, g.length);
+    return {g, state, Pair(next[0] - state[0], next[1] - state[1]) / difference,
+            Pair(state[2], state[3])};
+  }
+
+  static double turn(double from, double to) {
+    return std::remainder(to - from, 2 * std::acos(-1.));
+  }
+
+  // Two geodesics that have become one meet everywhere.
+  static bool are_distinct(const Geodesic& a, const Geodesic& b) {
+    static constexpr double same = 1e-3; // radians
+    return std::abs(turn(a.angle, b.angle)) > same;
+  }
+
+  // Where a geodesic is, as seen from p.
+  Point near(const Point& p, const typename Front::State& state) const {
+    return m_front.complex().domain().near(p, Point(state[0], state[1]));
+  }
+  Pair miss(const Point& p, const typename Front::State& state) const {
+    const Point q = near(p, state);
+    return Pair(q.x() - p.x(), q.y() - p.y());
+  }
+
+  std::vector<const Arrival*> arrivals_near(const Point& p) const {
+    static constexpr double farthest = 4; // spacings
+    std::vector<std::pair<double, const Arrival*>> near;
+    for (const Arrival& a : m_arrivals)
+      if (const double way = miss(p, a.state).norm(); way < farthest * m_front.spacing())
+        near.emplace_back(way, &a);
+    std::stable_sort(near.begin(), near.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<const Arrival*> result;
+    for (const auto& item : near)
+      result.push_back(item.second);
+    return result;
+  }
+
+  // The shortest geodesics to a point, at least a number if there are as many, of some that are known
+  // and others that are like those near it.
+  std::vector<Geodesic> geodesics_to(const Point& p, std::size_t number,
+                                     std::vector<Geodesic> known) const {
+    static constexpr double similar = .05, inexact = 2; // radians of what will be the same; steps
+    const auto is_shorter = [](const Geodesic& a, const Geodesic& b) { return a.length < b.length; };
+    for (const Arrival* a : arrivals_near(p)) {
+      const Geodesic g = corrected(*a, p);
+      if (is_farther(a->geodesic, g) ||
+          (known.size() >= number &&
+           g.length > known[number - 1].length + inexact * m_front.step()))
+        continue;
+      if (std::any_of(known.begin(), known.end(), [&](const Geodesic& k) {
+            return std::abs(turn(k.angle, g.angle)) < similar;
+          }))
+        continue;
+      const auto found = geodesic_to(p, g);
+      if (found && std::all_of(known.begin(), known.end(),
+                               [&](const Geodesic& k) { return are_distinct(k, *found); }))
+        known.insert(std::upper_bound(known.begin(), known.end(), *found, is_shorter), *found);
+    }
+    return known;
+  }
+
+  // By one step of Newton's method.
+  Geodesic corrected(const Arrival& a, const Point& p) const {
+    Eigen::Matrix2d jacobian;
+    jacobian << a.by_angle, a.by_length;
+    const Pair step = jacobian.fullPivLu().solve(miss(p, a.state));
+    return {a.geodesic.angle - step[0], a.geodesic.length - step[1]};
+  }
+
+  static bool is_farther(const Geodesic& from, const Geodesic& to) {
+    static constexpr double farthest = .5; // radians
+    return !(std::abs(to.angle - from.angle) < farthest && to.length > 0);
+  }
+
+  std::optional<Geodesic> geodesic_to(const Point& p, const Geodesic& start) const {
+    static constexpr int iterations = 10;
+    static constexpr double precision = 1e-9;
+    Geodesic g = start;
+    for (int k = 0; k < iterations; ++k) {
+      const Geodesic next = corrected(arrival(g), p);
+      if (is_farther(start, next))
+        return std::nullopt;
+      if (std::hypot(next.angle - g.angle, next.length - g.length) < precision)
+        return next;
+      g = next;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Cut_point> follow(std::vector<Geodesic> geodesics, std::size_t number,
+                                  const Point& start, const Vector& direction) const {
+    static constexpr int rounds = 10;
+    static constexpr double rounding = 1e-8; // of distances, beside what is solved for
+    Point p = start;
+    for (int k = 0; k < rounds && geodesics.size() >= number; ++k) {
+      geodesics.resize(number);
+      const double length = geodesics[0].length;
+      auto found = meet(geodesics, p, direction);
+      if (!found || !is_near(*found, start, length))
+        return std::nullopt;
+      p = found->point;
+      geodesics = geodesics_to(p, number, found->geodesics);
+      if (!(geodesics[0].length < (1 - rounding) * found->distance)) {
+        const auto is_longer = [&](const Geodesic& g) {
+          return g.length > (1 + rounding) * found->distance;
+        };
+        found->geodesics.assign(geodesics.begin(),
+                                std::find_if(geodesics.begin(), geodesics.end(), is_longer));
+        return found;
+      }
+    }
+    return std::nullopt;
+  }
+
+  // Where geodesics like these, two or three, are equally long.
+  std::optional<Cut_point> meet(std::vector<Geodesic> geodesics, const Point& start,
+                                const Vector& direction) const {
+    static constexpr int iterations = 20;
+    static constexpr double precision = 1e-9;
+    const Eigen::Index n = Eigen::Index(geodesics.size()), length = n, place = n + 1;
+    const std::vector<Geodesic> first = geodesics;
+    Pair p(start.x(), start.y());
+    double distance = geodesics[0].length;
+    for (int k = 0; k < iterations; ++k) {
+      Eigen::VectorXd value = Eigen::VectorXd::Zero(n + 3);
+      Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(n + 3, n + 3);
+      for (Eigen::Index i = 0; i < n; ++i) {
+        const Arrival a = arrival({geodesics[i].angle, distance});
+        value.segment<2>(2 * i) = miss(Point(p[0], p[1]), a.state);
+        jacobian.block<2, 1>(2 * i, i) = a.by_angle;
+        jacobian.block<2, 1>(2 * i, length) = a.by_length;
+        jacobian.block<2, 2>(2 * i, place) = -Eigen::Matrix2d::Identity();
+      }
+      if (n == 2) {
+        const Pair along(direction.x(), direction.y());
+        value[n + 2] = along.dot(p - Pair(start.x(), start.y()));
+        jacobian.block<1, 2>(n + 2, place) = along.transpose();
+      }
+      const Eigen::VectorXd step = jacobian.fullPivLu().solve(value);
+      distance -= step[length];
+      p -= step.tail<2>();
+      for (Eigen::Index i = 0; i < n; ++i) {
+        geodesics[i] = {geodesics[i].angle - step[i], distance};
+        if (is_farther(first[i], geodesics[i]))
+          return std::nullopt;
+      }
+      if (step.norm() < precision)
+        break;
+      if (k + 1 == iterations)
+        return std::nullopt;
+    }
+    for (Eigen::Index i = 0; i < n; ++i)
+      for (Eigen::Index j = 0; j < i; ++j)
+        if (!are_distinct(geodesics[i], geodesics[j]))
+          return std::nullopt;
+    return Cut_point{Point(p[0], p[1]), distance, geodesics};
+  }
+
+  // Whether a point is about where the front has stopped.
+  bool is_near(const Cut_point& p, const Point& front_point, double front_length) const {
+    static constexpr double farthest = 10; // spacings, and steps
+    const double way =
+        std::sqrt((m_front.complex().domain().near(p.point, front_point) - p.point)
+                      .squared_length());
+    return way < farthest * m_front.spacing() &&
+           std::abs(p.distance - front_length) < farthest * m_front.step();
+  }
+
+  // How far it is along a geodesic to the first point that is conjugate to the source: where its
+  // neighbors cross it. Infinity if that is much farther than another distance.
+  double conjugate_distance(double angle, double distance) const {
+    static constexpr double apart = 1e-4, farthest = 1.5; // radians, distances
+    static constexpr int steps = 60;
+    const double step = farthest * distance / steps;
+    auto left = m_front.shoot(angle + apart, step), right = m_front.shoot(angle - apart, step);
+    const auto side = [](const auto& l, const auto& r) {
+      return (l[1] - r[1]) * (l[2] + r[2]) - (l[0] - r[0]) * (l[3] + r[3]);
+    };
+    double before = side(left, right);
+    for (int k = 2; k <= steps; ++k) {
+      left = m_front.continue_ray(left, step);
+      right = m_front.continue_ray(right, step);
+      const double now = side(left, right);
+      if (now * before <= 0)
+        return (k - now / (now - before)) * step;
+      before = now;
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+
+  const Front& m_front;
+  std::vector<Arrival> m_arrivals; // of the vertices of the front
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_GEODESICS_CUT_POINT_FINDER_2_H
