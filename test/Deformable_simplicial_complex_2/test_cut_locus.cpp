@@ -119,15 +119,15 @@ TEST(Cut_locus, of_a_flat_torus) {
   EXPECT_EQ(locus.polylines.size(), 2u);
 }
 
-// A torus of revolution whose generator is an ellipse, of the height 2 b; by formulas, which are faster
-// than differentiation.
+// A torus of revolution whose generator is an ellipse, of the height 2 b; by formulas, which are
+// faster than differentiation.
 struct Torus_by_formulas
 {
   double b;
 
   CGAL::Metric_jet_2 operator()(double, double v) const {
     const double radius = 2 + std::cos(v), s = std::sin(v), c = std::cos(v);
-    return {radius * radius, 0, s * s + b * b * c * c, 0, -2 * radius * s, 0, 0, 0,
+    return {radius * radius,        0, s * s + b * b * c * c, 0, -2 * radius * s, 0, 0, 0,
             2 * (1 - b * b) * s * c};
   }
 };
@@ -144,8 +144,8 @@ struct Special_point
 // The cut locus is symmetric: u and -u, or both halves of the opposite meridian.
 void expect_cut_locus(double b, double v, double spacing, std::size_t arcs,
                       const std::vector<Special_point>& expected) {
-  const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(
-      Torus_by_formulas{b}, Domain({2 * pi, 2 * pi}), Point(0, v), spacing, spacing / 2);
+  const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(Torus_by_formulas{b}, Domain({2 * pi, 2 * pi}),
+                                                    Point(0, v), spacing, spacing / 2);
   EXPECT_EQ(locus.polylines.size(), arcs);
   std::vector<Special_point> found;
   for (const auto& p : locus.vertices)

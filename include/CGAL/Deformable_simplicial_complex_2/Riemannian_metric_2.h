@@ -106,15 +106,8 @@ public:
     const auto by_u = internal::along<1>(1, 0, u, v, m_tensor),
                by_v = internal::along<1>(0, 1, u, v, m_tensor);
     const auto value = [&](std::size_t i) { return by_u[i].at(0); };
-    return {value(0),
-            value(1),
-            value(2),
-            by_u[0].at(1),
-            by_v[0].at(1),
-            by_u[1].at(1),
-            by_v[1].at(1),
-            by_u[2].at(1),
-            by_v[2].at(1)};
+    return {value(0),      value(1),      value(2),      by_u[0].at(1), by_v[0].at(1),
+            by_u[1].at(1), by_v[1].at(1), by_u[2].at(1), by_v[2].at(1)};
   }
 
 private:

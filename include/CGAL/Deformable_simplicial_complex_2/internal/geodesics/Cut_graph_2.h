@@ -51,9 +51,9 @@ public:
 private:
   using Point = typename Front::Point_2;
 
-  // In units of the spacing: what is noise of the axis and of the cut locus, when two points are one,
-  // how far neighbors on an arc may be from each other, and how long a way may be that joins two of
-  // them otherwise.
+  // In units of the spacing: what is noise of the axis and of the cut locus, when two points are
+  // one, how far neighbors on an arc may be from each other, and how long a way may be that joins
+  // two of them otherwise.
   static constexpr double shortest_spur = 4, shortest_arc = 2, same = .4, farthest = 5, detour = 12;
 
   double distance(const Point& p, const Point& q) const {
@@ -66,17 +66,16 @@ private:
   // What is not found becomes a neighbor.
   void find_points(const Chordal_axis_2<Front>& axis) {
     const auto& nodes = axis.nodes();
-    m_graph.prune(
-        [&](std::size_t i, std::size_t j) { return distance(nodes[i].position, nodes[j].position); },
-        shortest_spur * m_spacing);
+    m_graph.prune([&](std::size_t i,
+                      std::size_t j) { return distance(nodes[i].position, nodes[j].position); },
+                  shortest_spur * m_spacing);
     m_points.resize(nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (!m_graph[i].empty())
-        m_points[i] = nodes[i].is_rung()
-                          ? m_finder.between({m_finder.geodesic(nodes[i].front[0]),
-                                              m_finder.geodesic(nodes[i].front[1])},
-                                             nodes[i].position, axis.direction(i))
-                          : m_finder.junction(nodes[i].position);
+        m_points[i] = nodes[i].is_rung() ? m_finder.between({m_finder.geodesic(nodes[i].front[0]),
+                                                             m_finder.geodesic(nodes[i].front[1])},
+                                                            nodes[i].position, axis.direction(i))
+                                         : m_finder.junction(nodes[i].position);
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (!m_points[i] && !m_graph[i].empty())
         m_graph.merge(i, *m_graph[i].begin());

@@ -181,12 +181,14 @@ private:
     return result;
   }
 
-  // The shortest geodesics to a point, at least a number if there are as many, of some that are known
-  // and others that are like those near it.
+  // The shortest geodesics to a point, at least a number if there are as many, of some that are
+  // known and others that are like those near it.
   std::vector<Geodesic> geodesics_to(const Point& p, std::size_t number,
                                      std::vector<Geodesic> known) const {
     static constexpr double similar = .05, inexact = 2; // radians of what will be the same; steps
-    const auto is_shorter = [](const Geodesic& a, const Geodesic& b) { return a.length < b.length; };
+    const auto is_shorter = [](const Geodesic& a, const Geodesic& b) {
+      return a.length < b.length;
+    };
     for (const Arrival* a : arrivals_near(p)) {
       const Geodesic g = corrected(*a, p);
       if (is_farther(a->geodesic, g) ||
@@ -305,9 +307,8 @@ private:
   // Whether a point is about where the front has stopped.
   bool is_near(const Cut_point& p, const Point& front_point, double front_length) const {
     static constexpr double farthest = 10; // spacings, and steps
-    const double way =
-        std::sqrt((m_front.complex().domain().near(p.point, front_point) - p.point)
-                      .squared_length());
+    const double way = std::sqrt(
+        (m_front.complex().domain().near(p.point, front_point) - p.point).squared_length());
     return way < farthest * m_front.spacing() &&
            std::abs(p.distance - front_length) < farthest * m_front.step();
   }
