@@ -22,12 +22,12 @@ public:
   using Vector = typename Complex::Approximate_vector;
   static constexpr int d = Complex::dimension;
 
-  Linear_element(const Complex& complex, typename Complex::Cell_handle c) {
-    std::array<typename Complex::Approximate_point, d + 1> points;
-    for (int i = 0; i <= d; ++i)
-      points[i] = complex.corner(c, i);
-    m_frame = Complex::Space::frame(points);
-  }
+  using Corners = std::array<typename Complex::Approximate_point, d + 1>;
+
+  explicit Linear_element(const Corners& corners) : m_frame(Complex::Space::frame(corners)) {}
+
+  Linear_element(const Complex& complex, typename Complex::Cell_handle c)
+      : Linear_element(corners_of(complex, c)) {}
 
   // Area or volume.
   double measure() const { return m_frame.parallelotope / factorial; }
@@ -63,6 +63,13 @@ public:
   }
 
 private:
+  static Corners corners_of(const Complex& complex, typename Complex::Cell_handle c) {
+    Corners result;
+    for (int i = 0; i <= d; ++i)
+      result[i] = complex.corner(c, i);
+    return result;
+  }
+
   // About what a cell with such facets would measure if it were round.
   double extent() const {
     double largest = 0;

@@ -13,6 +13,8 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 
+#include <CGAL/Origin.h>
+
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
@@ -132,6 +134,7 @@ private:
     std::vector<Vertex_handle> vertices = m_free;
     m_phases.resize(m_free.size());
     m_handles = sorted_star_union(m_complex, m_free);
+    m_cells.reserve(m_handles.size());
     boost::container::flat_map<typename Complex::Label, std::uint32_t> phases;
     for (Cell_handle c : m_handles) {
       const auto phase = phases.emplace(c->label(), std::uint32_t(phases.size())).first;
@@ -151,6 +154,22 @@ private:
     return vertices;
   }
 
+  // Of a cell: from the list of positions where there is one, as cells are not in the order in which
+  // they are stored.
+  typename Linear_element<Complex>::Corners corners(std::size_t k) const {
+    typename Linear_element<Complex>::Corners result;
+    for (int i = 0; i < Complex::corners; ++i)
+      if constexpr (Complex::Domain::has_outside) {
+        std::array<double, d> coordinates;
+        const Vector& p = m_vertices.positions[m_cells[k].vertices[i]];
+        std::copy(p.data(), p.data() + d, coordinates.begin());
+        result[i] = CGAL::ORIGIN + vector_of<Complex>(coordinates);
+      } else {
+        result[i] = m_complex.corner(m_handles[k], i);
+      }
+    return result;
+  }
+
   // The stiffness of the unknowns below the diagonal and on it; what is known goes to the right.
   Matrix assemble(const Phases& phases, const Unknowns& unknowns, Columns& right) const {
     std::vector<Eigen::Triplet<double>> entries;
@@ -160,7 +179,7 @@ private:
       const typename Phases::Cell& c = m_cells[k];
       if (!phases.deviates(c.phase))
         continue;
-      const Linear_element<Complex> element(m_complex, m_handles[k]);
+      const Linear_element<Complex> element(corners(k));
       const double conductivity = element.conductivity();
       if (conductivity == 0)
         continue;
