@@ -13,6 +13,12 @@
 
 #include <CGAL/Default.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
 namespace CGAL {
 
 /*!
@@ -61,7 +67,54 @@ public:
       : Deformable_simplicial_complex_2(Traits_(), domain) {}
 
   double area(Label label) const { return this->measure(label); } ///< constant time
+  /// Of the label's interface, without the boundary of the domain. Linear.
+  double length(Label label) const { return region(label).length; }
+  /// V - E + F of the label's region, closed in the complex: components less holes, in a box; 0 for
+  /// a label that is not there. Linear.
+  int euler_characteristic(Label label) const { return region(label).euler_characteristic; }
+
+  /// Measures of the region of a label.
+  struct Label_region
+  {
+    Label label;              ///< one of `labels()`
+    double length;            ///< `length(label)`
+    int euler_characteristic; ///< `euler_characteristic(label)`
+  };
+  /// The measures for all labels, increasing, in the time of one label: n log n in the cells.
+  std::vector<Label_region> label_regions() const;
+
+private:
+  Label_region region(Label label) const {
+    for (const Label_region& r : label_regions())
+      if (r.label == label)
+        return r;
+    return {label, 0, 0};
+  }
 };
+
+template <class Tr, class Tds, class D>
+auto Deformable_simplicial_complex_2<Tr, Tds, D>::label_regions() const
+    -> std::vector<Label_region> {
+  std::vector<Label_region> result;
+  for (Label label : this->labels())
+    result.push_back({label, 0, 0});
+  std::set<std::pair<Label, std::size_t>> vertices;
+  for (auto c : this->finite_cells()) {
+    Label_region& r = *std::lower_bound(
+        result.begin(), result.end(), c->label(),
+        [](const Label_region& region, Label label) { return region.label < label; });
+    ++r.euler_characteristic;
+    for (int i = 0; i < 3; ++i) {
+      r.euler_characteristic += vertices.emplace(r.label, c->vertex(i)->time_stamp()).second;
+      const auto n = c->neighbor(i);
+      const bool is_shared = !this->is_infinite(n) && n->label() == r.label;
+      r.euler_characteristic -= !is_shared || c->time_stamp() < n->time_stamp();
+      if (this->is_interface(typename Base::Facet(c, i)))
+        r.length += this->measure(typename Base::Facet(c, i));
+    }
+  }
+  return result;
+}
 
 } // namespace CGAL
 

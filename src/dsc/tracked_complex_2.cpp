@@ -23,8 +23,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <set>
 
 namespace dsc {
 namespace {
@@ -56,24 +54,6 @@ void add_angles(const Complex& complex, Statistics& statistics) {
   }
   statistics.angles_outside_6_171 =
       static_cast<double>(outside) / (3 * static_cast<double>(complex.number_of_cells()));
-}
-
-/// Vertices less edges plus triangles of each label.
-std::map<int, int> euler_characteristics(const Complex& complex) {
-  std::map<int, int> result;
-  std::set<std::pair<int, Complex::Vertex_handle>> vertices;
-  for (const Complex::Cell_handle c : complex.finite_cells()) {
-    const int label = complex.label(c);
-    int& sum = result[label];
-    ++sum;
-    for (int i = 0; i < 3; ++i) {
-      sum += vertices.emplace(label, c->vertex(i)).second;
-      const Complex::Cell_handle d = c->neighbor(i);
-      const bool is_shared = !complex.is_infinite(d) && complex.label(d) == label;
-      sum -= !is_shared || c->time_stamp() < d->time_stamp();
-    }
-  }
-  return result;
 }
 
 constexpr double edge_of_images = 1; // in pixels
@@ -120,17 +100,10 @@ Statistics Tracked_complex_2::statistics() const {
   statistics.dimension = 2;
   statistics.vertices = complex.number_of_vertices();
   statistics.cells = complex.number_of_cells();
-  std::map<int, double> lengths;
-  for (const auto& facet : complex.interface_facets()) {
-    ++statistics.interface_facets;
-    for (const Complex::Cell_handle c : {facet.first, facet.first->neighbor(facet.second)})
-      lengths[complex.label(c)] += complex.measure(facet);
-  }
-  const std::map<int, int> characteristics = euler_characteristics(complex);
-  for (const int label : complex.labels())
-    statistics.labels.push_back({label, complex.number_of_cells(label), complex.area(label),
-                                 lengths[label], complex.number_of_components(label),
-                                 characteristics.at(label)});
+  statistics.interface_facets = complex.interface_facets().size();
+  for (const auto& [label, length, euler_characteristic] : complex.label_regions())
+    statistics.labels.push_back({label, complex.number_of_cells(label), complex.area(label), length,
+                                 complex.number_of_components(label), euler_characteristic});
   add_angles(complex, statistics);
   statistics.min_quality = 1;
   for (const Complex::Cell_handle c : complex.finite_cells())
