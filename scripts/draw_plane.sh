@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the manual's pictures of the plane anew: doc/Deformable_simplicial_complex_3/fig/plane_NAME.png.
-# Takes a minute.
+# Takes two minutes.
 # Usage: scripts/draw_plane.sh [BUILD_DIR]
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
@@ -51,5 +51,14 @@ run vortex vortex --plane --improve-interface --steps 400 --every 400
 picture vortex/picture_000400.svg vortex
 "$foam" 100 .014 60 foam.svg
 picture foam.svg foam
-"$cut_locus" .16 .314159265 1 cut_locus.svg
-picture cut_locus.svg cut_locus
+locus() { # NAME V B
+  "$cut_locus" .15 "$2" "$3" "$1.svg"
+  picture "$1.svg" "$1"
+}
+locus cut_locus_equator 0 1
+locus cut_locus .314159265 1
+locus cut_locus_high .314159265 2
+tube='(1+.2*cos(3*u))'
+"$build/dsc" cut-locus --point .3,.5 --spacing .12 -o cut_locus_own.svg \
+  --surface "(2+$tube*cos(v))*cos(u),(2+$tube*cos(v))*sin(u),$tube*sin(v)"
+picture cut_locus_own.svg cut_locus_own

@@ -44,9 +44,10 @@ struct Cut_locus_2
 \ingroup PkgDeformableSimplicialComplex3Ref
 
 Finds the cut locus of a point, in a chart that is a flat torus: a `Geodesic_front_2` goes until all
-of it has stopped; the axis of what is left between its parts tells which geodesics meet. Where two
-or three do is then found from the geodesics, to rounding, by Newton's method; where an arc begins,
-as the nearest conjugate point of the geodesics around its end.
+of it has stopped. From the axis of what is left between its parts, the shortest of all geodesics
+near are followed to where two or three are equally long, to rounding, by Newton's method. An arc
+begins at the nearest conjugate point of the geodesics around its end. What the cut locus leaves of
+the torus is a disk; edges that would contradict this are left out.
 
 \param metric model of `RiemannianMetric_2`, which repeats itself with the torus
 \param domain the torus

@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <map>
 #include <set>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -84,42 +83,7 @@ public:
     }
   }
 
-  // The edges of another graph with the same nodes, the shortest first, are taken over where no way
-  // leads from end to end that is not longer than a limit.
-  template <class Distance>
-  void join_what_is_apart(const Neighborhoods& other, const Distance& distance, double longest) {
-    std::vector<std::tuple<double, std::size_t, std::size_t>> edges;
-    for (std::size_t a = 0; a < other.size(); ++a)
-      for (std::size_t b : other[a])
-        if (a < b)
-          edges.emplace_back(distance(a, b), a, b);
-    std::sort(edges.begin(), edges.end());
-    for (const auto& [length, a, b] : edges)
-      if (!are_joined(a, b, longest, distance))
-        join(a, b);
-  }
-
 private:
-  // Whether a way leads from a node to another one that is not longer.
-  template <class Distance>
-  bool are_joined(std::size_t from, std::size_t to, double longest,
-                  const Distance& distance) const {
-    std::set<std::pair<double, std::size_t>> queue = {{0., from}};
-    std::set<std::size_t> done;
-    while (!queue.empty()) {
-      const auto [way, a] = *queue.begin();
-      queue.erase(queue.begin());
-      if (a == to)
-        return true;
-      if (!done.insert(a).second)
-        continue;
-      for (std::size_t b : m_neighbors[a])
-        if (const double next = way + distance(a, b); next <= longest)
-          queue.insert({next, b});
-    }
-    return false;
-  }
-
   template <class Distance>
   static double length_of(const std::vector<std::size_t>& chain, const Distance& distance) {
     double length = 0;

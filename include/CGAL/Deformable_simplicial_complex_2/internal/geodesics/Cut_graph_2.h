@@ -11,8 +11,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -50,11 +52,12 @@ public:
 
 private:
   using Point = typename Front::Point_2;
+  using Vector = typename Front::Complex::Approximate_vector_2;
+  using Edge = std::tuple<double, std::size_t, std::size_t>; // its length first
 
   // In units of the spacing: what is noise of the axis and of the cut locus, when two points are
-  // one, how far neighbors on an arc may be from each other, and how long a way may be that joins
-  // two of them otherwise.
-  static constexpr double shortest_spur = 4, shortest_arc = 2, same = .4, farthest = 5, detour = 12;
+  // one, and how far neighbors on an arc may be from each other.
+  static constexpr double shortest_spur = 4, shortest_arc = 2, same = .4, farthest = 5;
 
   double distance(const Point& p, const Point& q) const {
     return std::sqrt((m_domain.near(p, q) - p).squared_length());
@@ -98,26 +101,64 @@ private:
         }
   }
 
-  // Two points of an arc are neighbors if no third one is closer to both. What the axis joins, and
-  // this does not, is joined, too.
+  // Two points of an arc are neighbors if no third one is closer to both. The edges of the axis
+  // join what these do not.
   void connect() {
     const std::size_t size = m_points.size();
-    Neighborhoods arcs(size);
     std::vector<std::vector<std::size_t>> close(size);
     for (std::size_t i = 0; i < size; ++i)
       for (std::size_t j = 0; j < size; ++j)
         if (i != j && are_on_an_arc(i, j, farthest))
           close[i].push_back(j);
+    std::vector<Edge> edges;
     for (std::size_t i = 0; i < size; ++i)
       for (std::size_t j : close[i])
-        if (std::none_of(close[i].begin(), close[i].end(), [&](std::size_t k) {
+        if (i < j && std::none_of(close[i].begin(), close[i].end(), [&](std::size_t k) {
               return (std::max)(distance(i, k), distance(k, j)) < distance(i, j) &&
                      are_on_an_arc(k, j, farthest);
             }))
-          arcs.join(i, j);
-    arcs.join_what_is_apart(
-        m_graph, [&](std::size_t i, std::size_t j) { return distance(i, j); }, detour * m_spacing);
-    m_graph = arcs;
+          edges.emplace_back(distance(i, j), i, j);
+    std::sort(edges.begin(), edges.end());
+    const std::size_t number = edges.size();
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t j : m_graph[i])
+        if (i < j)
+          edges.emplace_back(distance(i, j), i, j);
+    std::sort(edges.begin() + std::ptrdiff_t(number), edges.end());
+    m_graph = Neighborhoods(size);
+    join_around_a_disk(edges);
+  }
+
+  // What a cut locus leaves of a torus is a disk: its cycles go around the torus, each in a
+  // direction of its own. Edges that would close others are left out.
+  void join_around_a_disk(const std::vector<Edge>& edges) {
+    std::vector<std::size_t> part(m_points.size());
+    std::iota(part.begin(), part.end(), std::size_t(0));
+    std::vector<Point> unwrapped; // within its part
+    for (const auto& p : m_points)
+      unwrapped.push_back(p ? p->point : Point(0, 0));
+    std::vector<Vector> turns;
+    for (const auto& [length, i, j] : edges) {
+      const Vector gap = unwrapped[i] +
+                         (m_domain.near(point(i).point, point(j).point) - point(i).point) -
+                         unwrapped[j];
+      if (part[i] != part[j]) {
+        const std::size_t old = part[j];
+        for (std::size_t k = 0; k < part.size(); ++k)
+          if (part[k] == old) {
+            part[k] = part[i];
+            unwrapped[k] = unwrapped[k] + gap;
+          }
+      } else {
+        const Vector turn(std::round(gap.x() / m_domain.periods()[0]),
+                          std::round(gap.y() / m_domain.periods()[1]));
+        if (turn == Vector(0, 0) || turns.size() == 2 ||
+            (turns.size() == 1 && turn.x() * turns[0].y() == turn.y() * turns[0].x()))
+          continue;
+        turns.push_back(turn);
+      }
+      m_graph.join(i, j);
+    }
   }
 
   // Edges of an arc are not much longer than the spacing.

@@ -105,7 +105,7 @@ public:
   // The geodesics to a point that are like those to another one near it: of each two that are like
   // each other the mean.
   static std::vector<Geodesic> common(const Cut_point& p, const Cut_point& q) {
-    static constexpr double similar = .2; // radians
+    static constexpr double similar = .13; // radians
     std::vector<Geodesic> result;
     std::vector<char> is_taken(q.geodesics.size(), 0);
     for (const Geodesic& g : p.geodesics) {
@@ -114,10 +114,11 @@ public:
           std::min_element(q.geodesics.begin(), q.geodesics.end(),
                            [&](const auto& a, const auto& b) { return gap(a) < gap(b); });
       char& taken = is_taken[std::size_t(nearest - q.geodesics.begin())];
-      if (gap(*nearest) < similar && !taken)
-        result.push_back(
-            {g.angle + turn(g.angle, nearest->angle) / 2, (g.length + nearest->length) / 2});
+      if (gap(*nearest) >= similar || taken)
+        continue;
       taken = 1;
+      result.push_back(
+          {g.angle + turn(g.angle, nearest->angle) / 2, (g.length + nearest->length) / 2});
     }
     return result;
   }
