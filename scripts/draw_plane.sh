@@ -55,7 +55,10 @@ locus() { # NAME V B
   "$cut_locus" .15 "$2" "$3" "$1.svg"
   picture "$1.svg" "$1"
 }
-locus cut_locus_equator 0 1
+# Seen from v = 1.2, as it would lie on the border
+"$build/dsc" cut-locus --point 0,1.2 --spacing .15 -o cut_locus_equator.svg \
+  --surface "(2+cos(v-1.2))*cos(u),(2+cos(v-1.2))*sin(u),sin(v-1.2)"
+picture cut_locus_equator.svg cut_locus_equator
 locus cut_locus .314159265 1
 locus cut_locus_high .314159265 2
 tube='(1+.2*cos(3*u))'

@@ -57,8 +57,10 @@ the torus is a disk; edges that would contradict this are left out.
        point, is a good choice
 \param longest_distance the front goes no farther
 
-\throws Deformable_simplicial_complexes::Error if the metric is not positive at the point, or a
-        parameter is out of its range
+\return nothing at all if the spacing is too large for the arcs
+
+\throws Deformable_simplicial_complexes::Error if the metric is not positive at the point or on the
+        way of a geodesic, or a parameter is out of its range
 
 Features of less than a few spacings are not resolved: spurs that are shorter are taken away.
 */

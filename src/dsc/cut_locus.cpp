@@ -19,6 +19,7 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 namespace dsc {
@@ -148,6 +149,8 @@ int execute(const Cut_locus_options& options) {
           ? CGAL::cut_locus_2(CGAL::Embedded_surface_2<Torus>(), domain, point, spacing, step)
           : CGAL::cut_locus_2(Surface_by_expressions(options.surface), domain, point, spacing,
                               step);
+  if (locus.vertices.empty())
+    throw std::runtime_error("no cut locus was found: use a smaller --spacing, or another chart");
   if (!options.output.empty())
     CGAL::IO::write_SVG(options.output, locus, domain, point);
   if (!options.report.empty()) {

@@ -218,7 +218,8 @@ private:
 
   static bool is_farther(const Geodesic& from, const Geodesic& to) {
     static constexpr double farthest = .5; // radians
-    return !(std::abs(to.angle - from.angle) < farthest && to.length > 0);
+    return !(std::abs(to.angle - from.angle) < farthest && to.length > 0 &&
+             to.length < 2 * from.length);
   }
 
   std::optional<Geodesic> geodesic_to(const Point& p, const Geodesic& start) const {

@@ -10,6 +10,7 @@
 
 #include <boost/numeric/odeint.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -41,12 +42,12 @@ public:
     return {m_u, m_v, c * m_first[0] + s * m_second[0], c * m_first[1] + s * m_second[1]};
   }
 
-  // Where a geodesic is after another length.
-  Geodesic_state advance(Geodesic_state state, double length) const {
+  // Where a geodesic is after another length. Throws Error where the metric is not positive.
+  Geodesic_state advance(const Geodesic_state& start, double length) const {
     namespace odeint = boost::numeric::odeint;
-    static constexpr double tolerance = 1e-11, first_step = .2; // the latter of the length
+    static constexpr double tolerance = 1e-11, first_step = .2, last_step = 1e-5; // of the length
     if (length == 0)
-      return state;
+      return start;
     const auto derivative = [this](const Geodesic_state& x, Geodesic_state& dx, double) {
       const Metric_jet_2 g = m_metric(x[0], x[1]);
       const double p = x[2], q = x[3];
@@ -55,11 +56,18 @@ public:
                    determinant = g.E * g.G - g.F * g.F;
       dx = {p, q, (g.G * a - g.F * b) / determinant, (g.E * b - g.F * a) / determinant};
     };
-    odeint::integrate_adaptive(
-        odeint::make_controlled(tolerance, tolerance,
-                                odeint::runge_kutta_fehlberg78<Geodesic_state>()),
-        derivative, state, 0., length, first_step * length);
-    return state;
+    // A step that is so long that it ends in infinity is taken for a good one.
+    for (double step = first_step; step > last_step; step /= 10) {
+      Geodesic_state state = start;
+      odeint::integrate_adaptive(
+          odeint::make_controlled(tolerance, tolerance,
+                                  odeint::runge_kutta_fehlberg78<Geodesic_state>()),
+          derivative, state, 0., length, step * length);
+      if (std::all_of(state.begin(), state.end(), [](double x) { return std::isfinite(x); }))
+        return state;
+    }
+    throw Error("a geodesic cannot be followed: the metric is not positive on its way, or changes "
+                "too fast; choose another chart");
   }
 
   Geodesic_state shoot(double angle, double length) const { return advance(begin(angle), length); }
