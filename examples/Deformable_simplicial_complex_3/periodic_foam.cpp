@@ -9,13 +9,16 @@
 #include <CGAL/mean_curvature_flow_3.h>
 #include <CGAL/restore_volumes_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 using Domain = CGAL::Deformable_simplicial_complexes::Torus_domain<3>;
@@ -23,6 +26,45 @@ using Complex =
     CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
                                           CGAL::Default, CGAL::Volume_length_ratio_3, Domain>;
 using Point = Complex::Approximate_point_3;
+
+struct Angles
+{
+  double sum = 0, number = 0;
+};
+
+// The angles of the phases along the lines where three of them meet, in degrees: the least and the
+// largest of the means along the lines of three labels each. Plateau's are 120 degrees.
+std::pair<double, double> plateau_angles(const Complex& foam) {
+  using Edge = std::pair<std::size_t, std::size_t>; // by time stamps
+  std::map<Edge, std::map<int, double>> angles;     // of the labels around an edge
+  for (Complex::Cell_handle c : foam.finite_cells())
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < i; ++j) {
+        const int k = (i + 1) % 4 != j ? (i + 1) % 4 : (i + 2) % 4, l = 6 - i - j - k;
+        const auto corner = [&](int m) { return foam.corner(c, m); };
+        angles[std::minmax(c->vertex(i)->time_stamp(), c->vertex(j)->time_stamp())]
+              [foam.label(c)] +=
+            std::abs(CGAL::approximate_dihedral_angle(corner(i), corner(j), corner(k), corner(l)));
+      }
+  std::map<std::pair<std::vector<int>, int>, Angles> lines;
+  for (const auto& [edge, around] : angles) {
+    if (around.size() != 3)
+      continue;
+    std::vector<int> labels;
+    for (const auto& [label, angle] : around)
+      labels.push_back(label);
+    for (const auto& [label, angle] : around) {
+      Angles& line = lines[{labels, label}];
+      line.sum += angle;
+      ++line.number;
+    }
+  }
+  std::pair<double, double> result(180, 0);
+  for (const auto& [line, a] : lines)
+    result = {(std::min)(result.first, a.sum / a.number),
+              (std::max)(result.second, a.sum / a.number)};
+  return result;
+}
 
 int main(int argc, char** argv) {
   const bool is_kelvin = argc < 2 || std::string(argv[1]) == "kelvin";
@@ -71,5 +113,8 @@ int main(int argc, char** argv) {
     area += foam.area(f);
   std::cout << "area of a cell / volume^(2/3): "
             << 2 * area / double(centers.size()) / std::pow(volume, 2. / 3) << "\n";
+  const auto [least, largest] = plateau_angles(foam);
+  std::cout << "angles of cells along lines where three meet: " << least << " to " << largest
+            << " degrees in the mean\n";
   return foam.is_valid() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
