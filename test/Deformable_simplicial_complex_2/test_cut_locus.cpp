@@ -1,3 +1,4 @@
+#include <CGAL/Deformable_simplicial_complex_2/Geodesic_distance_2.h>
 #include <CGAL/cut_locus_2.h>
 
 #include <gtest/gtest.h>
@@ -6,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace {
@@ -196,6 +198,52 @@ TEST(Cut_locus, of_a_point_of_a_high_torus) {
                     {2.0936, .6714, 5.9127, 1},
                     {2.2483, -1.0245, 6.7902, 1},
                     {2.2483, -1.0245, 6.7902, 1}});
+}
+
+template <class Metric>
+CGAL::Geodesic_distance_2<Metric> distance_field(const Metric& metric, const Domain& domain,
+                                                 const Point& source, double spacing) {
+  CGAL::Geodesic_front_2<Metric> front(metric, domain, source, spacing);
+  while (front.advance(spacing / 2)) {
+  }
+  return CGAL::Geodesic_distance_2<Metric>(front);
+}
+
+TEST(Geodesic_distance, on_a_flat_torus) {
+  const Point source(.2, .3);
+  const auto distance = distance_field(Flat_metric(), Domain(), source, .05);
+  EXPECT_EQ(distance(source), 0);
+  for (int i = 0; i < 10; ++i)
+    for (int j = 0; j < 10; ++j) {
+      const Point p(.1 * i + .003, .1 * j + .007);
+      EXPECT_NEAR(
+          distance(p),
+          std::hypot(std::remainder(p.x() - source.x(), 1), std::remainder(p.y() - source.y(), 1)),
+          1e-8);
+    }
+}
+
+// The other values are those of 8000 geodesics.
+TEST(Geodesic_distance, on_tori_of_revolution) {
+  const Domain domain({2 * pi, 2 * pi});
+  const auto equator = distance_field(Torus_by_formulas{1}, domain, Point(0, 0), .2);
+  EXPECT_NEAR(equator(Point(0, pi)), pi, 1e-8);
+  EXPECT_NEAR(equator(Point(pi, 0)), 7.63112309, 1e-7);
+  EXPECT_NEAR(equator(Point(pi, pi)), 5.47597569, 1e-7);
+  EXPECT_NEAR(equator(Point(.001, -.002)), std::hypot(.003, .002), 1e-5);
+  const auto above = distance_field(Torus_by_formulas{1}, domain, Point(0, .3 * pi), .2);
+  EXPECT_NEAR(above(Point(1.95, -.3 * pi)), 5.17309, 1e-4);
+  const auto high = distance_field(Torus_by_formulas{2}, domain, Point(0, .1 * pi), .15);
+  EXPECT_NEAR(high(Point(3.05, -.1 * pi)), 9.09745, 1e-4);
+}
+
+TEST(Geodesic_distance, is_infinite_where_the_front_did_not_come) {
+  CGAL::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(0, 0), .04);
+  while (front.radius() < .2)
+    front.advance(.02);
+  const CGAL::Geodesic_distance_2<Flat_metric> distance(front);
+  EXPECT_NEAR(distance(Point(.1, 0)), .1, 1e-9);
+  EXPECT_EQ(distance(Point(.5, .5)), std::numeric_limits<double>::infinity());
 }
 
 TEST(Cut_locus, refuses_what_it_cannot_do) {

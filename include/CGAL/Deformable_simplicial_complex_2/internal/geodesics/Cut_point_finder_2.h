@@ -5,6 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_GEODESICS_CUT_POINT_FINDER_2_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_GEODESICS_CUT_POINT_FINDER_2_H
 
+#include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/Geodesic_finder_2.h>
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -22,22 +24,18 @@ namespace internal {
 /*
 Finds where shortest geodesics of a front meet, to rounding, by Newton's method.
 
-Near a point, each vertex of the front tells of a geodesic to it, as it does for its own place. The
-shortest two, or three, that differ are followed to where they are equally long. Others may be
-shorter there: then it goes on with those.
+The shortest two, or three, of the geodesics to a point are followed to where they are equally long.
+Others may be shorter there: then it goes on with those.
 */
-template <class Front> class Cut_point_finder_2
+template <class Front> class Cut_point_finder_2 : Geodesic_finder_2<Front>
 {
+  using Base = Geodesic_finder_2<Front>;
+
 public:
   using Point = typename Front::Point_2;
   using Vertex_handle = typename Front::Vertex_handle;
   using Vector = typename Front::Complex::Approximate_vector_2;
-
-  // From the source.
-  struct Geodesic
-  {
-    double angle, length;
-  };
+  using typename Base::Geodesic;
 
   // The geodesics to it are equally long.
   struct Cut_point
@@ -47,9 +45,9 @@ public:
     std::vector<Geodesic> geodesics;
   };
 
-  explicit Cut_point_finder_2(const Front& front) : m_front(front) {
+  explicit Cut_point_finder_2(const Front& front) : Base(front) {
     for (Vertex_handle v : front.complex().interface_vertices())
-      m_arrivals.push_back(arrival(geodesic(v)));
+      this->add(arrival(geodesic(v)));
   }
 
   Geodesic geodesic(Vertex_handle v) const {
@@ -131,111 +129,16 @@ public:
   }
 
 private:
-  using Pair = Eigen::Vector2d;
-
-  // The end of a geodesic, and how that depends on its angle and its length.
-  struct Arrival
-  {
-    Geodesic geodesic;
-    typename Front::State state;
-    Pair by_angle, by_length;
-  };
-
-  Arrival arrival(const Geodesic& g) const {
-    static constexpr double difference = 1e-5; // radians
-    const auto state = m_front.shoot(g.angle, g.length),
-               next = m_front.shoot(g.angle + difference, g.length);
-    return {g, state, Pair(next[0] - state[0], next[1] - state[1]) / difference,
-            Pair(state[2], state[3])};
-  }
-
-  static double turn(double from, double to) {
-    return std::remainder(to - from, 2 * std::acos(-1.));
-  }
-
-  // Two geodesics that have become one meet everywhere.
-  static bool are_distinct(const Geodesic& a, const Geodesic& b) {
-    static constexpr double same = 1e-3; // radians
-    return std::abs(turn(a.angle, b.angle)) > same;
-  }
-
-  // Where a geodesic is, as seen from p.
-  Point near(const Point& p, const typename Front::State& state) const {
-    return m_front.complex().domain().near(p, Point(state[0], state[1]));
-  }
-  Pair miss(const Point& p, const typename Front::State& state) const {
-    const Point q = near(p, state);
-    return Pair(q.x() - p.x(), q.y() - p.y());
-  }
-
-  std::vector<const Arrival*> arrivals_near(const Point& p) const {
-    static constexpr double farthest = 4; // spacings
-    std::vector<std::pair<double, const Arrival*>> near;
-    for (const Arrival& a : m_arrivals)
-      if (const double way = miss(p, a.state).norm(); way < farthest * m_front.spacing())
-        near.emplace_back(way, &a);
-    std::stable_sort(near.begin(), near.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<const Arrival*> result;
-    for (const auto& item : near)
-      result.push_back(item.second);
-    return result;
-  }
-
-  // The shortest geodesics to a point, at least a number if there are as many, of some that are
-  // known and others that are like those near it.
-  std::vector<Geodesic> geodesics_to(const Point& p, std::size_t number,
-                                     std::vector<Geodesic> known) const {
-    static constexpr double similar = .05, inexact = 2; // radians of what will be the same; steps
-    const auto is_shorter = [](const Geodesic& a, const Geodesic& b) {
-      return a.length < b.length;
-    };
-    for (const Arrival* a : arrivals_near(p)) {
-      const Geodesic g = corrected(*a, p);
-      if (is_farther(a->geodesic, g) ||
-          (known.size() >= number &&
-           g.length > known[number - 1].length + inexact * m_front.step()))
-        continue;
-      if (std::any_of(known.begin(), known.end(), [&](const Geodesic& k) {
-            return std::abs(turn(k.angle, g.angle)) < similar;
-          }))
-        continue;
-      const auto found = geodesic_to(p, g);
-      if (found && std::all_of(known.begin(), known.end(),
-                               [&](const Geodesic& k) { return are_distinct(k, *found); }))
-        known.insert(std::upper_bound(known.begin(), known.end(), *found, is_shorter), *found);
-    }
-    return known;
-  }
-
-  // By one step of Newton's method.
-  Geodesic corrected(const Arrival& a, const Point& p) const {
-    Eigen::Matrix2d jacobian;
-    jacobian << a.by_angle, a.by_length;
-    const Pair step = jacobian.fullPivLu().solve(miss(p, a.state));
-    return {a.geodesic.angle - step[0], a.geodesic.length - step[1]};
-  }
-
-  static bool is_farther(const Geodesic& from, const Geodesic& to) {
-    static constexpr double farthest = .5; // radians
-    return !(std::abs(to.angle - from.angle) < farthest && to.length > 0 &&
-             to.length < 2 * from.length);
-  }
-
-  std::optional<Geodesic> geodesic_to(const Point& p, const Geodesic& start) const {
-    static constexpr int iterations = 10;
-    static constexpr double precision = 1e-9;
-    Geodesic g = start;
-    for (int k = 0; k < iterations; ++k) {
-      const Geodesic next = corrected(arrival(g), p);
-      if (is_farther(start, next))
-        return std::nullopt;
-      if (std::hypot(next.angle - g.angle, next.length - g.length) < precision)
-        return next;
-      g = next;
-    }
-    return std::nullopt;
-  }
+  using Base::are_distinct;
+  using Base::arrival;
+  using Base::geodesics_to;
+  using Base::is_farther;
+  using Base::m_front;
+  using Base::miss;
+  using Base::near;
+  using Base::turn;
+  using typename Base::Arrival;
+  using typename Base::Pair;
 
   std::optional<Cut_point> follow(std::vector<Geodesic> geodesics, std::size_t number,
                                   const Point& start, const Vector& direction) const {
@@ -336,9 +239,6 @@ private:
     }
     return std::numeric_limits<double>::infinity();
   }
-
-  const Front& m_front;
-  std::vector<Arrival> m_arrivals; // of the vertices of the front
 };
 
 } // namespace internal
