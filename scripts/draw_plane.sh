@@ -65,3 +65,9 @@ tube='(1+.2*cos(3*u))'
 "$build/dsc" cut-locus --point .3,.5 --spacing .12 -o cut_locus_own.svg \
   --surface "(2+$tube*cos(v))*cos(u),(2+$tube*cos(v))*sin(u),$tube*sin(v)"
 picture cut_locus_own.svg cut_locus_own
+"$build/dsc" cut-locus --surface ellipsoid --point 1,1,1 -o cut_locus_ellipsoid.svg
+picture cut_locus_ellipsoid.svg cut_locus_ellipsoid
+bumps='(1+.4*(x^4+y^4+z^4))'
+"$build/dsc" cut-locus --surface "x*$bumps,y*$bumps,z*$bumps" --point 1,.6,.4 --spacing .07 \
+  -o cut_locus_bumps.svg
+picture cut_locus_bumps.svg cut_locus_bumps

@@ -7,9 +7,11 @@
 
 #include <CGAL/Deformable_simplicial_complex_2/Geodesic_front_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/Riemannian_metric_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/Sphere_like_surface_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/Chordal_axis_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/Cut_graph_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <cstddef>
@@ -40,6 +42,22 @@ struct Cut_locus_2
   std::vector<std::vector<std::size_t>> polylines;
 };
 
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+template <class Front>
+Cut_locus_2 cut_locus_of_front(Front front, double step, double longest_distance) {
+  if (!(step > 0))
+    throw Error("the step of the front is not positive");
+  while (front.radius() < longest_distance && front.advance(step)) {
+  }
+  const Chordal_axis_2<Front> axis(front);
+  return make_cut_locus<Cut_locus_2>(Cut_graph_2(front, axis), front.complex().domain());
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
@@ -69,14 +87,34 @@ Cut_locus_2 cut_locus_2(const Metric& metric,
                         const Deformable_simplicial_complexes::Torus_domain<2>& domain,
                         const Simple_cartesian<double>::Point_2& point, double spacing, double step,
                         double longest_distance = std::numeric_limits<double>::infinity()) {
-  namespace internal = Deformable_simplicial_complexes::internal;
-  if (!(step > 0))
-    throw Deformable_simplicial_complexes::Error("the step of the front is not positive");
-  Geodesic_front_2<Metric> front(metric, domain, point, spacing);
-  while (front.radius() < longest_distance && front.advance(step)) {
-  }
-  const internal::Chordal_axis_2<Geodesic_front_2<Metric>> axis(front);
-  return internal::make_cut_locus<Cut_locus_2>(internal::Cut_graph_2(front, axis), domain);
+  return Deformable_simplicial_complexes::internal::cut_locus_of_front(
+      Geodesic_front_2<Metric>(metric, domain, point, spacing), step, longest_distance);
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Finds the cut locus of a point of a closed surface without holes, such as an ellipsoid, as above: it
+is a tree.
+
+\param surface and the point: its source
+\param spacing about how long the edges of the mesh, and of the cut locus, are in the chart of the
+       surface, whose width is 8
+\param step by how much the front advances at once, more than 0
+\param longest_distance the front goes no farther
+
+\return nothing at all if the spacing is too large for the arcs, or the cut locus is a point
+
+\throws Deformable_simplicial_complexes::Error if the metric is not positive at the point or on the
+        way of a geodesic, or a parameter is out of its range
+*/
+template <class Embedding, template <class> class Differentiated>
+Cut_locus_2 cut_locus_2(const Sphere_like_surface_2<Embedding, Differentiated>& surface,
+                        double spacing, double step,
+                        double longest_distance = std::numeric_limits<double>::infinity()) {
+  using Surface = Sphere_like_surface_2<Embedding, Differentiated>;
+  return Deformable_simplicial_complexes::internal::cut_locus_of_front(
+      Geodesic_front_2<Surface>(surface, spacing), step, longest_distance);
 }
 
 } // namespace CGAL

@@ -69,24 +69,37 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   improve->add_flag("--quiet", improve_options.quiet, "Print nothing but errors");
 
   Cut_locus_options cut_locus_options;
-  std::string point, periods = "6.283185307179586,6.283185307179586", spacing, step;
+  std::string point, periods = "6.283185307179586,6.283185307179586", spacing, step, radius;
   CLI::App* cut_locus = app.add_subcommand(
       "cut-locus", "Find where the shortest ways end that begin in a point of a surface");
   cut_locus
       ->add_option(
           "--surface", cut_locus_options.surface,
-          "'torus', of the radii 2 and 1, or its three coordinates as expressions in u and "
-          "v like '(2+cos(v))*cos(u),(2+cos(v))*sin(u),2*sin(v)'")
+          "'torus', of the radii 2 and 1, 'ellipsoid', of the half axes 1, 0.8 and 0.6, or the "
+          "three coordinates as expressions: in u and v, as of a torus, like "
+          "'(2+cos(v))*cos(u),(2+cos(v))*sin(u),2*sin(v)', or in x, y and z, those of the unit "
+          "sphere, like 'x,y,z*(1+0.2*x)'")
       ->capture_default_str();
-  cut_locus->add_option("--point", point, "u and v of the point, like 0,0.3")->required();
+  cut_locus
+      ->add_option("--point", point,
+                   "u and v of the point, like 0,0.3; its direction, like 1,0.5,0, for a "
+                   "surface in x, y and z")
+      ->required();
   cut_locus->add_option("--periods", periods,
-                        "after which the surface repeats itself; 2 pi each if not given");
-  cut_locus->add_option("--spacing", spacing,
-                        "Length of edges in u and v; a fortieth of a period if not given");
+                        "after which a surface in u and v repeats itself; 2 pi each if not given");
+  cut_locus->add_option(
+      "--spacing", spacing,
+      "Length of edges in u and v; a fortieth of a period if not given; 0.1 for a "
+      "surface in x, y and z, whose chart is 8 wide");
+  cut_locus->add_option("--radius", radius,
+                        "Draw the ball of this radius instead, as seen in u and v");
   cut_locus->add_option("--step", step,
                         "By how much the front of all ways advances at once; half "
-                        "the spacing if not given");
-  cut_locus->add_option("-o,--output", cut_locus_options.output, "Picture in u and v (.svg)");
+                        "the spacing, as long as that is on the surface, if not given");
+  cut_locus->add_option(
+      "-o,--output", cut_locus_options.output,
+      "Picture in u and v, or of what is opposite to the point of a surface in x, y and "
+      "z (.svg); of a ball its triangles, too (.vtu)");
   cut_locus->add_option("--report", cut_locus_options.report,
                         "JSON file with points, distances and arcs");
   cut_locus->add_flag("--quiet", cut_locus_options.quiet, "Print nothing but errors");
@@ -121,13 +134,17 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
     return improve_options;
   }
   if (*cut_locus) {
-    cut_locus_options.point = parse_pair(point, "--point");
+    cut_locus_options.point = parse_point(point);
     cut_locus_options.periods = parse_pair(periods, "--periods");
     if (cut_locus->count("--spacing") > 0)
       cut_locus_options.spacing = parse_positive(spacing, "--spacing");
     if (cut_locus->count("--step") > 0)
       cut_locus_options.step = parse_positive(step, "--step");
-    if (!cut_locus_options.output.empty())
+    if (cut_locus->count("--radius") > 0)
+      cut_locus_options.radius = parse_positive(radius, "--radius");
+    if (!cut_locus_options.output.empty() && cut_locus_options.radius > 0)
+      require_extension(cut_locus_options.output, {"svg", "vtu"});
+    else if (!cut_locus_options.output.empty())
       require_extension(cut_locus_options.output, {"svg"});
     return cut_locus_options;
   }

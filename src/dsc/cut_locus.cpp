@@ -2,23 +2,28 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "Surface_by_differences.h"
 #include "commands.h"
 #include "errors.h"
 #include "files.h"
 #include "report_json.h"
+#include "surface_expressions.h"
 
+#include <CGAL/Deformable_simplicial_complex_2/Geodesic_front_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/Riemannian_metric_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/Sphere_like_surface_2.h>
+#include <CGAL/IO/SVG_2.h>
+#include <CGAL/IO/VTU_2.h>
 #include <CGAL/IO/cut_locus_2.h>
 #include <CGAL/cut_locus_2.h>
-
-#include <muParser.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
-#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -26,7 +31,7 @@ namespace dsc {
 namespace {
 
 using Domain = CGAL::Deformable_simplicial_complexes::Torus_domain<2>;
-using Vector = std::array<double, 3>;
+using Point = CGAL::Simple_cartesian<double>::Point_2;
 
 struct Torus
 {
@@ -38,126 +43,136 @@ struct Torus
   }
 };
 
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-/// The metric of a surface whose coordinates are expressions, by differences of the sixth order:
-/// with this width, what they leave out and what rounding adds are both about 1e-12.
-class Surface_by_expressions
+struct Ellipsoid
 {
-public:
-  explicit Surface_by_expressions(const std::string& expressions)
-      : m_parser(std::make_shared<Parser>()) {
-    int number = 0;
-    try {
-      mu::Parser& parser = m_parser->parser;
-      parser.DefineVar("u", &m_parser->u);
-      parser.DefineVar("v", &m_parser->v);
-      parser.DefineConst("pi", CGAL_PI);
-      parser.SetExpr(expressions);
-      parser.Eval(number);
-    } catch (const mu::Parser::exception_type& error) {
-      throw Usage_error("--surface '" + expressions + "' cannot be read: " + error.GetMsg() +
-                        "; write torus, or three expressions in u and v");
-    }
-    if (number != 3)
-      throw Usage_error("--surface '" + expressions + "' has " + std::to_string(number) +
-                        " coordinates; write torus, or three expressions in u and v");
+  template <class T> std::array<T, 3> operator()(const std::array<T, 3>& n) const {
+    return {1. * n[0], .8 * n[1], .6 * n[2]};
   }
-
-  CGAL::Metric_jet_2 operator()(double u, double v) const {
-    Vector ru, ruu, rv, rvv, unused, along, across;
-    derive(u, v, 1, 0, ru, ruu);
-    derive(u, v, 0, 1, rv, rvv);
-    derive(u, v, 1, 1, unused, along);
-    derive(u, v, 1, -1, unused, across);
-    Vector ruv;
-    for (int i = 0; i < 3; ++i)
-      ruv[i] = (along[i] - across[i]) / 4;
-    return {dot(ru, ru),
-            dot(ru, rv),
-            dot(rv, rv),
-            2 * dot(ruu, ru),
-            2 * dot(ruv, ru),
-            dot(ruu, rv) + dot(ru, ruv),
-            dot(ruv, rv) + dot(ru, rvv),
-            2 * dot(ruv, rv),
-            2 * dot(rvv, rv)};
-  }
-
-private:
-  struct Parser
-  {
-    double u = 0, v = 0;
-    mu::Parser parser;
-  };
-
-  Vector at(double u, double v) const {
-    m_parser->u = u;
-    m_parser->v = v;
-    int number;
-    const double* values = m_parser->parser.Eval(number);
-    return {values[0], values[1], values[2]};
-  }
-
-  // The first two derivatives in a direction.
-  void derive(double u, double v, int du, int dv, Vector& first, Vector& second) const {
-    static constexpr double width = .01;
-    static constexpr double firsts[] = {3. / 4, -3. / 20, 1. / 60},
-                            seconds[] = {3. / 2, -3. / 20, 1. / 90}, middle = -49. / 18;
-    const Vector here = at(u, v);
-    for (int i = 0; i < 3; ++i) {
-      first[i] = 0;
-      second[i] = middle * here[i] / (width * width);
-    }
-    for (int k = 1; k <= 3; ++k) {
-      const Vector ahead = at(u + k * width * du, v + k * width * dv),
-                   behind = at(u - k * width * du, v - k * width * dv);
-      for (int i = 0; i < 3; ++i) {
-        first[i] += firsts[k - 1] * (ahead[i] - behind[i]) / width;
-        second[i] += seconds[k - 1] * (ahead[i] + behind[i]) / (width * width);
-      }
-    }
-  }
-
-  std::shared_ptr<Parser> m_parser; // copies share it
 };
 
-Json json_of(const CGAL::Cut_locus_2& locus) {
+// A surface whose chart is a torus.
+template <class Metric> class On_torus
+{
+public:
+  On_torus(const Metric& metric, const Cut_locus_options& options)
+      : m_metric(metric), m_domain(options.periods),
+        m_source(options.point.at(0), options.point.at(1)) {}
+
+  double scale() const { return scale_of(m_metric(m_source.x(), m_source.y())); }
+  double default_spacing() const {
+    return std::min(m_domain.periods()[0], m_domain.periods()[1]) / 40;
+  }
+
+  CGAL::Cut_locus_2 cut_locus(double spacing, double step) const {
+    return CGAL::cut_locus_2(m_metric, m_domain, m_source, spacing, step);
+  }
+  CGAL::Geodesic_front_2<Metric> front(double spacing) const {
+    return {m_metric, m_domain, m_source, spacing};
+  }
+  void draw(const CGAL::Cut_locus_2& locus, const std::string& path) const {
+    CGAL::IO::write_SVG(path, locus, m_domain, m_source);
+  }
+  void describe(const Point&, Json&) const {}
+
+  static double scale_of(const CGAL::Metric_jet_2& g) { return std::sqrt(std::min(g.E, g.G)); }
+
+private:
+  Metric m_metric;
+  Domain m_domain;
+  Point m_source;
+};
+
+// A surface that is the image of a sphere: the source is not in the chart.
+template <class Surface> class Like_sphere
+{
+public:
+  explicit Like_sphere(const Surface& surface) : m_surface(surface) {}
+
+  double scale() const {
+    const double middle = Surface::half_width;
+    return On_torus<Surface>::scale_of(m_surface(middle, middle));
+  }
+  // The cut locus may be short: it is near the middle.
+  double default_spacing() const { return Surface::half_width / 40; }
+
+  CGAL::Cut_locus_2 cut_locus(double spacing, double step) const {
+    return CGAL::cut_locus_2(m_surface, spacing, step);
+  }
+  CGAL::Geodesic_front_2<Surface> front(double spacing) const {
+    return CGAL::Geodesic_front_2<Surface>(m_surface, spacing);
+  }
+  void draw(const CGAL::Cut_locus_2& locus, const std::string& path) const {
+    CGAL::IO::write_SVG(path, locus, m_surface);
+  }
+  void describe(const Point& p, Json& json) const { json["position"] = m_surface.image(p); }
+
+private:
+  Surface m_surface;
+};
+
+template <class Surface> Json json_of(const CGAL::Cut_locus_2& locus, const Surface& surface) {
   Json vertices = Json::array();
-  for (const auto& vertex : locus.vertices)
+  for (const auto& vertex : locus.vertices) {
     vertices.push_back({{"u", vertex.point.x()},
                         {"v", vertex.point.y()},
                         {"distance", vertex.distance},
                         {"multiplicity", vertex.multiplicity}});
+    surface.describe(vertex.point, vertices.back());
+  }
   return {{"vertices", vertices}, {"arcs", locus.polylines}};
 }
 
-} // namespace
+Json parameters(const Cut_locus_options& options, double spacing, double step) {
+  Json json = {{"command", "cut-locus"},
+               {"surface", options.surface},
+               {"point", options.point},
+               {"spacing", spacing},
+               {"step", step}};
+  if (options.point.size() == 2)
+    json["periods"] = options.periods;
+  if (options.radius > 0)
+    json["radius"] = options.radius;
+  return json;
+}
 
-int execute(const Cut_locus_options& options) {
-  if (!options.output.empty())
-    require_writable(options.output);
-  if (!options.report.empty())
-    require_place_of_report(options.report, {options.output});
-  const double spacing =
-      options.spacing > 0 ? options.spacing : std::min(options.periods[0], options.periods[1]) / 40;
-  const double step = options.step > 0 ? options.step : spacing / 2;
-  const CGAL::Simple_cartesian<double>::Point_2 point(options.point[0], options.point[1]);
-  const Domain domain({options.periods[0], options.periods[1]});
-  const CGAL::Cut_locus_2 locus =
-      options.surface == "torus"
-          ? CGAL::cut_locus_2(CGAL::Embedded_surface_2<Torus>(), domain, point, spacing, step)
-          : CGAL::cut_locus_2(Surface_by_expressions(options.surface), domain, point, spacing,
-                              step);
+template <class Surface>
+int draw_ball(const Cut_locus_options& options, const Surface& surface, double spacing,
+              double step) {
+  auto front = surface.front(spacing);
+  if (options.radius < front.radius())
+    throw Usage_error("--radius is less than that of the first front, " +
+                      std::to_string(front.radius()) + "; choose a larger one");
+  bool goes_on = true;
+  while (goes_on && front.radius() < options.radius)
+    goes_on = front.advance(std::min(step, options.radius - front.radius()));
+  const auto& complex = front.complex();
+  if (!options.output.empty() && std::filesystem::path(options.output).extension() == ".vtu")
+    CGAL::IO::write_VTU(options.output, complex);
+  else if (!options.output.empty())
+    CGAL::IO::write_SVG(options.output, complex);
+  if (!options.report.empty()) {
+    Json json;
+    json["parameters"] = parameters(options, spacing, step);
+    json["ball"] = {{"radius", front.radius()}, {"is_everything", !goes_on}};
+    write_json(options.report, json);
+  }
+  if (!options.quiet)
+    std::printf("dsc: the ball of the radius %.9g%s\n", front.radius(),
+                goes_on ? "" : " is everything");
+  return 0;
+}
+
+template <class Surface>
+int find_cut_locus(const Cut_locus_options& options, const Surface& surface, double spacing,
+                   double step) {
+  const CGAL::Cut_locus_2 locus = surface.cut_locus(spacing, step);
   if (locus.vertices.empty())
     throw std::runtime_error("no cut locus was found: use a smaller --spacing, or another chart");
   if (!options.output.empty())
-    CGAL::IO::write_SVG(options.output, locus, domain, point);
+    surface.draw(locus, options.output);
   if (!options.report.empty()) {
-    Json json = json_of(locus);
-    json["parameters"] = {{"command", "cut-locus"}, {"surface", options.surface},
-                          {"point", options.point}, {"periods", options.periods},
-                          {"spacing", spacing},     {"step", step}};
+    Json json = json_of(locus, surface);
+    json["parameters"] = parameters(options, spacing, step);
     write_json(options.report, json);
   }
   if (!options.quiet) {
@@ -170,6 +185,46 @@ int execute(const Cut_locus_options& options) {
                 locus.polylines.size(), locus.vertices.size(), nearest, farthest);
   }
   return 0;
+}
+
+template <class Surface> int run(const Cut_locus_options& options, const Surface& surface) {
+  const double spacing = options.spacing > 0 ? options.spacing : surface.default_spacing();
+  const double step = options.step > 0 ? options.step : spacing / 2 * surface.scale();
+  return options.radius > 0 ? draw_ball(options, surface, spacing, step)
+                            : find_cut_locus(options, surface, spacing, step);
+}
+
+template <class Metric> int run_on_torus(const Cut_locus_options& options, const Metric& metric) {
+  if (options.point.size() != 2)
+    throw Usage_error("--point has three numbers for a surface in u and v; write two");
+  return run(options, On_torus<Metric>(metric, options));
+}
+
+template <class Embedding, template <class> class Differentiated>
+int run_like_sphere(const Cut_locus_options& options, const Embedding& embedding) {
+  if (options.point.size() != 3)
+    throw Usage_error("--point has two numbers for a surface in x, y and z; write three, those of "
+                      "a direction");
+  using Surface = CGAL::Sphere_like_surface_2<Embedding, Differentiated>;
+  return run(options, Like_sphere<Surface>(Surface(
+                          embedding, {options.point[0], options.point[1], options.point[2]})));
+}
+
+} // namespace
+
+int execute(const Cut_locus_options& options) {
+  if (!options.output.empty())
+    require_writable(options.output);
+  if (!options.report.empty())
+    require_place_of_report(options.report, {options.output});
+  if (options.surface == "torus")
+    return run_on_torus(options, CGAL::Embedded_surface_2<Torus>());
+  if (options.surface == "ellipsoid")
+    return run_like_sphere<Ellipsoid, CGAL::Embedded_surface_2>(options, Ellipsoid());
+  const Surface_expressions expressions(options.surface);
+  if (expressions.is_of_sphere())
+    return run_like_sphere<Surface_expressions, Surface_by_differences>(options, expressions);
+  return run_on_torus(options, Surface_by_differences<Surface_expressions>(expressions));
 }
 
 } // namespace dsc

@@ -87,6 +87,16 @@ std::array<double, 2> parse_pair(const std::string& text, const std::string& opt
   return parse_numbers<2>(text, option, "1.5,0");
 }
 
+std::vector<double> parse_point(const std::string& text) {
+  const std::string form = "0,0.3 or 1,0.5,0";
+  if (std::count(text.begin(), text.end(), ',') == 2) {
+    const std::array<double, 3> p = parse_numbers<3>(text, "--point", form);
+    return {p.begin(), p.end()};
+  }
+  const std::array<double, 2> p = parse_numbers<2>(text, "--point", form);
+  return {p.begin(), p.end()};
+}
+
 double parse_angle(const std::string& text) { return parse_number(text, "--angle", "7.2"); }
 
 double parse_threshold(const std::string& text) {

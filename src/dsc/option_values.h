@@ -11,6 +11,7 @@
 #include <initializer_list>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace dsc {
 
@@ -25,6 +26,9 @@ std::array<double, 6> parse_domain(const std::string& text, int dimension);
 double parse_angle(const std::string& text);
 
 std::array<double, 2> parse_pair(const std::string& text, const std::string& option);
+
+/// Two or three numbers.
+std::vector<double> parse_point(const std::string& text);
 
 /// A quality in (0, 1].
 double parse_threshold(const std::string& text);

@@ -147,11 +147,13 @@ struct Improve_options
 /// What `dsc cut-locus` is asked to do.
 struct Cut_locus_options
 {
-  std::string surface = "torus"; ///< that, or three expressions in u and v
-  std::array<double, 2> point = {};
+  std::string surface = "torus"; ///< that, ellipsoid, or three expressions in u and v, or x, y, z
+  std::vector<double> point;     ///< u and v, or the x, y and z of a direction
   std::array<double, 2> periods;
-  double spacing = 0; ///< in the chart; a fortieth of the shorter period if 0
-  double step = 0;    ///< of the front; half the spacing if 0
+  double spacing =
+      0; ///< in the chart; a fortieth of the shorter period, or of half a chart's width, if 0
+  double step = 0;    ///< of the front; half the spacing, measured on the surface, if 0
+  double radius = 0;  ///< of a ball, instead of the cut locus
   std::string output; ///< picture; empty for none
   std::string report; ///< file; empty for none
   bool quiet = false;

@@ -1,4 +1,5 @@
 #include <CGAL/Deformable_simplicial_complex_2/Geodesic_distance_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/Sphere_like_surface_2.h>
 #include <CGAL/cut_locus_2.h>
 
 #include <gtest/gtest.h>
@@ -15,6 +16,8 @@ namespace {
 using CGAL::Deformable_simplicial_complexes::Error;
 using Domain = CGAL::Deformable_simplicial_complexes::Torus_domain<2>;
 using Point = CGAL::Simple_cartesian<double>::Point_2;
+
+constexpr double pi = 3.14159265358979324;
 
 // Of revolution, about a circle of radius 2.
 struct Torus
@@ -71,9 +74,9 @@ TEST(Riemannian_metric, of_an_embedding_is_differentiated) {
 
 TEST(Geodesics, keep_their_speed_and_the_relation_of_Clairaut) {
   const CGAL::Deformable_simplicial_complexes::internal::Geodesics_2<Torus_metric> geodesics(
-      Torus_metric(), .2, .5);
+      Torus_metric(), Domain({2 * pi, 2 * pi}), Point(.2, .5));
   for (double angle : {.1, 1., 2.5, 4.}) {
-    const auto begin = geodesics.begin(angle), end = geodesics.advance(begin, 5);
+    const auto begin = geodesics.shoot(angle, 0), end = geodesics.advance(begin, 5);
     const auto momentum = [](const auto& x) {
       return (2 + std::cos(x[1])) * (2 + std::cos(x[1])) * x[2];
     };
@@ -84,7 +87,7 @@ TEST(Geodesics, keep_their_speed_and_the_relation_of_Clairaut) {
 
 TEST(Geodesics, are_straight_in_a_sheared_chart) {
   const CGAL::Deformable_simplicial_complexes::internal::Geodesics_2<Sheared_metric> geodesics(
-      Sheared_metric(), 0, 0);
+      Sheared_metric(), Domain(), Point(0, 0));
   const auto end = geodesics.shoot(.7, 2);
   EXPECT_NEAR(end[0] + end[1] / 2, 2 * std::cos(.7), 1e-12);
   EXPECT_NEAR(end[1], 2 * std::sin(.7), 1e-12);
@@ -133,8 +136,6 @@ struct Torus_by_formulas
             2 * (1 - b * b) * s * c};
   }
 };
-
-constexpr double pi = 3.14159265358979324;
 
 // An end or a junction, in the chart from -pi to pi.
 struct Special_point
@@ -194,10 +195,10 @@ TEST(Cut_locus, of_a_point_of_a_high_torus) {
                     {pi, -v, 9.23702, 4},
                     {2.99242, -v, 9.00772, 3},
                     {2.99242, -v, 9.00772, 3},
-                    {2.0936, .6714, 5.9127, 1},
-                    {2.0936, .6714, 5.9127, 1},
-                    {2.2483, -1.0245, 6.7902, 1},
-                    {2.2483, -1.0245, 6.7902, 1}});
+                    {2.09331, .671748, 5.9118, 1},
+                    {2.09331, .671748, 5.9118, 1},
+                    {2.24727, -1.02541, 6.78796, 1},
+                    {2.24727, -1.02541, 6.78796, 1}});
 }
 
 template <class Metric>
@@ -244,6 +245,89 @@ TEST(Geodesic_distance, is_infinite_where_the_front_did_not_come) {
   const CGAL::Geodesic_distance_2<Flat_metric> distance(front);
   EXPECT_NEAR(distance(Point(.1, 0)), .1, 1e-9);
   EXPECT_EQ(distance(Point(.5, .5)), std::numeric_limits<double>::infinity());
+}
+
+struct Ellipsoid
+{
+  std::array<double, 3> axes; // halves
+
+  template <class T> std::array<T, 3> operator()(const std::array<T, 3>& n) const {
+    return {axes[0] * n[0], axes[1] * n[1], axes[2] * n[2]};
+  }
+};
+
+using Ellipsoid_surface = CGAL::Sphere_like_surface_2<Ellipsoid>;
+
+TEST(Geodesics, of_a_sphere_are_great_circles) {
+  const Ellipsoid_surface sphere(Ellipsoid{{1, 1, 1}}, {1, 2, 2});
+  const CGAL::Deformable_simplicial_complexes::internal::Geodesics_2<Ellipsoid_surface> geodesics(
+      sphere);
+  for (double angle : {.1, 1., 2.5, 4.})
+    for (double length : {.2, 1., 3., 4.}) {
+      const auto end = geodesics.shoot(angle, length);
+      const auto n = sphere.image(Point(end[0], end[1]));
+      EXPECT_NEAR((n[0] + 2 * n[1] + 2 * n[2]) / 3, std::cos(length), 1e-9);
+    }
+}
+
+// Part of the equator between the points that are conjugate to the source along it, where the
+// curvature is 1 / h^2; an arc of the meridian leads to the middle.
+TEST(Cut_locus, of_a_point_of_the_equator_of_an_oblate_spheroid) {
+  const double h = .8, conjugate = pi * h;
+  const Ellipsoid_surface spheroid(Ellipsoid{{1, 1, h}}, {3, 0, 0});
+  const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(spheroid, .2, .1);
+  ASSERT_EQ(locus.polylines.size(), 1u);
+  for (const auto& v : locus.vertices) {
+    const auto p = spheroid.image(v.point);
+    EXPECT_NEAR(p[2], 0, 1e-8);
+    EXPECT_GE(std::abs(std::atan2(p[1], p[0])), conjugate - 1e-7);
+    if (v.multiplicity == 1) {
+      EXPECT_NEAR(std::abs(std::atan2(p[1], p[0])), conjugate, 1e-7);
+      EXPECT_NEAR(v.distance, conjugate, 1e-7);
+    }
+  }
+}
+
+// Part of a line of curvature: a quadric that is confocal with the ellipsoid cuts it out. (J. Itoh,
+// K. Kiyohara, The cut loci and the conjugate loci on ellipsoids, Manuscripta Math. 114, 2004.)
+TEST(Cut_locus, of_an_ellipsoid_is_on_a_line_of_curvature) {
+  const std::array<double, 3> axes = {1, .8, .6};
+  const Ellipsoid_surface ellipsoid(Ellipsoid{axes}, {1, 1, 1});
+  const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(ellipsoid, .1, .05);
+  ASSERT_EQ(locus.polylines.size(), 1u);
+  EXPECT_GT(locus.vertices.size(), 10u);
+  const auto confocal = [&](const std::array<double, 3>& p, double parameter) {
+    double sum = -1;
+    for (std::size_t i = 0; i < 3; ++i)
+      sum += p[i] * p[i] / (axes[i] * axes[i] - parameter);
+    return sum;
+  };
+  // The hyperboloid of one sheet through the source: between the squares of the shorter two axes.
+  double low = .36 + 1e-9, high = .64 - 1e-9;
+  const double third = std::sqrt(1. / 3);
+  const std::array<double, 3> source = {third, .8 * third, .6 * third};
+  while (high - low > 1e-15)
+    (confocal(source, (low + high) / 2) > 0 ? high : low) = (low + high) / 2;
+  for (const auto& v : locus.vertices)
+    EXPECT_NEAR(confocal(ellipsoid.image(v.point), low), 0, 1e-6);
+}
+
+TEST(Geodesic_distance, on_a_sphere) {
+  const Ellipsoid_surface sphere(Ellipsoid{{1, 1, 1}}, {0, 0, 1});
+  CGAL::Geodesic_front_2<Ellipsoid_surface> front(sphere, .2);
+  while (front.radius() < 1.6)
+    front.advance(.1);
+  const CGAL::Geodesic_distance_2<Ellipsoid_surface> distance(front);
+  for (const Point& p : {Point(5.5, 4), Point(2, 3), Point(7, 1), Point(.5, 4)})
+    EXPECT_NEAR(distance(p), std::acos(sphere.direction(p)[2]), 1e-8);
+  EXPECT_EQ(distance(Point(4, 4)), std::numeric_limits<double>::infinity());
+}
+
+TEST(Sphere_like_surface, has_a_source) {
+  EXPECT_THROW(Ellipsoid_surface(Ellipsoid{{1, 1, 1}}, {0, 0, 0}), Error);
+  EXPECT_THROW(Ellipsoid_surface(Ellipsoid{{1, 1, 1}}, {0, std::nan(""), 1}), Error);
+  EXPECT_THROW(CGAL::cut_locus_2(Ellipsoid_surface(Ellipsoid{{1, 1, 0}}, {1, 0, 0}), .2, .1),
+               Error);
 }
 
 TEST(Cut_locus, refuses_what_it_cannot_do) {

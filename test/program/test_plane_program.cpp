@@ -139,3 +139,28 @@ TEST_F(Planar_program, finds_cut_loci) {
   EXPECT_NEAR(farthest, 7.63112309, .01);
   EXPECT_NE(contents(path("a.svg")).find("cut_locus"), std::string::npos);
 }
+
+TEST_F(Planar_program, finds_cut_loci_of_surfaces_like_a_sphere) {
+  for (const std::string arguments :
+       {"ellipsoid --point 0,0", "torus --point 1,0,0", "u,v,x --point 1,0,0",
+        "1,2,3 --point 1,0,0", "ellipsoid --point 1,0,0 --radius 0",
+        "ellipsoid --point 1,0,0 -o a.vtu"})
+    expect_error("cut-locus --surface " + arguments, 2);
+  expect_error("cut-locus --surface ellipsoid --point 0,0,0", 1);
+  expect_error("cut-locus --surface x,0,0 --point 1,0,0", 1);
+  expect_error("cut-locus --surface x,y,z --point 1,0,0", 1); // a point
+  expect_success("cut-locus --point 1,0,0 --surface x,y,.8*z --quiet -o a.svg --report a.json");
+  const Json locus = report("a.json");
+  EXPECT_EQ(locus.at("arcs").size(), 1u);
+  for (const Json& vertex : locus.at("vertices"))
+    if (vertex.at("multiplicity") == 1)
+      EXPECT_NEAR(vertex.at("distance").get<double>(), .8 * std::acos(-1.), 1e-6);
+}
+
+TEST_F(Planar_program, draws_balls_of_surfaces) {
+  expect_error("cut-locus --point 0,0 --radius .01", 2);
+  expect_success("cut-locus --point 0,0 --radius 1 --quiet -o a.svg --report a.json");
+  EXPECT_NEAR(report("a.json").at("ball").at("radius").get<double>(), 1, 1e-12);
+  expect_success("cut-locus --surface ellipsoid --point 1,0,0 --radius .7 --quiet -o a.vtu");
+  EXPECT_NE(contents(path("a.vtu")).find("UnstructuredGrid"), std::string::npos);
+}

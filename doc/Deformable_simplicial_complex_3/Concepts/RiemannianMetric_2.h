@@ -9,6 +9,7 @@ The metric of a Riemannian 2-manifold in a chart: what geodesics follow from.
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Embedded_surface_2}
 \cgalHasModels{CGAL::Metric_tensor_2}
+\cgalHasModels{CGAL::Sphere_like_surface_2}
 \cgalHasModelsEnd
 */
 class RiemannianMetric_2

@@ -41,14 +41,20 @@ public:
     const double step = 2 * m_front->step();
     for (auto v : m_front->complex().interface_vertices()) {
       const auto& ray = m_front->ray(v);
-      auto state = m_front->shoot(ray.angle, 0), next = m_front->shoot(ray.angle + difference, 0);
+      if (!(step > 0))
+        break;
+      auto state = m_front->shoot(ray.angle, step),
+           next = m_front->shoot(ray.angle + difference, step);
       for (double length = step; length <= ray.length; length += step) {
-        state = m_front->continue_ray(state, step);
-        next = m_front->continue_ray(next, step);
-        m_finder.add({{ray.angle, length},
-                      state,
-                      {(next[0] - state[0]) / difference, (next[1] - state[1]) / difference},
-                      {state[2], state[3]}});
+        if (length > step) {
+          state = m_front->continue_ray(state, step);
+          next = m_front->continue_ray(next, step);
+        }
+        if (m_front->is_in_chart(state))
+          m_finder.add({{ray.angle, length},
+                        state,
+                        {(next[0] - state[0]) / difference, (next[1] - state[1]) / difference},
+                        {state[2], state[3]}});
       }
     }
   }
@@ -56,8 +62,7 @@ public:
   /// The distance of a point of the chart, to about 1e-9; infinity if the front did not come near.
   /// Takes the integration of some geodesics to it.
   double operator()(const Point_2& p) const {
-    const auto source = m_front->shoot(0, 0);
-    if (m_front->complex().domain().near(p, Point_2(source[0], source[1])) == p)
+    if (m_front->length_near_source(p) == 0)
       return 0;
     const auto geodesics = m_finder.geodesics_to(p, 1, {});
     return geodesics.empty() ? std::numeric_limits<double>::infinity() : geodesics[0].length;

@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_GEODESIC_FRONT_2_H
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/Sphere_like_surface_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/Geodesics_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/improvement/Mesh_care_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
@@ -64,39 +65,27 @@ public:
   \param metric of the manifold; it repeats itself with the torus
   \param domain the chart
   \param point in the chart
-  \param spacing about how long the edges of the mesh and the front are in the chart; less than a
+  \param spacing about how long the edges of the mesh and the front are in the chart; at most a
          twentieth of the periods
   \throws Deformable_simplicial_complexes::Error if the metric is not positive at the point, or the
          spacing is out of range
   */
   Geodesic_front_2(const Metric& metric, const Domain& domain, const Point_2& point, double spacing)
-      : m_geodesics(metric, point.x(), point.y()), m_spacing(spacing), m_complex(domain) {
-    namespace internal = Deformable_simplicial_complexes::internal;
-    static constexpr double first_radius = 3, coarsest = 1. / 20; // spacings, period
-    const double period = (std::min)(domain.periods()[0], domain.periods()[1]);
-    if (!(spacing > 0 && spacing <= coarsest * period))
-      throw Deformable_simplicial_complexes::Error(
-          "the spacing of the front is out of range: use less than a twentieth of the periods");
-    const Metric_jet_2 g = metric(point.x(), point.y());
-    const auto vector_to = [&](const Point_2& q) { return domain.near(point, q) - point; };
-    m_radius = first_radius * spacing * std::sqrt((std::max)(g.E, g.G));
-    m_complex = internal::fill_torus<Complex>(
-        domain, spacing,
-        [&](const Point_2& q) {
-          const auto w = vector_to(q);
-          const double squared =
-              g.E * w.x() * w.x() + 2 * g.F * w.x() * w.y() + g.G * w.y() * w.y();
-          return squared < m_radius * m_radius ? 1 : 0;
-        },
-        Deformable_simplicial_complexes::parameters::default_values());
-    for (Vertex_handle v : m_complex.interface_vertices()) {
-      const auto w = vector_to(m_complex.position(v));
-      const double angle =
-          std::atan2(std::sqrt(g.E * g.G - g.F * g.F) * w.y(), g.E * w.x() + g.F * w.y());
-      m_rays[v->time_stamp()] = {angle, m_radius, m_geodesics.shoot(angle, m_radius), false, 0};
-    }
-    move();
-  }
+      : Geodesic_front_2(Geodesics(metric, domain, point), domain, spacing) {}
+
+  /*!
+  The front at a small radius, for a metric that knows its chart and the point.
+
+  \tparam Surface an instance of `Sphere_like_surface_2`, the `Metric`
+  \param surface and its source
+  \param spacing about how long the edges of the mesh and the front are in the chart; at most a
+         twentieth of its width
+  \throws Deformable_simplicial_complexes::Error if the metric is not positive at the point, or the
+         spacing is out of range
+  */
+  template <class Surface>
+  Geodesic_front_2(const Surface& surface, double spacing)
+      : Geodesic_front_2(Geodesics(surface), surface.domain(), spacing) {}
 
   /// Goes on by a length, in steps of about the spacing at the most. Returns whether some of the
   /// front has not stopped.
@@ -124,15 +113,41 @@ public:
   double step() const { return m_step; }
   /// About how long edges are.
   double spacing() const { return m_spacing; }
-  /// Where the geodesic at an angle is after a length.
+  /// Where the geodesic at an angle is after a length. \pre on a `Sphere_like_surface_2` it is not
+  /// 0
   State shoot(double angle, double length) const { return m_geodesics.shoot(angle, length); }
   /// Where a geodesic is after another length.
   State continue_ray(const State& state, double length) const {
     return m_geodesics.advance(state, length);
   }
+  /// The length of the geodesic to a point, if the metric were that of the source everywhere.
+  double length_near_source(const Point_2& p) const { return m_geodesics.departure(p).length; }
+  /// Whether the chart reaches as far.
+  bool is_in_chart(const State& state) const { return m_geodesics.is_in_chart(state); }
 
 private:
   using Cell_handle = typename Complex::Cell_handle;
+  using Geodesics = Deformable_simplicial_complexes::internal::Geodesics_2<Metric>;
+
+  Geodesic_front_2(const Geodesics& geodesics, const Domain& domain, double spacing)
+      : m_geodesics(geodesics), m_spacing(spacing), m_complex(domain) {
+    namespace internal = Deformable_simplicial_complexes::internal;
+    static constexpr double coarsest = 1. / 20; // period
+    const double period = (std::min)(domain.periods()[0], domain.periods()[1]);
+    if (!(spacing > 0 && spacing <= coarsest * period))
+      throw Deformable_simplicial_complexes::Error(
+          "the spacing of the front is out of range: use at most a twentieth of the periods");
+    m_radius = m_geodesics.first_radius(spacing);
+    m_complex = internal::fill_torus<Complex>(
+        domain, spacing,
+        [&](const Point_2& q) { return m_geodesics.departure(q).length < m_radius ? 1 : 0; },
+        Deformable_simplicial_complexes::parameters::default_values());
+    for (Vertex_handle v : m_complex.interface_vertices()) {
+      const double angle = m_geodesics.departure(m_complex.position(v)).angle;
+      m_rays[v->time_stamp()] = {angle, m_radius, m_geodesics.shoot(angle, m_radius), false, 0};
+    }
+    move();
+  }
 
   static Point_2 point(const State& state) { return Point_2(state[0], state[1]); }
 
@@ -264,7 +279,7 @@ private:
     return false;
   }
 
-  Deformable_simplicial_complexes::internal::Geodesics_2<Metric> m_geodesics;
+  Geodesics m_geodesics;
   double m_spacing, m_radius = 0, m_step = 0;
   Complex m_complex;
   std::map<std::size_t, Ray> m_rays; // by the time stamps of vertices

@@ -222,20 +222,28 @@ private:
   // neighbors cross it. Infinity if that is much farther than another distance.
   double conjugate_distance(double angle, double distance) const {
     static constexpr double apart = 1e-4, farthest = 1.5; // radians, distances
-    static constexpr int steps = 60;
-    const double step = farthest * distance / steps;
-    auto left = m_front.shoot(angle + apart, step), right = m_front.shoot(angle - apart, step);
+    static constexpr int steps = 60, finer = 4;
+    double length = farthest * distance / steps, step = length;
+    auto left = m_front.shoot(angle + apart, length), right = m_front.shoot(angle - apart, length);
     const auto side = [](const auto& l, const auto& r) {
       return (l[1] - r[1]) * (l[2] + r[2]) - (l[0] - r[0]) * (l[3] + r[3]);
     };
     double before = side(left, right);
-    for (int k = 2; k <= steps; ++k) {
-      left = m_front.continue_ray(left, step);
-      right = m_front.continue_ray(right, step);
-      const double now = side(left, right);
-      if (now * before <= 0)
-        return (k - now / (now - before)) * step;
+    int refined = 0;
+    while (length < farthest * distance) {
+      const auto next_left = m_front.continue_ray(left, step),
+                 next_right = m_front.continue_ray(right, step);
+      const double now = side(next_left, next_right);
+      if (now * before <= 0) {
+        if (refined++ == finer)
+          return length + before / (before - now) * step;
+        step /= finer;
+        continue;
+      }
+      left = next_left;
+      right = next_right;
       before = now;
+      length += step;
     }
     return std::numeric_limits<double>::infinity();
   }
