@@ -98,7 +98,7 @@ DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Detai
 DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Interface_improver<
     instantiations::Complex>;
 
-DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Patch_improver_3<
+DSC_EXTERN template class CGAL::Deformable_simplicial_complexes::internal::Patch_improver<
     instantiations::Complex>;
 
 DSC_EXTERN template class CGAL::Deformable_simplicial_complex_2<>;

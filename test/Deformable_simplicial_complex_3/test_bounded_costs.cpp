@@ -5,8 +5,8 @@
 #include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/cell_corners.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/values/redistribute_contents_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/cell_corners.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/values/redistribute_contents.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Volume_changer.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Labelled_star.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Trapped_cells.h>
@@ -79,12 +79,12 @@ std::map<int, std::size_t> numbers_of_components(const Complex& dsc) {
   return result;
 }
 
-using Filled = internal::Filled_tetrahedron_3<Position, double>;
+using Filled = internal::Filled_simplex<Complex::Space, double>;
 
 std::vector<Filled> filled_cells(const Complex& dsc, Random& random) {
   std::vector<Filled> result;
   for (Cell_handle c : dsc.cells())
-    result.push_back({internal::Clipping_tetrahedron_3<Position>(internal::cell_corners(dsc, c)),
+    result.push_back({internal::Clipping_simplex<Complex::Space>(internal::cell_corners(dsc, c)),
                       c->label(), random(-1, 1)});
   return result;
 }
@@ -94,14 +94,14 @@ void pour_slowly(const std::vector<const Filled*>& sources, const std::vector<Fi
   std::vector<double> gaps, overlaps(targets.size());
   double volume = 0, excess = 0, left = 0, gap = 0;
   for (const Filled* t : targets) {
-    gaps.push_back(t->volume());
+    gaps.push_back(t->measure());
     volume += gaps.back();
   }
   for (const Filled* s : sources) {
     double sum = 0;
     for (std::size_t j = 0; j < targets.size(); ++j)
-      sum += overlaps[j] = overlap_volume(s->tetrahedron, targets[j]->tetrahedron);
-    const double whole = (std::max)(sum, s->volume());
+      sum += overlaps[j] = overlap_measure(s->simplex, targets[j]->simplex);
+    const double whole = (std::max)(sum, s->measure());
     for (std::size_t j = 0; j < targets.size(); ++j) {
       targets[j]->content += overlaps[j] / whole * s->content;
       gaps[j] -= overlaps[j];
@@ -115,7 +115,7 @@ void pour_slowly(const std::vector<const Filled*>& sources, const std::vector<Fi
     gap += g = (std::max)(0., g);
   const double fill = 1 / (std::max)(gap, excess), spread = (1 - fill * gap) / volume;
   for (std::size_t j = 0; j < targets.size(); ++j)
-    targets[j]->content += (fill * gaps[j] + spread * targets[j]->volume()) * left;
+    targets[j]->content += (fill * gaps[j] + spread * targets[j]->measure()) * left;
 }
 
 } // namespace
@@ -234,7 +234,7 @@ TEST(Redistribute_contents, adds_what_all_pairs_would) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t i = 0; i < sources.size(); ++i)
     for (std::size_t j = 0; j < targets.size(); ++j)
-      if (CGAL::do_overlap(sources[i]->tetrahedron.bbox(), targets[j]->tetrahedron.bbox()))
+      if (CGAL::do_overlap(sources[i]->simplex.bbox(), targets[j]->simplex.bbox()))
         pairs.emplace_back(i, j);
   EXPECT_TRUE(internal::pairs_that_may_overlap(sources, targets) == pairs);
   EXPECT_LT(2 * pairs.size(), sources.size() * targets.size());

@@ -6,8 +6,8 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_pair_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/cell_corners.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/overlap_volume_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/cell_corners.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/overlap_measure.h>
 #include <CGAL/control_detail_3.h>
 #include <CGAL/deform_interface_3.h>
 #include <CGAL/improve_interface_3.h>
@@ -50,7 +50,7 @@ using Cell_values = Values<Cell_handle>;
 
 double volume(const Complex& dsc, Cell_handle c) {
   namespace internal = CGAL::Deformable_simplicial_complexes::internal;
-  return internal::signed_volume(internal::cell_corners(dsc, c));
+  return internal::signed_measure<Complex::Space>(internal::cell_corners(dsc, c));
 }
 
 Cell_values random_averages(const Complex& dsc, unsigned seed, double minimum, double maximum) {

@@ -1,9 +1,9 @@
 // The overlap of tetrahedra, and contents that are handed on by it.
 #include "mesh_helpers.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/cell_corners.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/overlap_volume_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/values/redistribute_contents_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/cell_corners.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/overlap_measure.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/values/redistribute_contents.h>
 
 #include <gtest/gtest.h>
 
@@ -20,11 +20,11 @@ using mesh_helpers::Random;
 using small_meshes::Complex;
 using Position = Complex::Approximate_point_3;
 using Corners = std::array<Position, 4>;
-using Tetrahedron = internal::Clipping_tetrahedron_3<Position>;
-using Filled = internal::Filled_tetrahedron_3<Position, double>;
+using Tetrahedron = internal::Clipping_simplex<Complex::Space>;
+using Filled = internal::Filled_simplex<Complex::Space, double>;
 
 double overlap_volume(const Corners& s, const Corners& t) {
-  return internal::overlap_volume(Tetrahedron(s), Tetrahedron(t));
+  return internal::overlap_measure(Tetrahedron(s), Tetrahedron(t));
 }
 
 // A tetrahedron between a segment of the x-axis and an edge: the volume is a sixth of the length.
@@ -91,7 +91,7 @@ TEST(Overlap_volume, sums_to_the_volume) {
     Corners t;
     for (Position& p : t)
       p = CGAL::ORIGIN + random.vector<Complex>(.55);
-    if (internal::signed_volume(t) < 0)
+    if (internal::signed_measure<Complex::Space>(t) < 0)
       std::swap(t[0], t[1]);
     double sum = 0;
     for (const auto c : dsc.cells()) {
@@ -100,7 +100,7 @@ TEST(Overlap_volume, sums_to_the_volume) {
         p = turned(p);
       sum += overlap_volume(s, t);
     }
-    EXPECT_NEAR(sum, internal::signed_volume(t), 1e-15);
+    EXPECT_NEAR(sum, internal::signed_measure<Complex::Space>(t), 1e-15);
   }
 }
 

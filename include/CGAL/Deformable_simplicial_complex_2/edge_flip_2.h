@@ -9,6 +9,27 @@
 
 namespace CGAL {
 
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Fills a cavity with the flip of the edge opposite to the vertex i of a triangle. The first new
+// triangle gets the label of `heir`, the second that of the neighbor.
+template <class Cell_handle, class Complex>
+void plan_flip(Cell_handle cell, int i, Cell_handle heir, Cavity<Complex>& cavity) {
+  const Cell_handle other = cell->neighbor(i);
+  cavity.begin(Proposal_kind::flip);
+  cavity.remove(cell);
+  cavity.remove(other);
+  // The edge from a to b has the cell, with its vertex c, on its left.
+  const auto a = cavity.add(cell->vertex((i + 1) % 3)), b = cavity.add(cell->vertex((i + 2) % 3)),
+             c = cavity.add(cell->vertex(i)), d = cavity.add(other->vertex(other->index(cell)));
+  cavity.create({c, a, d}, heir);
+  cavity.create({c, d, b}, other);
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
@@ -29,14 +50,7 @@ bool propose_edge_flip(const Complex& complex, typename Complex::Cell_handle cel
   const auto other = cell->neighbor(i);
   if (complex.is_infinite(other) || other->label() != cell->label())
     return false;
-  cavity.begin(Deformable_simplicial_complexes::Proposal_kind::flip);
-  cavity.remove(cell);
-  cavity.remove(other);
-  // The edge from a to b has the cell, with its vertex c, on its left.
-  const auto a = cavity.add(cell->vertex((i + 1) % 3)), b = cavity.add(cell->vertex((i + 2) % 3)),
-             c = cavity.add(cell->vertex(i)), d = cavity.add(other->vertex(other->index(cell)));
-  cavity.create({c, a, d}, cell);
-  cavity.create({c, d, b}, other);
+  Deformable_simplicial_complexes::internal::plan_flip(cell, i, cell, cavity);
   return cavity.quality_after() > cavity.quality_before() && cavity.is_positive();
 }
 

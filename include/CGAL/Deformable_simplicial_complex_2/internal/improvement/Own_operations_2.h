@@ -5,10 +5,12 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IMPROVEMENT_OWN_OPERATIONS_2_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IMPROVEMENT_OWN_OPERATIONS_2_H
 
+#include <CGAL/Deformable_simplicial_complex_2/degeneracy_removal_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/edge_flip_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Own_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_insertion.h>
 
 #include <vector>
 
@@ -30,8 +32,15 @@ template <class Complex> struct Own_operations<Complex, 2>
     return false;
   }
 
-  // Where needles stay after flips, smoothing and collapses, a vertex has no place between them.
-  static bool propose_insertion(const Complex&, Cell_handle, Cavity<Complex>&) { return false; }
+  static bool propose_insertion(const Complex& complex, Cell_handle c, Cavity<Complex>& cavity) {
+    return propose_vertex_insertion(complex, c, cavity);
+  }
+
+  static bool propose_degenerate_cell_removal(const Complex& complex, Cell_handle c,
+                                              double /*quality*/, double cosine,
+                                              Cavity<Complex>& cavity) {
+    return propose_degenerate_triangle_removal(complex, c, cosine, c->quality(), cavity);
+  }
 
   static bool propose_optimal_position(const Complex& complex, Vertex_handle v,
                                        const std::vector<Cell_handle>& star,

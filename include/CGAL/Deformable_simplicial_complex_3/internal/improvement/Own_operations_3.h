@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_IMPROVEMENT_OWN_OPERATIONS_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_IMPROVEMENT_OWN_OPERATIONS_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/degeneracy_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_retriangulation_3.h>
@@ -42,6 +43,17 @@ template <class Complex> struct Own_operations<Complex, 3>
 
   static bool propose_insertion(const Complex& complex, Cell_handle c, Cavity<Complex>& cavity) {
     return propose_vertex_insertion(complex, c, cavity);
+  }
+
+  static bool propose_degenerate_cell_removal(const Complex& complex, Cell_handle c,
+                                              double quality, double cosine,
+                                              Cavity<Complex>& cavity) {
+    if (propose_degenerate_tetrahedron_removal(complex, c, quality, cavity))
+      return true;
+    for (int i = 0; i < 4; ++i)
+      if (propose_degenerate_facet_removal(complex, c, i, cosine, c->quality(), cavity))
+        return true;
+    return false;
   }
 
   static bool propose_optimal_position(const Complex& complex, Vertex_handle v,

@@ -13,6 +13,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Patch_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 #include <CGAL/Random.h>
@@ -30,7 +31,7 @@ namespace internal {
 
 // Improves cells where no single operation helps any more: the surroundings of such a cell are
 // copied, disturbed and improved again and again, and replaced whole once they have become better.
-template <class Complex> class Patch_improver_3
+template <class Complex> class Patch_improver<Complex, 3>
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
@@ -38,7 +39,7 @@ public:
   using Vector = typename Complex::Approximate_vector_3;
 
   // Each improvement of a copy takes a number of rounds at the most.
-  Patch_improver_3(Complex& complex, Any_visitor<Complex>& visitor, double threshold,
+  Patch_improver(Complex& complex, Any_visitor<Complex>& visitor, double threshold,
                    unsigned rounds)
       : m_complex(complex), m_visitor(visitor), m_threshold(threshold),
         m_rounds((std::min)(rounds, 5u)), m_cavity(complex),

@@ -15,6 +15,8 @@ What the improvement of a mesh does in one dimension only:
 - `propose_reconnection(complex, c, is_thorough, cavity, accept)`: the first proposal of other cells
   instead of c and those around that makes them better and that `accept()` takes
 - `propose_insertion(complex, c, cavity)`: a new vertex within a cell
+- `propose_degenerate_cell_removal(complex, c, quality, cosine, cavity)`: other cells instead of one
+  that is nearly flat, or has a facet that is; the interface may move
 - `propose_optimal_position(complex, v, star, target)`: where the worst quality of a star is highest
 - `is_interface_edge(complex, c, i, j)`
 */

@@ -2,16 +2,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_VALUES_REDISTRIBUTE_CONTENTS_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_VALUES_REDISTRIBUTE_CONTENTS_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_VALUES_REDISTRIBUTE_CONTENTS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_VALUES_REDISTRIBUTE_CONTENTS_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/overlap_volume_3.h>
-
-#include <CGAL/Bbox_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/overlap_measure.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -19,39 +18,40 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Positive even where rounding says otherwise: thin tetrahedra have contents, too.
-template <class Point> double positive_volume(const std::array<Point, 4>& t) {
-  static constexpr double least = 1e-150; // far below the rounding of any volume
-  return (std::max)(least, signed_volume(t));
+// Positive even where rounding says otherwise: thin simplices have contents, too.
+template <class Space, class Corners> double positive_measure(const Corners& corners) {
+  static constexpr double least = 1e-150; // far below the rounding of any measure
+  return (std::max)(least, signed_measure<Space>(corners));
 }
 
-// A positive tetrahedron, and how much of something is in it.
-template <class Point, class Value> struct Filled_tetrahedron_3
+// A positive triangle or tetrahedron, and how much of something is in it.
+template <class Space, class Value> struct Filled_simplex
 {
-  Clipping_tetrahedron_3<Point> tetrahedron;
+  Clipping_simplex<Space> simplex;
   int label;
   Value content;
 
-  double volume() const { return positive_volume(tetrahedron.corners()); }
+  double measure() const { return positive_measure<Space>(simplex.corners()); }
 };
 
 // The pairs of a source and a target whose boxes meet, as indices, sorted: by a sweep along the
 // x-axis.
-template <class Tetrahedron>
+template <class Simplex>
 std::vector<std::pair<std::size_t, std::size_t>>
-pairs_that_may_overlap(const std::vector<const Tetrahedron*>& sources,
-                       const std::vector<Tetrahedron*>& targets) {
+pairs_that_may_overlap(const std::vector<const Simplex*>& sources,
+                       const std::vector<Simplex*>& targets) {
+  using Box = std::decay_t<decltype(sources.front()->simplex.bbox())>;
   struct Start
   {
     double x;
     bool is_target;
     std::size_t index;
-    const Bbox_3* box;
+    const Box* box;
   };
   std::vector<Start> starts, open_sources, open_targets;
-  const auto add = [&](const auto& tetrahedra, bool are_targets) {
-    for (std::size_t i = 0; i < tetrahedra.size(); ++i) {
-      const Bbox_3& box = tetrahedra[i]->tetrahedron.bbox();
+  const auto add = [&](const auto& simplices, bool are_targets) {
+    for (std::size_t i = 0; i < simplices.size(); ++i) {
+      const Box& box = simplices[i]->simplex.bbox();
       starts.push_back({box.xmin(), are_targets, i, &box});
     }
   };
@@ -76,17 +76,17 @@ pairs_that_may_overlap(const std::vector<const Tetrahedron*>& sources,
 
 // Adds all that is in `sources` to `targets`. Where they overlap, a source fills a target to its
 // own density. What sources have elsewhere fills the rest of the targets, to a common density; if
-// there is too much of it, what is left goes to all targets by volume.
-template <class Point, class Value>
-void pour(const std::vector<const Filled_tetrahedron_3<Point, Value>*>& sources,
-          const std::vector<Filled_tetrahedron_3<Point, Value>*>& targets) {
+// there is too much of it, what is left goes to all targets by measure.
+template <class Space, class Value>
+void pour(const std::vector<const Filled_simplex<Space, Value>*>& sources,
+          const std::vector<Filled_simplex<Space, Value>*>& targets) {
   std::vector<double> gaps, overlaps;
-  double volume = 0; // of targets
+  double measure = 0; // of targets
   for (const auto* t : targets) {
-    gaps.push_back(t->volume());
-    volume += gaps.back();
+    gaps.push_back(t->measure());
+    measure += gaps.back();
   }
-  double excess = 0; // volume of sources outside targets
+  double excess = 0; // measure of sources outside targets
   Value left = 0. * sources.front()->content;
   const auto pairs = pairs_that_may_overlap(sources, targets);
   auto pair = pairs.begin();
@@ -96,10 +96,10 @@ void pour(const std::vector<const Filled_tetrahedron_3<Point, Value>*>& sources,
     overlaps.clear();
     double sum = 0;
     for (; pair != pairs.end() && pair->first == i; ++pair) {
-      overlaps.push_back(overlap_volume(s->tetrahedron, targets[pair->second]->tetrahedron));
+      overlaps.push_back(overlap_measure(s->simplex, targets[pair->second]->simplex));
       sum += overlaps.back();
     }
-    const double whole = (std::max)(sum, s->volume()); // less by rounding only
+    const double whole = (std::max)(sum, s->measure()); // less by rounding only
     for (std::size_t k = 0; k < overlaps.size(); ++k) {
       const std::size_t j = first[std::ptrdiff_t(k)].second;
       targets[j]->content = targets[j]->content + overlaps[k] / whole * s->content;
@@ -113,33 +113,33 @@ void pour(const std::vector<const Filled_tetrahedron_3<Point, Value>*>& sources,
   double gap = 0;
   for (double& g : gaps)
     gap += g = (std::max)(0., g); // less by rounding only
-  const double fill = 1 / (std::max)(gap, excess), spread = (1 - fill * gap) / volume;
+  const double fill = 1 / (std::max)(gap, excess), spread = (1 - fill * gap) / measure;
   for (std::size_t j = 0; j < targets.size(); ++j)
     targets[j]->content =
-        targets[j]->content + (fill * gaps[j] + spread * targets[j]->volume()) * left;
+        targets[j]->content + (fill * gaps[j] + spread * targets[j]->measure()) * left;
 }
 
-// The same, label by label: what is in tetrahedra of a label goes to those of the same label, or to
+// The same, label by label: what is in simplices of a label goes to those of the same label, or to
 // all if there is none.
-template <class Point, class Value>
-void redistribute_contents(const std::vector<Filled_tetrahedron_3<Point, Value>>& from,
-                           std::vector<Filled_tetrahedron_3<Point, Value>>& to) {
-  using Tetrahedron = Filled_tetrahedron_3<Point, Value>;
+template <class Space, class Value>
+void redistribute_contents(const std::vector<Filled_simplex<Space, Value>>& from,
+                           std::vector<Filled_simplex<Space, Value>>& to) {
+  using Simplex = Filled_simplex<Space, Value>;
   std::vector<int> labels;
-  for (const Tetrahedron& t : from)
+  for (const Simplex& t : from)
     if (std::find(labels.begin(), labels.end(), t.label) == labels.end())
       labels.push_back(t.label);
   for (int label : labels) {
-    std::vector<const Tetrahedron*> sources;
-    std::vector<Tetrahedron*> targets;
-    for (const Tetrahedron& t : from)
+    std::vector<const Simplex*> sources;
+    std::vector<Simplex*> targets;
+    for (const Simplex& t : from)
       if (t.label == label)
         sources.push_back(&t);
-    for (Tetrahedron& t : to)
+    for (Simplex& t : to)
       if (t.label == label)
         targets.push_back(&t);
     if (targets.empty())
-      for (Tetrahedron& t : to)
+      for (Simplex& t : to)
         targets.push_back(&t);
     pour(sources, targets);
   }
@@ -149,4 +149,4 @@ void redistribute_contents(const std::vector<Filled_tetrahedron_3<Point, Value>>
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_VALUES_REDISTRIBUTE_CONTENTS_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_VALUES_REDISTRIBUTE_CONTENTS_H

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_REMESHING_PATCH_IMPROVER_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_REMESHING_PATCH_IMPROVER_2_H
+
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Patch_improver.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// In the plane, flips lead from any triangulation of points to any other: nothing is to be
+// disturbed.
+template <class Complex> class Patch_improver<Complex, 2>
+{
+public:
+  Patch_improver(Complex&, Any_visitor<Complex>&, double, unsigned) {}
+  void run() {}
+  Improvement_report report() const { return {}; }
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_REMESHING_PATCH_IMPROVER_2_H

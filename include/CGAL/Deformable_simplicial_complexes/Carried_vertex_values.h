@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CARRIED_VERTEX_VALUES_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CARRIED_VERTEX_VALUES_H
+
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/cell_corners.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/overlap_measure.h>
+
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+A visitor by which values on vertices, such as temperatures, follow changes of the mesh. Values
+between vertices are those of the function that is linear in each cell. A vertex that is created, or
+that is moved by the improvement of the mesh, gets the value that this function had there: a linear
+function stays the same, up to rounding. All other vertices keep their values, also where they move
+with a deformation: values are carried along.
+
+Where the new position is outside the old cells, by rounding for the most part, the linear function
+of the nearest one goes on.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_2` or `Deformable_simplicial_complex_3`
+\tparam VertexValueMap model of `ReadWritePropertyMap` with the key type `Complex::Vertex_handle`.
+        It is copied. Vertices that are gone keep their values, and handles of new ones may equal
+        those of old ones: identify vertices by their time stamps. Values can be added, `v + w`, and
+        multiplied, `2. * v`.
+
+\cgalModels `DeformationVisitor_3`
+*/
+template <class Complex, class VertexValueMap>
+class Carried_vertex_values : public Deformation_visitor_3
+{
+public:
+  using Cell_handle = typename Complex::Cell_handle;     ///< cell of the complex
+  using Vertex_handle = typename Complex::Vertex_handle; ///< vertex of the complex
+  using Point = typename Complex::Point;                 ///< as in the complex
+  using Cavity = typename Complex::Cavity;               ///< as in the complex
+  using Value = typename boost::property_traits<VertexValueMap>::value_type; ///< of a vertex
+
+  /// Reads and writes values when the mesh changes. The complex must outlive the visitor.
+  /// \pre each finite vertex has a value when the mesh changes around it. Constant time.
+  Carried_vertex_values(const Complex& complex, const VertexValueMap& values)
+      : m_complex(complex), m_values(values) {}
+
+  /// Not to be copied: pass it by `std::ref()`.
+  Carried_vertex_values(const Carried_vertex_values&) = delete;
+  /// Not to be copied: pass it by `std::ref()`.
+  Carried_vertex_values& operator=(const Carried_vertex_values&) = delete;
+
+  /// Interpolates values of new and of moved vertices, each in the number of removed cells.
+  void before_replacement(const Cavity& cavity) {
+    m_interpolated.clear();
+    for (std::size_t i = 0; i < cavity.vertices().size(); ++i) {
+      const auto& v = cavity.vertices()[i];
+      const bool is_new = v.handle == Vertex_handle();
+      if (is_new || (!m_complex.is_infinite(v.handle) && !(v.handle->point() == v.point)))
+        m_interpolated.emplace_back(i, interpolate(cavity.removed(), v.position));
+    }
+  }
+  /// Gives them their values.
+  void after_replacement(const Cavity& cavity) {
+    for (const auto& [i, value] : m_interpolated)
+      put(m_values, cavity.vertices()[i].handle, value);
+  }
+
+  /// Interpolates the value at the target, in the number of cells around.
+  void before_smoothing(Vertex_handle, const std::vector<Cell_handle>& star, const Point& target) {
+    const auto position = m_complex.approximate(target);
+    m_interpolated.clear();
+    m_interpolated.emplace_back(0, interpolate(star, position));
+  }
+  /// Gives it to the vertex.
+  void after_smoothing(Vertex_handle v, const std::vector<Cell_handle>&) {
+    put(m_values, v, m_interpolated.front().second);
+  }
+
+private:
+  using Position = typename Complex::Approximate_point;
+  using Coordinates = std::array<double, Complex::corners>;
+
+  // The value at p of the function that is linear in each cell; that of the nearest vertex if
+  // rounding leaves no cell a volume.
+  Value interpolate(const std::vector<Cell_handle>& cells, const Position& p) const {
+    Cell_handle nearest;
+    Coordinates best{};
+    double deepest = 0;
+    for (Cell_handle c : cells) {
+      if (m_complex.is_infinite(c))
+        continue;
+      Coordinates b;
+      if (!find_barycentric_coordinates(c, p, b))
+        continue;
+      const double depth = *std::min_element(b.begin(), b.end());
+      if (nearest == Cell_handle() || depth > deepest) {
+        deepest = depth;
+        nearest = c;
+        best = b;
+      }
+    }
+    if (nearest == Cell_handle())
+      return get(m_values, nearest_vertex(cells, p));
+    Value result = best[0] * get(m_values, nearest->vertex(0));
+    for (int i = 1; i < Complex::corners; ++i)
+      result = result + best[i] * get(m_values, nearest->vertex(i));
+    return result;
+  }
+
+  // Their sum is 1; false if the cell has no volume but for rounding.
+  bool find_barycentric_coordinates(Cell_handle c, const Position& p, Coordinates& result) const {
+    const auto corners = internal::cell_corners(m_complex, c, p);
+    double sum = 0;
+    for (int i = 0; i < Complex::corners; ++i) {
+      auto moved = corners;
+      moved[i] = p;
+      sum += result[i] = internal::signed_measure<typename Complex::Space>(moved);
+    }
+    for (double& b : result)
+      b /= sum;
+    return sum > 0 &&
+           std::all_of(result.begin(), result.end(), [](double x) { return std::isfinite(x); });
+  }
+
+  Vertex_handle nearest_vertex(const std::vector<Cell_handle>& cells, const Position& p) const {
+    Vertex_handle result;
+    double least = 0;
+    for (Cell_handle c : cells)
+      for (int i = 0; i < Complex::corners; ++i) {
+        const Vertex_handle v = c->vertex(i);
+        if (m_complex.is_infinite(v))
+          continue;
+        const double distance = (m_complex.position_near(p, v) - p).squared_length();
+        if (result == Vertex_handle() || distance < least) {
+          least = distance;
+          result = v;
+        }
+      }
+    return result;
+  }
+
+  const Complex& m_complex;
+  VertexValueMap m_values;
+  std::vector<std::pair<std::size_t, Value>> m_interpolated; // by vertex of the cavity
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CARRIED_VERTEX_VALUES_H

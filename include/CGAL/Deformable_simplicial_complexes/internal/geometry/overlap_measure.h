@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_OVERLAP_MEASURE_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_OVERLAP_MEASURE_H
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The area of a triangle or the volume of a tetrahedron: positive iff the corners are positively
+// oriented, up to rounding.
+template <class Space>
+double signed_measure(const std::array<typename Space::Approximate_point, 3>& t) {
+  return Space::frame(t).parallelotope / 2;
+}
+template <class Space>
+double signed_measure(const std::array<typename Space::Approximate_point, 4>& t) {
+  return Space::frame(t).parallelotope / 6;
+}
+
+// The heights of a point above n lines or planes, each in a unit of its own.
+template <std::size_t n> using Heights = std::array<double, n>;
+
+// A positive triangle or tetrahedron, as what is above its facets.
+template <class Space> class Clipping_simplex
+{
+public:
+  static constexpr int n = Space::dimension + 1;
+  using Corners = std::array<typename Space::Approximate_point, n>;
+
+  explicit Clipping_simplex(const Corners& corners)
+      : m_corners(corners), m_box(corners[0].bbox()), m_normals(Space::frame(corners).normals) {
+    for (int i = 1; i < n; ++i)
+      m_box = m_box + corners[i].bbox();
+  }
+
+  const Corners& corners() const { return m_corners; }
+  const auto& bbox() const { return m_box; }
+
+  // Finds the heights of as many points, unless all are below one of the facets. Returns whether it
+  // has.
+  bool find_heights(const Corners& points, std::array<Heights<n>, n>& heights) const {
+    static constexpr double rounding = 1e-15; // there is hardly any volume below such a height
+    for (int k = 0; k < n; ++k) {
+      const auto& p = m_corners[(k + 1) % n]; // in the facet
+      double lowest = 0, highest = 0;
+      for (int i = 0; i < n; ++i) {
+        const double h = heights[i][k] = m_normals[k] * (p - points[i]);
+        lowest = (std::min)(lowest, h);
+        highest = (std::max)(highest, h);
+      }
+      if (highest <= -rounding * lowest)
+        return false;
+    }
+    return true;
+  }
+
+private:
+  Corners m_corners;
+  decltype(m_corners[0].bbox()) m_box;
+  std::array<typename Space::Approximate_vector, n> m_normals; // outward
+};
+
+// Where an edge of a simplex, given by the heights of its vertices, crosses facet k: a ratio of the
+// way from the vertex above to that below.
+template <std::size_t n> struct Cut
+{
+  double ratio;
+  Heights<n> heights; // above the facets before
+
+  Cut(const Heights<n>& above, const Heights<n>& below, int k)
+      : ratio(above[k] / (above[k] - below[k])), heights() {
+    for (int l = 0; l < k; ++l)
+      heights[l] = above[l] + ratio * (below[l] - above[l]);
+  }
+};
+
+template <std::size_t n> double part_above(std::array<Heights<n>, n> v, int number_of_facets);
+
+template <std::size_t n>
+double part_of(double part, const std::array<Heights<n>, n>& v, int number_of_facets) {
+  return part > 0 ? part * part_above(v, number_of_facets) : 0;
+}
+
+// What is above facet k of a triangle with some vertices, the first, above it: a triangle, or two.
+inline double part_above(const std::array<Heights<3>, 3>& v, int k, std::ptrdiff_t above) {
+  const auto cut = [&](int i, int j) { return Cut<3>(v[i], v[j], k); };
+  if (above == 1) {
+    const auto a = cut(0, 1), b = cut(0, 2);
+    return part_of<3>(a.ratio * b.ratio, {v[0], a.heights, b.heights}, k);
+  }
+  const auto a = cut(0, 2), b = cut(1, 2);
+  return part_of<3>(a.ratio, {v[0], v[1], a.heights}, k) +
+         part_of<3>((1 - a.ratio) * b.ratio, {v[1], a.heights, b.heights}, k);
+}
+
+// The same of a tetrahedron: a tetrahedron, or a prism, which is made of three.
+inline double part_above(const std::array<Heights<4>, 4>& v, int k, std::ptrdiff_t above) {
+  const auto cut = [&](int i, int j) { return Cut<4>(v[i], v[j], k); };
+  if (above == 1) {
+    const auto a = cut(0, 1), b = cut(0, 2), c = cut(0, 3);
+    return part_of<4>(a.ratio * b.ratio * c.ratio, {v[0], a.heights, b.heights, c.heights}, k);
+  }
+  if (above == 2) {
+    const auto a = cut(0, 2), b = cut(0, 3), c = cut(1, 2), d = cut(1, 3);
+    return part_of<4>(a.ratio * b.ratio, {v[0], a.heights, b.heights, v[1]}, k) +
+           part_of<4>((1 - a.ratio) * b.ratio * c.ratio, {a.heights, b.heights, v[1], c.heights},
+                      k) +
+           part_of<4>((1 - b.ratio) * c.ratio * d.ratio, {b.heights, v[1], c.heights, d.heights},
+                      k);
+  }
+  const auto a = cut(0, 3), b = cut(1, 3), c = cut(2, 3);
+  return part_of<4>(a.ratio, {v[0], v[1], v[2], a.heights}, k) +
+         part_of<4>((1 - a.ratio) * b.ratio, {v[1], v[2], a.heights, b.heights}, k) +
+         part_of<4>((1 - a.ratio) * (1 - b.ratio) * c.ratio,
+                    {v[2], a.heights, b.heights, c.heights}, k);
+}
+
+// The part of a simplex, given by the heights of its vertices, that is above the first few facets.
+// Parts and the heights of their vertices follow from the ratios in which edges are cut.
+template <std::size_t n> double part_above(std::array<Heights<n>, n> v, int number_of_facets) {
+  if (number_of_facets == 0)
+    return 1;
+  const int k = number_of_facets - 1;
+  const auto above =
+      std::partition(v.begin(), v.end(), [&](const Heights<n>& h) { return h[k] > 0; }) - v.begin();
+  if (above == 0)
+    return 0;
+  return above == std::ptrdiff_t(n) ? part_above(v, k) : part_above(v, k, above);
+}
+
+// The measure of the intersection, up to rounding: the error is in proportion to powers of edges.
+template <class Space>
+double overlap_measure(const Clipping_simplex<Space>& s, const Clipping_simplex<Space>& t) {
+  static constexpr int n = Space::dimension + 1;
+  std::array<Heights<n>, n> s_above_t, t_above_s;
+  return do_overlap(s.bbox(), t.bbox()) && t.find_heights(s.corners(), s_above_t) &&
+                 s.find_heights(t.corners(), t_above_s)
+             ? (std::max)(0., signed_measure<Space>(s.corners())) * part_above(s_above_t, n)
+             : 0;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_OVERLAP_MEASURE_H

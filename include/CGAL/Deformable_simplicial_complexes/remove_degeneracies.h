@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_REMOVE_DEGENERACIES_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_REMOVE_DEGENERACIES_H
+
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Own_operations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+
+#include <utility>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Removes what is degenerate, of the interface too, each where it is possible: in space nearly flat
+tetrahedra, facets with small angles and short edges ("degeneracy removal", section 3.2.1 of the
+paper), by `propose_degenerate_tetrahedron_removal()`, `propose_degenerate_facet_removal()` and
+`propose_degenerate_edge_removal()`; in the plane nearly flat triangles (section 3.1), by
+`propose_degenerate_triangle_removal()`, and short edges. The topology of the interface stays;
+the interface moves by the volume of what is removed.
+
+\param dsc the complex.
+\param np named parameters:
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{degenerate_quality}
+    \cgalParamDescription{in space, cells of lower quality are removed, in [0, 1]}
+    \cgalParamType{`double`} \cgalParamDefault{0.005, the paper's}
+  \cgalParamNEnd
+  \cgalParamNBegin{degenerate_cosine}
+    \cgalParamDescription{facets, in the plane triangles, with an angle of larger cosine are
+                          removed, in [0.5, 1]}
+    \cgalParamType{`double`} \cgalParamDefault{0.999, the paper's}
+  \cgalParamNEnd
+  \cgalParamNBegin{degenerate_length}
+    \cgalParamDescription{shorter edges are removed, in units of the size field or, without one, of
+                          `dsc.minimum_interface_edge()`, not negative}
+    \cgalParamType{`double`} \cgalParamDefault{0.5, the paper's}
+  \cgalParamNEnd
+  \cgalParamNBegin{size_field}
+    \cgalParamDescription{the wanted length of edges, a positive function of position:
+                          `double size_field(Approximate_point p)`, callable as `const`, asked
+                          at midpoints of edges, in the coordinates of the complex}
+    \cgalParamType{function object, by value or `std::reference_wrapper`}
+    \cgalParamDefault{`dsc.minimum_interface_edge()` everywhere}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{how many rounds at the most: each round works on what the last one made}
+    \cgalParamType{`unsigned int`} \cgalParamDefault{10}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told of each change of the mesh}
+    \cgalParamType{model of `DeformationVisitor_3`, by value or `std::reference_wrapper`}
+    \cgalParamDefault{`Deformation_visitor_3`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return what was done.
+\throws Deformable_simplicial_complexes::Error if a parameter is out of its range, the complex then
+       being unchanged, or if the size field has a value that is not positive. An exception of the
+       size field or of the visitor leaves a valid complex.
+
+A pass over the cells, then n log n in the number of changed cells.
+*/
+template <class Complex, class NamedParameters =
+                             Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Improvement_report remove_degeneracies(Complex& dsc,
+                                       const NamedParameters& np = NamedParameters()) {
+  namespace tags = Deformable_simplicial_complexes::internal_np;
+  namespace internal = Deformable_simplicial_complexes::internal;
+  using internal::defaults::Degenerate;
+  using Cell_handle = typename Complex::Cell_handle;
+
+  auto visitor = internal::visitor_parameter<Complex>(np);
+  const double quality =
+      internal::quality_parameter(np, tags::degenerate_quality, Degenerate::quality);
+  const double cosine = internal::number_parameter(np, tags::degenerate_cosine, Degenerate::cosine);
+  const double length = internal::number_parameter(np, tags::degenerate_length, Degenerate::length);
+  if (!(cosine >= .5 && cosine <= 1))
+    throw Deformable_simplicial_complexes::Error(
+        "the cosine of the smallest angle of a facet is out of range: use 0.5 to 1");
+  if (!(length >= 0))
+    throw Deformable_simplicial_complexes::Error(
+        "the length of a degenerate edge is out of range: use 0 or more");
+  const unsigned rounds =
+      internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                                internal::defaults::Number_of_iterations::over_mesh);
+  const auto unit = internal::shortest_wanted_length(dsc, np);
+
+  Improvement_report report;
+  Deformable_simplicial_complexes::Cavity<Complex> cavity(dsc);
+  const auto propose = [&](Cell_handle c) {
+    if (internal::Own_operations<Complex>::propose_degenerate_cell_removal(dsc, c, quality, cosine,
+                                                                           cavity))
+      return true;
+    for (int i = 0; i < Complex::corners; ++i)
+      for (int j = i + 1; j < Complex::corners; ++j) {
+        const auto middle =
+            dsc.position(c->vertex(i)) + .5 * dsc.displacement(c->vertex(i), c->vertex(j));
+        if (propose_degenerate_edge_removal(dsc, c, i, j, length * unit(middle), c->quality(),
+                                            cavity))
+          return true;
+      }
+    return false;
+  };
+
+  internal::Work_list<Cell_handle> cells;
+  for (Cell_handle c : dsc.finite_cells())
+    cells.push(c);
+  internal::work_in_rounds(dsc, std::move(cells), rounds,
+                           [&](Cell_handle c, internal::Work_list<Cell_handle>& touched) {
+                             if (!propose(c))
+                               return;
+                             internal::commit_proposal(dsc, cavity, visitor.any(), report);
+                             internal::push_finite(dsc, cavity.created(), touched);
+                           });
+  return report;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_REMOVE_DEGENERACIES_H
