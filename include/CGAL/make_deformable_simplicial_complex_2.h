@@ -34,20 +34,43 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The complex of a filled box, with labels told by `label(filling)`.
+// The complex, empty before, of a filled box, with labels told by `label(filling)`.
 template <class Complex, class NP, class Label>
-Complex fill_box(const Curve_soup_2& soup, const NP& np, const Label& label) {
+Complex fill_box(Complex dsc, const Curve_soup_2& soup, const Bbox_2& box, const NP& np,
+                 const Label& label) {
   const New_mesh_options options = new_mesh_options(np);
   check_crossings(soup);
-  const Planar_filling_2 filling(soup, enclosing_box(soup, np));
+  Planar_filling_2 filling(soup, box);
+  const auto labels = label(filling);
+  if constexpr (!Complex::Domain::has_outside)
+    join_sides(box, filling.points, filling.triangles);
   std::vector<typename Complex::Point_2> points;
   for (const auto& p : filling.points)
     points.emplace_back(p.x(), p.y());
-  Complex dsc;
-  dsc.assign(points, filling.triangles, label(filling));
+  dsc.assign(points, filling.triangles, labels);
   improve_new_mesh(dsc, options);
   return dsc;
 }
+
+// Closed curves together, and the labels of what they enclose.
+template <class Label> struct Closed_curves_2
+{
+  Curve_soup_2 soup;
+  std::vector<Label> labels;
+
+  template <class Curve> explicit Closed_curves_2(const std::vector<Curve>& curves) {
+    if (curves.empty())
+      throw Error("there are no curves: give one at least");
+    for (const auto& curve : curves) {
+      add_curve(curve, labels.size(), soup);
+      labels.push_back(curve.label);
+    }
+  }
+
+  std::vector<Label> label(const Planar_filling_2& filling) const {
+    return label_cells<2>(filling.triangles, soup.walls, labels);
+  }
+};
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
@@ -112,18 +135,41 @@ Complex make_deformable_simplicial_complex_2(
     const std::vector<Labelled_curve_2<typename Complex::Point_2>>& curves,
     const NP& np = Deformable_simplicial_complexes::parameters::default_values()) {
   namespace internal = Deformable_simplicial_complexes::internal;
-  using Deformable_simplicial_complexes::Error;
-  if (curves.empty())
-    throw Error("there are no curves: give one at least");
-  internal::Curve_soup_2 soup;
-  std::vector<typename Complex::Label> labels;
-  for (const auto& curve : curves) {
-    internal::add_curve(curve, labels.size(), soup);
-    labels.push_back(curve.label);
-  }
-  return internal::fill_box<Complex>(soup, np, [&](const internal::Planar_filling_2& filling) {
-    return internal::label_cells<2>(filling.triangles, soup.walls, labels);
-  });
+  const internal::Closed_curves_2<typename Complex::Label> closed(curves);
+  return internal::fill_box(
+      Complex(), closed.soup, internal::enclosing_box(closed.soup, np), np,
+      [&](const internal::Planar_filling_2& filling) { return closed.label(filling); });
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Makes a complex on a flat torus of regions that are bounded by closed polylines, as above. The
+polylines are given unwrapped, in the plane, and may lie across the seam; together they are less
+than a period wide and high. For regions that go around the torus, use a function of labels.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_2` with the domain `Torus_domain<2>`
+\param domain the torus
+\param curves as above; points are rounded to the unit of positions on the torus
+\param np the named parameters above, but for `enclosing_box`
+
+\throws Deformable_simplicial_complexes::Invalid_surface_error if a curve is not as described above,
+        or too large
+\throws Deformable_simplicial_complexes::Error if there is no curve, or parameters are out of range
+
+n log n in the number of segments and triangles.
+*/
+template <class Complex,
+          class NP = Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Complex make_deformable_simplicial_complex_2(
+    const Deformable_simplicial_complexes::Torus_domain<2>& domain,
+    const std::vector<Labelled_curve_2<typename Complex::Point_2>>& curves,
+    const NP& np = Deformable_simplicial_complexes::parameters::default_values()) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  const internal::Closed_curves_2<typename Complex::Label> closed(curves);
+  return internal::fill_box(
+      Complex(domain), closed.soup, internal::box_of_torus(closed.soup, domain.periods()), np,
+      [&](const internal::Planar_filling_2& filling) { return closed.label(filling); });
 }
 
 /*!
@@ -149,12 +195,12 @@ Complex make_deformable_simplicial_complex_2(
     const Seeded_segments_2<typename Complex::Point_2>& segments,
     const NP& np = Deformable_simplicial_complexes::parameters::default_values()) {
   namespace internal = Deformable_simplicial_complexes::internal;
-  using Deformable_simplicial_complexes::Error;
   internal::Curve_soup_2 soup;
   internal::add_segments(segments, 0, soup);
-  return internal::fill_box<Complex>(soup, np, [&](const internal::Planar_filling_2& filling) {
-    return internal::label_by_seeds(segments.seeds, soup, filling);
-  });
+  return internal::fill_box(Complex(), soup, internal::enclosing_box(soup, np), np,
+                            [&](const internal::Planar_filling_2& filling) {
+                              return internal::label_by_seeds(segments.seeds, soup, filling);
+                            });
 }
 
 /*!

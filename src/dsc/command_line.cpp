@@ -32,7 +32,7 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   CLI::App* info = app.add_subcommand("info", "Print what a file holds, in numbers");
   info->add_option(
           "FILE", info_options.file,
-          "A surface (.off, .obj, .ply, .stl), a figure in the plane (.wkt, .poly, .pgm), a "
+          "A surface (.off, .obj, .ply, .stl), a figure in the plane (.wkt, .poly, .pgm, .png), a "
           "checkpoint (.dsc) or a mesh (.mesh, .vtu)")
       ->required();
 
@@ -117,8 +117,8 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   }
 
   if (*info) {
-    require_extension(info_options.file,
-                      {"off", "obj", "ply", "stl", "wkt", "poly", "pgm", "dsc", "mesh", "vtu"});
+    require_extension(info_options.file, {"off", "obj", "ply", "stl", "wkt", "poly", "pgm", "png",
+                                          "dsc", "mesh", "vtu"});
     return info_options;
   }
   if (*convert) {

@@ -14,7 +14,7 @@ int dimension_of(const Run_start& start) {
   const bool is_planar =
       std::any_of(start.inputs.begin(), start.inputs.end(), [](const std::string& input) {
         const std::string format = extension(input);
-        return format == "wkt" || format == "poly" || format == "pgm";
+        return format == "wkt" || format == "poly" || format == "pgm" || format == "png";
       });
   return is_planar || start.figure != Figure::none ? 2 : 3;
 }

@@ -79,7 +79,7 @@ CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
   CLI::Option* inputs = command->add_option(
       "INPUT", m_options.start.inputs,
       "Closed surfaces (.off, .obj, .ply, .stl), or in the plane polygons (.wkt); they get the "
-      "labels 1, 2 and so on. Or segments (.poly) or an image of labels (.pgm)");
+      "labels 1, 2 and so on. Or segments (.poly) or an image of labels (.pgm, .png)");
   CLI::Option* resume = command->add_option("--resume", m_options.resume,
                                             "Continue the run of this checkpoint instead of an "
                                             "INPUT; options of its steps that are not given stay");
@@ -215,9 +215,9 @@ Run_options Run_commands::options() const {
     throw Usage_error("--fit has nothing to fit; name at least one INPUT");
   for (const std::string& input : options.start.inputs)
     if (is_planar)
-      require_extension(input, {"wkt", "poly", "pgm"});
+      require_extension(input, {"wkt", "poly", "pgm", "png"});
     else
-      require_extension(input, {"off", "obj", "ply", "stl", "wkt", "poly", "pgm"});
+      require_extension(input, {"off", "obj", "ply", "stl", "wkt", "poly", "pgm", "png"});
   if (is_new)
     require_dimension(options, is_planar);
   if (is_new && has_ball) {

@@ -13,6 +13,7 @@
 #include <CGAL/IO/SVG_2.h>
 #include <CGAL/IO/VTU_2.h>
 #include <CGAL/IO/checkpoint_2.h>
+#include <CGAL/IO/labelled_PNG_2.h>
 #include <CGAL/IO/labelled_curves_2.h>
 #include <CGAL/IO/labelled_image_2.h>
 #include <CGAL/make_deformable_simplicial_complex_2.h>
@@ -62,8 +63,10 @@ constexpr double edge_of_images = 1; // in pixels
 
 std::unique_ptr<Tracked_complex> track_figure(const Run_start& start,
                                               const std::optional<std::array<double, 6>>& domain) {
-  if (start.inputs.size() == 1 && extension(start.inputs[0]) == "pgm") {
-    const auto image = CGAL::IO::read_labelled_image(start.inputs[0]);
+  const std::string format = start.inputs.size() == 1 ? extension(start.inputs[0]) : "";
+  if (format == "pgm" || format == "png") {
+    const auto image = format == "png" ? CGAL::IO::read_labelled_PNG(start.inputs[0])
+                                       : CGAL::IO::read_labelled_image(start.inputs[0]);
     return std::make_unique<Tracked_complex_2>(
         CGAL::make_deformable_simplicial_complex_2<Complex>(image.bbox(), edge_of_images, image));
   }

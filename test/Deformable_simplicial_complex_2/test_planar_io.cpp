@@ -6,6 +6,7 @@
 #include <CGAL/IO/VTU_2.h>
 #include <CGAL/IO/checkpoint_2.h>
 #include <CGAL/IO/checkpoint_3.h>
+#include <CGAL/IO/labelled_PNG_2.h>
 #include <CGAL/IO/labelled_curves_2.h>
 #include <CGAL/IO/labelled_image_2.h>
 #include <CGAL/advect_interface_2.h>
@@ -85,6 +86,47 @@ std::size_t count(const std::string& text, const std::string& part) {
   for (std::size_t i = text.find(part); i != text.npos; i = text.find(part, i + 1))
     ++result;
   return result;
+}
+
+// 3 times 2 pixels of two bits, indices of a palette; two gray values of 16 bits; one color.
+const char palette_png[] =
+    "\x89\x50\x4e\x47\x0d\x0a\x1a\x0a\x00\x00\x00\x0d\x49\x48\x44\x52\x00\x00\x00\x03\x00"
+    "\x00\x00\x02\x02\x03\x00\x00\x00\xe0\x1a\x8e\x89\x00\x00\x00\x0c\x50\x4c\x54\x45\x00"
+    "\x00\x00\xff\x00\x00\x00\xff\x00\x09\x09\x09\x11\x0d\xc4\x33\x00\x00\x00\x0c\x49\x44"
+    "\x41\x54\x78\xda\x63\x90\x60\x38\x02\x00\x01\x10\x00\xdd\x2f\x18\xdc\x8e\x00\x00\x00"
+    "\x00\x49\x45\x4e\x44\xae\x42\x60\x82";
+const char gray_png[] =
+    "\x89\x50\x4e\x47\x0d\x0a\x1a\x0a\x00\x00\x00\x0d\x49\x48\x44\x52\x00\x00\x00\x02\x00"
+    "\x00\x00\x01\x10\x00\x00\x00\x00\x81\xd9\xfc\x15\x00\x00\x00\x0d\x49\x44\x41\x54\x78"
+    "\xda\x63\x60\x60\x9d\xe3\x00\x00\x01\x8c\x00\xe2\xc8\x63\x52\x0c\x00\x00\x00\x00\x49"
+    "\x45\x4e\x44\xae\x42\x60\x82";
+const char color_png[] =
+    "\x89\x50\x4e\x47\x0d\x0a\x1a\x0a\x00\x00\x00\x0d\x49\x48\x44\x52\x00\x00\x00\x01\x00"
+    "\x00\x00\x01\x08\x02\x00\x00\x00\x90\x77\x53\xde\x00\x00\x00\x0c\x49\x44\x41\x54\x78"
+    "\xda\x63\x60\x64\x62\x06\x00\x00\x0e\x00\x07\xe9\x92\x37\xd4\x00\x00\x00\x00\x49\x45"
+    "\x4e\x44\xae\x42\x60\x82";
+
+template <std::size_t size>
+CGAL::Labelled_image_2 read_png(const char (&bytes)[size], std::size_t length = size - 1) {
+  const Temporary_folder folder;
+  write_bytes(folder / "a.png", std::string(bytes, length));
+  return CGAL::IO::read_labelled_PNG(folder / "a.png");
+}
+
+TEST(Labelled_PNG, has_labels_as_gray_values_or_indices) {
+  const auto image = read_png(palette_png);
+  EXPECT_EQ(image.width, 3u);
+  EXPECT_EQ(image.height, 2u);
+  EXPECT_EQ(image.labels, (std::vector<int>{0, 1, 2, 3, 0, 1}));
+  EXPECT_EQ(read_png(gray_png).labels, (std::vector<int>{5, 40000}));
+}
+
+TEST(Labelled_PNG, refuses_colors_and_what_is_damaged) {
+  using CGAL::Deformable_simplicial_complexes::File_error;
+  EXPECT_THROW(read_png(color_png), File_error);
+  for (std::size_t length = 0; length < 80; ++length)
+    EXPECT_THROW(read_png(palette_png, length), File_error) << length;
+  EXPECT_THROW(CGAL::IO::read_labelled_PNG("no such file.png"), File_error);
 }
 
 } // namespace

@@ -359,4 +359,54 @@ TEST(Curve_shortening, brings_a_bubble_of_a_kept_area_to_rest) {
     EXPECT_NEAR(distance_on_unit_torus(dsc.position(v), Point(.5, .5)), radius, .03 * radius);
 }
 
+using Curve = CGAL::Labelled_curve_2<Point>;
+
+Curve circle(double x, double y, double radius, int n, int label) {
+  Curve curve;
+  std::vector<Point> points;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * std::acos(-1.) * i / n;
+    points.emplace_back(x + radius * std::cos(angle), y + radius * std::sin(angle));
+  }
+  curve.add_polyline(points);
+  curve.label = label;
+  return curve;
+}
+
+TEST(Make_complex_on_a_torus, of_nested_curves_across_the_seams) {
+  const Domain domain({1, 2});
+  const std::vector<Curve> curves = {circle(1, 2.05, .4, 60, 1), circle(1.05, 2, .2, 40, 2)};
+  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(domain, curves);
+  EXPECT_TRUE(dsc.is_valid(true));
+  const auto area = [](double radius, int n) {
+    return radius * radius * n * std::sin(2 * std::acos(-1.) / n) / 2;
+  };
+  EXPECT_NEAR(dsc.area(2), area(.2, 40), 1e-13);
+  EXPECT_NEAR(dsc.area(1), area(.4, 60) - area(.2, 40), 1e-13);
+  EXPECT_NEAR(dsc.area(0) + dsc.area(1) + dsc.area(2), 2, 1e-13);
+  std::size_t on_interface = 0;
+  for (auto v : dsc.interface_vertices()) {
+    ++on_interface;
+    EXPECT_TRUE(std::any_of(curves.begin(), curves.end(), [&](const Curve& curve) {
+      return std::any_of(curve.points.begin(), curve.points.end(), [&](const Point& p) {
+        const Point q = domain.near(p, Point(dsc.position(v).x(), dsc.position(v).y()));
+        return std::hypot(p.x() - q.x(), p.y() - q.y()) < 1e-14;
+      });
+    }));
+  }
+  EXPECT_EQ(on_interface, 100u);
+}
+
+TEST(Make_complex_on_a_torus, refuses_curves_that_do_not_fit) {
+  using namespace CGAL::Deformable_simplicial_complexes;
+  const auto make = [](const std::vector<Curve>& curves) {
+    return CGAL::make_deformable_simplicial_complex_2<Complex>(Domain(), curves);
+  };
+  EXPECT_THROW(make({}), Error);
+  EXPECT_THROW(make({circle(0, 0, .51, 20, 1)}), Invalid_surface_error);
+  EXPECT_THROW(make({circle(0, 0, .2, 20, 1), circle(.9, 0, .2, 20, 1)}), Invalid_surface_error);
+  EXPECT_THROW(make({circle(0, 0, .2, 20, 1), circle(.1, 0, .2, 20, 1)}), Invalid_surface_error);
+  EXPECT_TRUE(make({circle(7.5, -3.5, .45, 20, 1)}).is_valid(true));
+}
+
 } // namespace

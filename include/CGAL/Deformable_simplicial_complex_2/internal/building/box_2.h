@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace CGAL {
@@ -75,6 +76,40 @@ template <class NP> Bbox_2 enclosing_box(const Curve_soup_2& soup, const NP& np)
     box = box_of(CGAL::parameters::get_parameter(np, internal_np::enclosing_box));
   check_enclosed(soup, box);
   return box;
+}
+
+// The box of a torus around curves.
+inline Bbox_2 box_of_torus(const Curve_soup_2& soup, const std::array<double, 2>& periods) {
+  Bbox_2 extent = soup.points.front().bbox();
+  for (const auto& p : soup.points)
+    extent += p.bbox();
+  const double x = (extent.xmin() + extent.xmax() - periods[0]) / 2,
+               y = (extent.ymin() + extent.ymax() - periods[1]) / 2;
+  const Bbox_2 box(x, y, x + periods[0], y + periods[1]);
+  check_enclosed(soup, box);
+  return box;
+}
+
+// Makes opposite sides of a filled box, which have the same points, one.
+inline void join_sides(const Bbox_2& box, std::vector<Planar_kernel::Point_2>& points,
+                       std::vector<std::array<std::size_t, 3>>& triangles) {
+  const auto image = [&](const Planar_kernel::Point_2& p) {
+    return std::array<double, 2>{p.x() == box.xmax() ? box.xmin() : p.x(),
+                                 p.y() == box.ymax() ? box.ymin() : p.y()};
+  };
+  std::map<std::array<double, 2>, std::size_t> places;
+  std::vector<std::size_t> joined(points.size());
+  std::vector<Planar_kernel::Point_2> kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto [place, is_new] = places.emplace(image(points[i]), kept.size());
+    joined[i] = place->second;
+    if (is_new)
+      kept.emplace_back(place->first[0], place->first[1]);
+  }
+  points.swap(kept);
+  for (auto& t : triangles)
+    for (std::size_t& v : t)
+      v = joined[v];
 }
 
 // Rows of almost regular triangles, every other one shifted by half an edge, cut straight at the
