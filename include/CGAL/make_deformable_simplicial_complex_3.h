@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Labelled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Tetrahedralization_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/building/box_grid_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/check_surfaces_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/check_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/enclosing_box_3.h>
@@ -20,6 +21,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -256,6 +258,34 @@ Complex make_deformable_simplicial_complex_3(
   dsc.assign(points, tetrahedra, labels);
   internal::improve_new_mesh(dsc, internal::new_mesh_options(np));
   return dsc;
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Makes a complex in a box from a function that tells labels, such as one of implicit functions:
+almost regular tetrahedra get the labels of their barycenters, then `fit_interface()` moves the
+interface to where labels change.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+\param box the domain, of positive size
+\param edge about how long edges are to be, more than 0
+\param label_at `label_at(p)` tells the label at an `Approximate_point_3` in the box
+\param np the named parameters of `deform_interface()`, for `fit_interface()`
+\throws Deformable_simplicial_complexes::Error if `edge` is not positive, or is less than a millionth
+        of a side; or Invalid_tetrahedra_error if the box is empty, or smaller or larger than
+        complexes can be
+
+Linear in the number of tetrahedra.
+*/
+template <
+    class Complex, class LabelAt,
+    class NamedParameters = Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Complex make_deformable_simplicial_complex_3(const Bbox_3& box, double edge,
+                                             const LabelAt& label_at,
+                                             const NamedParameters& np = NamedParameters()) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  return internal::fill_grid(Complex(), internal::box_grid(box, edge), label_at, np);
 }
 
 /*!
