@@ -141,7 +141,8 @@ int draw_ball(const Cut_locus_options& options, const Surface& surface, double s
   auto front = surface.front(spacing);
   if (options.radius < front.radius())
     throw Usage_error("--radius is less than that of the first front, " +
-                      std::to_string(front.radius()) + "; choose a larger one");
+                      std::to_string(front.radius()) +
+                      "; choose a larger one, or a smaller --spacing");
   bool goes_on = true;
   while (goes_on && front.radius() < options.radius)
     goes_on = front.advance(std::min(step, options.radius - front.radius()));

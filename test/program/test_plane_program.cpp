@@ -159,8 +159,8 @@ TEST_F(Planar_program, finds_cut_loci_of_surfaces_like_a_sphere) {
 
 TEST_F(Planar_program, draws_balls_of_surfaces) {
   expect_error("cut-locus --point 0,0 --radius .01", 2);
-  expect_success("cut-locus --point 0,0 --radius 1 --quiet -o a.svg --report a.json");
-  EXPECT_NEAR(report("a.json").at("ball").at("radius").get<double>(), 1, 1e-12);
+  expect_success("cut-locus --point 0,0 --radius 2 --quiet -o a.svg --report a.json");
+  EXPECT_NEAR(report("a.json").at("ball").at("radius").get<double>(), 2, 1e-12);
   expect_success("cut-locus --surface ellipsoid --point 1,0,0 --radius .7 --quiet -o a.vtu");
   EXPECT_NE(contents(path("a.vtu")).find("UnstructuredGrid"), std::string::npos);
 }
