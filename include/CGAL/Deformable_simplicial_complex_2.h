@@ -66,11 +66,14 @@ public:
   explicit Deformable_simplicial_complex_2(const Domain_& domain)
       : Deformable_simplicial_complex_2(Traits_(), domain) {}
 
-  double area(Label label) const { return this->measure(label); } ///< constant time
-  /// Of the label's interface, without the boundary of the domain. Linear.
+  double area(Label label) const {
+    return this->measure(label);
+  } ///< in the coordinates of the
+    ///< complex; constant time
+  /// Of the label's interface, without the boundary of the domain. As `label_regions()`.
   double length(Label label) const { return region(label).length; }
   /// V - E + F of the label's region, closed in the complex: components less holes, in a box; 0 for
-  /// a label that is not there. Linear.
+  /// a label that is not there. As `label_regions()`.
   int euler_characteristic(Label label) const { return region(label).euler_characteristic; }
 
   /// Measures of the region of a label.

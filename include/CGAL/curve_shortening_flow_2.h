@@ -10,11 +10,13 @@
 namespace CGAL {
 
 /// \ingroup PkgDeformableSimplicialComplex3Ref
-/// Curve shortening flow, step by explicit step.
+/// Curve shortening flow, step by explicit step: as in space, the velocity is the curvature, so that
+/// times are squares of lengths. See `Deformable_simplicial_complexes::Mean_curvature_velocity`.
 using Curve_shortening_velocity_2 = Deformable_simplicial_complexes::Mean_curvature_velocity;
 
 /// \ingroup PkgDeformableSimplicialComplex3Ref
-/// Curve shortening flow, semi-implicitly.
+/// Curve shortening flow, semi-implicitly, with areas kept if wanted. See
+/// `Deformable_simplicial_complexes::Mean_curvature_flow`.
 using Curve_shortening_flow_2 = Deformable_simplicial_complexes::Mean_curvature_flow;
 
 } // namespace CGAL

@@ -14,6 +14,7 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -40,6 +41,9 @@ struct Cut_locus_2
   /// chains of vertices, by their indices, between those of other multiplicities than 2; what is
   /// closed begins and ends in the same vertex
   std::vector<std::vector<std::size_t>> polylines;
+  /// whether it is connected and leaves a disk of the surface; if not, the spacing or the step is
+  /// too large, or the front did not go far enough
+  bool is_complete = false;
 };
 
 namespace Deformable_simplicial_complexes {
@@ -47,8 +51,13 @@ namespace internal {
 
 template <class Front>
 Cut_locus_2 cut_locus_of_front(Front front, double step, double longest_distance) {
-  if (!(step > 0))
-    throw Error("the step of the front is not positive");
+  static constexpr double shortest = 1e-3; // of the longest step
+  if (!(step >= shortest * front.longest_step() && std::isfinite(step)))
+    throw Error(
+        "the step of the front is out of range: use about half the spacing, as long as that "
+        "is on the surface");
+  if (!(longest_distance > 0))
+    throw Error("the longest distance is not positive");
   while (front.radius() < longest_distance && front.advance(step)) {
   }
   const Chordal_axis_2<Front> axis(front);
@@ -71,16 +80,17 @@ the torus is a disk; edges that would contradict this are left out.
 \param domain the torus
 \param point in the chart
 \param spacing about how long the edges of the mesh, and of the cut locus, are in the chart
-\param step by how much the front advances at once, more than 0; half the spacing, measured at the
-       point, is a good choice
-\param longest_distance the front goes no farther
+\param step by how much the front advances at once, on the manifold; half the spacing, measured at
+       the point, is a good choice; at least a thousandth, and divided if it is more than that
+\param longest_distance the front goes no farther: what it would meet beyond is not found
 
-\return nothing at all if the spacing is too large for the arcs
+\return nothing at all if the spacing is too large for the arcs. See `Cut_locus_2::is_complete`.
 
 \throws Deformable_simplicial_complexes::Error if the metric is not positive at the point or on the
         way of a geodesic, or a parameter is out of its range
 
-Features of less than a few spacings are not resolved: spurs that are shorter are taken away.
+Features of less than a few spacings are not resolved: spurs that are shorter are taken away. Takes
+the integration of some geodesics for each point and edge, and is quadratic in the number of points.
 */
 template <class Metric>
 Cut_locus_2 cut_locus_2(const Metric& metric,

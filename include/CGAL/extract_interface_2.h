@@ -73,6 +73,26 @@ extract_interface(const Deformable_simplicial_complex_2<Traits, Tds, Domain>& ds
           std::move(extracted.vertices)};
 }
 
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+extracts the interface between two labels as a curve: otherwise as above.
+
+\param dsc is the complex; it is not changed.
+\param a, b two labels; the larger one is on the left.
+
+Linear in the number of cells, and n log n in the size of the interface.
+*/
+template <class Traits, class Tds, class Domain>
+Interface_curve_2<Deformable_simplicial_complex_2<Traits, Tds, Domain>>
+extract_interface(const Deformable_simplicial_complex_2<Traits, Tds, Domain>& dsc, int a, int b) {
+  Deformable_simplicial_complexes::internal::Extracted_facets<
+      Deformable_simplicial_complex_2<Traits, Tds, Domain>>
+      extracted(dsc, dsc.interface_facets(a, b), false);
+  return {std::move(extracted.points), std::move(extracted.facets), std::move(extracted.labels),
+          std::move(extracted.vertices)};
+}
+
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
@@ -94,8 +114,8 @@ connected_cells(const Complex& complex, typename Complex::Cell_handle first,
   return result;
 }
 
-// The boundaries of the parts of a label: for each connected component of its cells closed ways
-// with that on their left, which pass no vertex twice.
+// The boundaries of the parts of labels: for each connected component of cells of a label closed
+// ways with that on their left, which pass no vertex twice.
 template <class Complex> class Label_boundary_2
 {
 public:
@@ -103,12 +123,14 @@ public:
   using Cell_handle = typename Complex::Cell_handle;
   using Way = std::vector<Vertex_handle>;
 
-  Label_boundary_2(const Complex& complex, typename Complex::Label label) : m_complex(complex) {
+  // Of the cells whose labels are wanted.
+  template <class Wanted>
+  Label_boundary_2(const Complex& complex, const Wanted& is_wanted) : m_complex(complex) {
     std::set<Cell_handle> found;
     for (Cell_handle first : complex.cells()) {
-      if (complex.label(first) != label || found.count(first) > 0)
+      if (!is_wanted(complex.label(first)) || found.count(first) > 0)
         continue;
-      m_ways.emplace_back();
+      m_parts.push_back({complex.label(first), {}});
       for (Cell_handle c : connected_cells(complex, first, found))
         for (int i = 0; i < 3; ++i)
           if (is_side(c, i) && m_followed.insert({c, i}).second)
@@ -116,8 +138,26 @@ public:
     }
   }
 
-  // One set for each component, in the order of their first cells.
-  const std::vector<std::vector<Way>>& ways() const { return m_ways; }
+  struct Part
+  {
+    typename Complex::Label label;
+    std::vector<Way> ways;
+  };
+
+  // One for each component, in the order of their first cells.
+  const std::vector<Part>& parts() const { return m_parts; }
+
+  // Whether a way goes counterclockwise around what it bounds, exactly: as it does at its first
+  // vertex from the left.
+  bool is_outer(const Way& way) const {
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < way.size(); ++i)
+      if (way[i]->point() < way[first]->point())
+        first = i;
+    const auto point = [&](std::size_t i) { return way[i % way.size()]->point(); };
+    return m_complex.orientation()(point(first + way.size() - 1), point(first), point(first + 1)) ==
+           COUNTERCLOCKWISE;
+  }
 
 private:
   bool is_side(Cell_handle c, int i) const {
@@ -128,7 +168,7 @@ private:
   // Edge after edge, always with the next one of the same fan of cells. What lies between two
   // visits to a vertex is a way of its own.
   void follow(Cell_handle c, int i) {
-    auto& ways = m_ways.back();
+    auto& ways = m_parts.back().ways;
     Way way;
     std::map<Vertex_handle, std::size_t> place; // in the way
     do {
@@ -154,8 +194,42 @@ private:
 
   const Complex& m_complex;
   std::set<typename Complex::Facet> m_followed;
-  std::vector<std::vector<Way>> m_ways;
+  std::vector<Part> m_parts;
 };
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+using Extracted_polygon_2 = Polygon_with_holes_2<Exact_predicates_inexact_constructions_kernel>;
+
+// Those of the labels that are wanted.
+template <class Complex, class Wanted>
+std::map<int, std::vector<Extracted_polygon_2>> polygons_of_labels(const Complex& dsc,
+                                                                   const Wanted& is_wanted) {
+  using Polygon = Extracted_polygon_2::Polygon_2;
+  std::map<int, std::vector<Extracted_polygon_2>> result;
+  const Label_boundary_2<Complex> boundary(dsc, is_wanted);
+  for (const auto& part : boundary.parts()) {
+    Polygon outer;
+    std::vector<Polygon> holes;
+    for (const auto& way : part.ways) {
+      Polygon polygon;
+      for (auto v : way) {
+        const auto p = dsc.user_position(v);
+        polygon.push_back({p.x(), p.y()});
+      }
+      if (boundary.is_outer(way))
+        outer = std::move(polygon);
+      else
+        holes.push_back(std::move(polygon));
+    }
+    result[part.label].emplace_back(std::move(outer), holes.begin(), holes.end());
+  }
+  return result;
+}
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
@@ -172,31 +246,29 @@ component. Holes may touch each other and the outer boundary in vertices.
 
 n log n in the number of cells.
 */
-template <class Traits, class Tds>
+template <class Traits, class Tds, class Domain>
 std::vector<Polygon_with_holes_2<Exact_predicates_inexact_constructions_kernel>>
-extract_polygons(const Deformable_simplicial_complex_2<Traits, Tds>& dsc, int label) {
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
-  using Polygon = Polygon_2<Kernel>;
-  using Complex = Deformable_simplicial_complex_2<Traits, Tds>;
-  std::vector<Polygon_with_holes_2<Kernel>> result;
-  const Deformable_simplicial_complexes::internal::Label_boundary_2<Complex> boundary(dsc, label);
-  for (const auto& component : boundary.ways()) {
-    Polygon outer;
-    std::vector<Polygon> holes;
-    for (const auto& way : component) {
-      Polygon polygon;
-      for (auto v : way) {
-        const auto p = dsc.user_position(v);
-        polygon.push_back(Kernel::Point_2(p.x(), p.y()));
-      }
-      if (polygon.area() > 0)
-        outer = std::move(polygon);
-      else
-        holes.push_back(std::move(polygon));
-    }
-    result.emplace_back(std::move(outer), holes.begin(), holes.end());
-  }
-  return result;
+extract_polygons(const Deformable_simplicial_complex_2<Traits, Tds, Domain>& dsc, int label) {
+  static_assert(Domain::has_outside, "a region of a torus need not be a polygon");
+  return Deformable_simplicial_complexes::internal::polygons_of_labels(
+      dsc, [label](int other) { return other == label; })[label];
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+extracts the regions of all labels at once, as above: by their labels.
+
+\param dsc is the complex, whose domain is no torus. It is not changed.
+
+n log n in the number of cells.
+*/
+template <class Traits, class Tds, class Domain>
+std::map<int, std::vector<Polygon_with_holes_2<Exact_predicates_inexact_constructions_kernel>>>
+extract_polygons(const Deformable_simplicial_complex_2<Traits, Tds, Domain>& dsc) {
+  static_assert(Domain::has_outside, "a region of a torus need not be a polygon");
+  return Deformable_simplicial_complexes::internal::polygons_of_labels(dsc,
+                                                                       [](int) { return true; });
 }
 
 } // namespace CGAL

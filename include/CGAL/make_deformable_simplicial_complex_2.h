@@ -231,8 +231,12 @@ Complex make_deformable_simplicial_complex_2(
   namespace internal = Deformable_simplicial_complexes::internal;
   Complex dsc;
   const auto orientation = dsc.orientation();
+  const bool has_numbers = std::all_of(points.begin(), points.end(), [](const auto& p) {
+    return internal::has_finite_coordinates(internal::coordinates_of<2>(p));
+  });
   for (auto& t : triangles)
-    if (std::all_of(t.begin(), t.end(), [&](std::size_t v) { return v < points.size(); }) &&
+    if (has_numbers &&
+        std::all_of(t.begin(), t.end(), [&](std::size_t v) { return v < points.size(); }) &&
         orientation(points[t[0]], points[t[1]], points[t[2]]) == CLOCKWISE)
       std::swap(t[1], t[2]);
   dsc.assign(points, triangles, labels);
@@ -252,9 +256,8 @@ where labels change.
 \param edge about how long edges are to be, more than 0
 \param label_at `label_at(p)` tells the label at an `Approximate_point_2` in the box
 \param np the named parameters of `deform_interface()`, for `fit_interface()`
-\throws Deformable_simplicial_complexes::Error if `edge` is not positive, or is less than a millionth
-        of a side; or Invalid_tetrahedra_error if the box is empty, or smaller or larger than
-        complexes can be
+\throws Deformable_simplicial_complexes::Error if `edge` is not positive, or too short, or the box is
+        empty; or Invalid_tetrahedra_error if it is smaller or larger than complexes can be
 
 Linear in the number of triangles.
 */

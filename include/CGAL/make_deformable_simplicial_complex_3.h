@@ -272,9 +272,8 @@ interface to where labels change.
 \param edge about how long edges are to be, more than 0
 \param label_at `label_at(p)` tells the label at an `Approximate_point_3` in the box
 \param np the named parameters of `deform_interface()`, for `fit_interface()`
-\throws Deformable_simplicial_complexes::Error if `edge` is not positive, or is less than a millionth
-        of a side; or Invalid_tetrahedra_error if the box is empty, or smaller or larger than
-        complexes can be
+\throws Deformable_simplicial_complexes::Error if `edge` is not positive, or too short, or the box is
+        empty; or Invalid_tetrahedra_error if it is smaller or larger than complexes can be
 
 Linear in the number of tetrahedra.
 */

@@ -27,7 +27,8 @@ public:
   using Point_2 = Simple_cartesian<double>::Point_2;   ///< in the coordinates of the unit square
   using Vector_2 = Simple_cartesian<double>::Vector_2; ///< in the coordinates of the unit square
 
-  /// \param period velocities are multiplied by \f$\cos(\pi t / T)\f$ with this T, positive.
+  /// \param period velocities are multiplied by \f$\cos(\pi t / T)\f$ with this T.
+  /// \pre it is positive
   explicit Single_vortex_velocity_2(double period = 8) : m_period(period) {}
 
   /// The velocity at p at the time t.

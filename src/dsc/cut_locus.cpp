@@ -119,7 +119,7 @@ template <class Surface> Json json_of(const CGAL::Cut_locus_2& locus, const Surf
                         {"multiplicity", vertex.multiplicity}});
     surface.describe(vertex.point, vertices.back());
   }
-  return {{"vertices", vertices}, {"arcs", locus.polylines}};
+  return {{"vertices", vertices}, {"arcs", locus.polylines}, {"is_complete", locus.is_complete}};
 }
 
 Json parameters(const Cut_locus_options& options, double spacing, double step) {
@@ -182,8 +182,9 @@ int find_cut_locus(const Cut_locus_options& options, const Surface& surface, dou
       nearest = std::min(nearest, vertex.distance);
       farthest = std::max(farthest, vertex.distance);
     }
-    std::printf("dsc: %zu arcs of %zu points, at distances of %.9g to %.9g\n",
-                locus.polylines.size(), locus.vertices.size(), nearest, farthest);
+    std::printf("dsc: %zu arcs of %zu points, at distances of %.9g to %.9g%s\n",
+                locus.polylines.size(), locus.vertices.size(), nearest, farthest,
+                locus.is_complete ? "" : "; there is more of it: use a smaller --spacing");
   }
   return 0;
 }

@@ -330,6 +330,79 @@ TEST(Sphere_like_surface, has_a_source) {
                Error);
 }
 
+// Of the period 1, in any unit: chart and manifold may have different ones.
+TEST(Cut_locus, does_not_depend_on_units) {
+  struct Metric
+  {
+    double scale;
+    CGAL::Metric_jet_2 operator()(double, double) const {
+      return {scale * scale, 0, scale * scale, 0, 0, 0, 0, 0, 0};
+    }
+  };
+  for (double period : {1e-14, 1., 1e10})
+    for (double scale : {1e-8, 1e8}) {
+      const Domain domain({period, period});
+      const CGAL::Cut_locus_2 locus =
+          CGAL::cut_locus_2(Metric{scale}, domain, Point(.2 * period, .3 * period), .05 * period,
+                            .025 * period * scale);
+      EXPECT_TRUE(locus.is_complete);
+      EXPECT_EQ(locus.polylines.size(), 2u);
+      for (const auto& v : locus.vertices) {
+        const double u = std::abs(std::remainder(v.point.x() / period - .2, 1)),
+                     w = std::abs(std::remainder(v.point.y() / period - .3, 1));
+        EXPECT_NEAR((std::max)(u, w), .5, 1e-7);
+        EXPECT_NEAR(v.distance / (period * scale), std::hypot(u, w), 1e-7);
+      }
+    }
+}
+
+TEST(Cut_locus, tells_whether_it_is_complete) {
+  EXPECT_FALSE(CGAL::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), .05, .025, .52).is_complete);
+  EXPECT_TRUE(CGAL::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), .05, .025, .8).is_complete);
+}
+
+// A step that is too long is divided.
+TEST(Geodesic_front, goes_on_by_any_length) {
+  CGAL::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(0, 0), .04);
+  EXPECT_TRUE(front.advance(.3));
+  EXPECT_TRUE(front.advance(1e-7));
+  for (double length : {0., -1., std::nan(""), 1e-300, 1e10})
+    EXPECT_THROW(front.advance(length), Error) << length;
+  const CGAL::Geodesic_distance_2<Flat_metric> distance(front);
+  EXPECT_NEAR(distance(Point(.1, .2)), std::hypot(.1, .2), 1e-9);
+}
+
+// Where it is not positive, no geodesic goes; the front stays as it was.
+TEST(Geodesic_front, ends_where_the_metric_is_not_positive) {
+  const auto metric = [](double, double v) {
+    const double G = std::abs(v - .5) < .2 ? -1 : 1;
+    return CGAL::Metric_jet_2{1, 0, G, 0, 0, 0, 0, 0, 0};
+  };
+  CGAL::Geodesic_front_2<decltype(metric)> front(metric, Domain(), Point(.3, 0), .04);
+  double last = front.radius();
+  try {
+    for (;; last = front.radius())
+      front.advance(.02);
+  } catch (const Error&) {
+  }
+  EXPECT_LT(last, .32);
+  EXPECT_EQ(front.radius(), last);
+  for (auto v : front.complex().interface_vertices())
+    EXPECT_NEAR(front.ray(v).length, last, 1e-12);
+}
+
+TEST(Geodesic_distance, close_to_the_source) {
+  CGAL::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(.3, .3), .04);
+  const CGAL::Geodesic_distance_2<Flat_metric> at_once(front);
+  EXPECT_NEAR(at_once(Point(.35, .3)), .05, 1e-12);
+  front.advance(.2);
+  const CGAL::Geodesic_distance_2<Flat_metric> distance(front);
+  for (double radius : {1e-12, 1e-9, 1e-6, 1e-3, .03})
+    for (double angle : {0., 1., 2., 3., 4., 5.})
+      EXPECT_NEAR(distance(Point(.3 + radius * std::cos(angle), .3 + radius * std::sin(angle))),
+                  radius, 1e-12 + 1e-6 * radius);
+}
+
 TEST(Cut_locus, refuses_what_it_cannot_do) {
   const auto find = [](double spacing, double step) {
     return CGAL::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), spacing, step);
@@ -338,6 +411,18 @@ TEST(Cut_locus, refuses_what_it_cannot_do) {
   EXPECT_THROW(find(.1, .1), Error);
   EXPECT_THROW(find(.05, 0), Error);
   EXPECT_THROW(find(.05, std::nan("")), Error);
+  EXPECT_THROW(find(.05, 1e-300), Error);
+  EXPECT_THROW(find(.05, std::numeric_limits<double>::infinity()), Error);
+  for (double distance : {0., -1., std::nan("")})
+    EXPECT_THROW(CGAL::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), .05, .02, distance),
+                 Error);
+  for (double x : {std::nan(""), std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(CGAL::cut_locus_2(Flat_metric(), Domain(), Point(x, 0), .05, .02), Error);
+  const auto anisotropic = [](double, double) {
+    return CGAL::Metric_jet_2{1, 0, 100, 0, 0, 0, 0, 0, 0};
+  };
+  EXPECT_THROW(CGAL::cut_locus_2(anisotropic, Domain(), Point(0, 0), .05, .02), Error);
+  EXPECT_TRUE(CGAL::cut_locus_2(anisotropic, Domain(), Point(0, 0), .01, .005).is_complete);
   const auto no_metric = [](double, double) {
     return CGAL::Metric_jet_2{1, 1, 1, 0, 0, 0, 0, 0, 0};
   };

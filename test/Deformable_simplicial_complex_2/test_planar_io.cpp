@@ -129,6 +129,88 @@ TEST(Labelled_PNG, refuses_colors_and_what_is_damaged) {
   EXPECT_THROW(CGAL::IO::read_labelled_PNG("no such file.png"), File_error);
 }
 
+// Its area is lost by rounding.
+TEST(Extract_polygons, knows_outer_boundaries_exactly) {
+  CGAL::Labelled_curve_2<Point> curve;
+  curve.add_polyline(std::vector<Point>{Point(1000.0219146334566, 1000.6913223492447),
+                                        Point(1000.5913591883145, 1001.6250651841983),
+                                        Point(1000.322820012226, 1001.1847298970524)});
+  const auto dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+      {curve}, CGAL::Deformable_simplicial_complexes::parameters::improve(false));
+  const auto polygons = CGAL::extract_polygons(dsc, 1);
+  ASSERT_EQ(polygons.size(), 1u);
+  EXPECT_EQ(polygons[0].outer_boundary().size(), 3u);
+  EXPECT_EQ(polygons[0].number_of_holes(), 0u);
+  const Temporary_folder folder;
+  CGAL::IO::write_WKT(folder / "a.wkt", dsc);
+  EXPECT_EQ(CGAL::IO::read_labelled_curves<Point>(folder / "a.wkt").size(), 1u);
+  EXPECT_TRUE(CGAL::extract_polygons(dsc, 7).empty());
+}
+
+TEST(Extract_interface_2, between_two_labels) {
+  const Complex dsc = phases();
+  EXPECT_EQ(CGAL::extract_interface(dsc).segments.size(),
+            CGAL::extract_interface(dsc, 0, 1).segments.size() +
+                CGAL::extract_interface(dsc, 0, 2).segments.size() +
+                CGAL::extract_interface(dsc, 2, 1).segments.size() +
+                CGAL::extract_interface(dsc, 0, 3).segments.size());
+  EXPECT_TRUE(CGAL::extract_interface(dsc, 1, 3).segments.empty());
+}
+
+TEST(Make_complex_2, refuses_what_is_not_finite_or_empty) {
+  using CGAL::Deformable_simplicial_complexes::Error;
+  using CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error;
+  for (double x : {std::nan(""), std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(CGAL::make_deformable_simplicial_complex_2<Complex>(
+                     {Point(0, 0), Point(1, 0), Point(x, 1)}, {{0, 1, 2}}, {0}),
+                 Invalid_tetrahedra_error);
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const CGAL::Bbox_2& box :
+       {CGAL::Bbox_2(), CGAL::Bbox_2(1, 1, 0, 0), CGAL::Bbox_2(0, 0, 1, 0),
+        CGAL::Bbox_2(0, 0, inf, 1), CGAL::Bbox_2(0, 0, 1 << 19, 1 << 19)})
+    EXPECT_THROW(
+        CGAL::make_deformable_simplicial_complex_2<Complex>(box, 1, [](const auto&) { return 0; }),
+        Error);
+}
+
+TEST(Make_complex_2, takes_polylines_that_repeat_their_first_point) {
+  CGAL::Labelled_curve_2<Point> curve;
+  curve.add_polyline(std::vector<Point>{Point(0, 0), Point(1, 0), Point(0, 1), Point(0, 0)});
+  EXPECT_EQ(curve.points.size(), 3u);
+  EXPECT_NEAR(CGAL::make_deformable_simplicial_complex_2<Complex>({curve}).area(1), .5, 1e-15);
+}
+
+TEST(Wkt, in_other_dialects) {
+  EXPECT_EQ(read_wkt("\xef\xbb\xbfpolygon ((0 0, 1 0, 0 1, 0 0))").size(), 1u);
+  EXPECT_TRUE(read_wkt("polygon empty").empty());
+  EXPECT_TRUE(read_wkt("MULTIPOLYGON (EMPTY, Empty)").empty());
+  EXPECT_THROW(read_wkt("POLYGON Z ((0 0 0, 1 0 0, 0 1 0, 0 0 0))"), File_error);
+}
+
+TEST(Poly, is_in_the_plane) {
+  EXPECT_THROW(read_poly("3 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n1\n1 1 2\n0\n"), File_error);
+}
+
+TEST(Svg, refuses_windows_that_are_none) {
+  using CGAL::Deformable_simplicial_complexes::Error;
+  const Temporary_folder folder;
+  const Complex dsc = phases();
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const CGAL::Bbox_2& window :
+       {CGAL::Bbox_2(1, 1, 0, 0), CGAL::Bbox_2(0, 0, 0, 1), CGAL::Bbox_2(0, 0, std::nan(""), 1),
+        CGAL::Bbox_2(0, 0, inf, 1), CGAL::Bbox_2(0, 0, 1e-9, 1)}) {
+    CGAL::IO::SVG_options options;
+    options.window = window;
+    EXPECT_THROW(CGAL::IO::write_SVG(folder / "a.svg", dsc, options), Error) << window;
+  }
+  CGAL::IO::SVG_options options;
+  options.width = inf;
+  EXPECT_THROW(CGAL::IO::write_SVG(folder / "a.svg", dsc, options), Error);
+  options.width = 100;
+  options.window = CGAL::Bbox_2(.5, .4, .5 + 1e-100, .4 + 1e-100);
+  EXPECT_THROW(CGAL::IO::write_SVG(folder / "a.svg", dsc, options), Error); // nothing, rounded
+}
+
 } // namespace
 
 TEST(Polygons_2, have_the_holes_of_the_regions) {
@@ -316,9 +398,10 @@ TEST(Labelled_image, of_text_and_bytes) {
   EXPECT_EQ(text(Point(2.5, 1.5)), 2);
   EXPECT_EQ(text(Point(-9, 9)), 0);
   EXPECT_EQ(read_image(std::string("P5 2 1 255\n\1\2", 13)).labels, (std::vector<int>{1, 2}));
-  EXPECT_EQ(read_image(std::string("P5 1 1 256\n\1\2", 13)).labels, (std::vector<int>{258}));
-  for (const std::string bytes : {"", "P6 1 1 255\n\1\1\1", "P5 2 2 255\n\1", "P2 2 2 255\n1 2 3",
-                                  "P2 0 1 1\n", "P5 1048577 1 255\n", "P2 1 1 9\n10", "P5"})
+  EXPECT_EQ(read_image(std::string("P5 1 1 999\n\1\2", 13)).labels, (std::vector<int>{258}));
+  for (const std::string bytes :
+       {"", "P6 1 1 255\n\1\1\1", "P5 2 2 255\n\1", "P2 2 2 255\n1 2 3", "P2 0 1 1\n",
+        "P5 1048577 1 255\n", "P2 1 1 9\n10", "P5", "P5 1 1 5\n\x09", "P5 1 1 255#\1", "P21 1 5 3"})
     EXPECT_THROW(read_image(bytes), File_error) << bytes;
 }
 

@@ -8,6 +8,7 @@
 #include <CGAL/Deformable_simplicial_complex_2/Geodesic_front_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/Geodesic_finder_2.h>
 
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -31,27 +32,27 @@ public:
   /*!
   \param front has gone as far as distances are asked for, or until all of it has stopped
 
-  Follows the rays of the front's vertices anew: the time is that of the front's own integration.
+  Follows the rays of the front's vertices anew, which takes about as long as the front did for it.
 
   \throws Deformable_simplicial_complexes::Error if the metric is not positive on the way of one
   */
   explicit Geodesic_distance_2(Front front)
       : m_front(std::make_shared<Front>(std::move(front))), m_finder(*m_front) {
     static constexpr double difference = 1e-5; // radians
-    const double step = 2 * m_front->step();
+    const double step = m_front->longest_step();
     for (auto v : m_front->complex().interface_vertices()) {
       const auto& ray = m_front->ray(v);
-      if (!(step > 0))
-        break;
-      auto state = m_front->shoot(ray.angle, step),
-           next = m_front->shoot(ray.angle + difference, step);
-      for (double length = step; length <= ray.length; length += step) {
-        if (length > step) {
-          state = m_front->continue_ray(state, step);
-          next = m_front->continue_ray(next, step);
+      const int number = int(std::ceil(ray.length / step));
+      const double part = ray.length / number;
+      auto state = m_front->shoot(ray.angle, part),
+           next = m_front->shoot(ray.angle + difference, part);
+      for (int k = 1; k <= number; ++k) {
+        if (k > 1) {
+          state = m_front->continue_ray(state, part);
+          next = m_front->continue_ray(next, part);
         }
         if (m_front->is_in_chart(state))
-          m_finder.add({{ray.angle, length},
+          m_finder.add({{ray.angle, k * part},
                         state,
                         {(next[0] - state[0]) / difference, (next[1] - state[1]) / difference},
                         {state[2], state[3]}});
@@ -59,11 +60,18 @@ public:
     }
   }
 
-  /// The distance of a point of the chart, to about 1e-9; infinity if the front did not come near.
-  /// Takes the integration of some geodesics to it.
+  /// The distance of a point of the chart, to about 1e-9 of the width of the chart; infinity if the
+  /// front did not come near. Takes the integration of some geodesics to it.
   double operator()(const Point_2& p) const {
-    if (m_front->length_near_source(p) == 0)
-      return 0;
+    // Near the source one geodesic leads to it, which begins almost as if the chart were flat.
+    static constexpr double near = 3, at_source = 1e-6; // spacings
+    const auto straight = m_front->departure(p);
+    const double spacing = m_front->length_of_spacing();
+    if (straight.length <= at_source * spacing)
+      return straight.length;
+    if (straight.length < near * spacing)
+      if (const auto found = m_finder.geodesic_to(p, {straight.angle, straight.length}))
+        return found->length;
     const auto geodesics = m_finder.geodesics_to(p, 1, {});
     return geodesics.empty() ? std::numeric_limits<double>::infinity() : geodesics[0].length;
   }

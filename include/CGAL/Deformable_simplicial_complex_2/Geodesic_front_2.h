@@ -42,6 +42,9 @@ template <class Metric> class Geodesic_front_2
 public:
   /// The torus of the chart.
   using Domain = Deformable_simplicial_complexes::Torus_domain<2>;
+  /// The number of cycles in a cut locus that leaves a disk.
+  static constexpr std::size_t cycles_of_cut_locus =
+      Deformable_simplicial_complexes::internal::Geodesics_2<Metric>::cycles_of_cut_locus;
   /// Of the chart.
   using Complex =
       Deformable_simplicial_complex_2<Deformable_simplicial_complex_traits_2<>, Default, Domain>;
@@ -67,8 +70,8 @@ public:
   \param point in the chart
   \param spacing about how long the edges of the mesh and the front are in the chart; at most a
          twentieth of the periods
-  \throws Deformable_simplicial_complexes::Error if the metric is not positive at the point, or the
-         spacing is out of range
+  \throws Deformable_simplicial_complexes::Error if the metric is not positive at the point, the
+         spacing is out of range, or three spacings go around the torus
   */
   Geodesic_front_2(const Metric& metric, const Domain& domain, const Point_2& point, double spacing)
       : Geodesic_front_2(Geodesics(metric, domain, point), domain, spacing) {}
@@ -87,21 +90,28 @@ public:
   Geodesic_front_2(const Surface& surface, double spacing)
       : Geodesic_front_2(Geodesics(surface), surface.domain(), spacing) {}
 
-  /// Goes on by a length, in steps of about the spacing at the most. Returns whether some of the
-  /// front has not stopped.
+  /*!
+  Goes on by a length, in equal steps of `longest_step()` at the most. Returns whether some of the
+  front has not stopped.
+
+  \throws Deformable_simplicial_complexes::Error if the length is not positive, or is lost beside the
+         radius, or is more than a million steps; or if a geodesic cannot be followed, the front
+  then being as after the last step that could be done
+  */
   bool advance(double length) {
-    m_radius += length;
-    m_step = length;
-    for (auto& [time_stamp, ray] : m_rays)
-      if (!ray.is_stopped) {
-        ray.state = m_geodesics.advance(ray.state, length);
-        ray.length = m_radius;
-      }
-    move();
-    refine();
-    return std::any_of(m_rays.begin(), m_rays.end(),
-                       [](const auto& item) { return !item.second.is_stopped; });
+    static constexpr double most = 1e6;
+    if (!(length > 0 && m_radius + length > m_radius && length <= most * longest_step()))
+      throw Deformable_simplicial_complexes::Error(
+          "the step of the front is out of range: use more than 0, and about half the spacing");
+    const int number = int(std::ceil(length / longest_step()));
+    for (int i = 0; i < number && is_going(); ++i)
+      step_by(length / number);
+    return is_going();
   }
+
+  /// The spacing, where the metric is shortest for it: at the source, or opposite to it on a
+  /// `Sphere_like_surface_2`.
+  double longest_step() const { return m_geodesics.shortest(m_spacing); }
 
   /// The length of the geodesics that have not stopped.
   double radius() const { return m_radius; }
@@ -109,8 +119,10 @@ public:
   const Complex& complex() const { return m_complex; }
   /// The geodesic of a vertex of the front. \pre it is on the interface
   const Ray& ray(Vertex_handle v) const { return m_rays.at(v->time_stamp()); }
-  /// By how much it last went on.
+  /// The largest step that it has gone.
   double step() const { return m_step; }
+  /// About how long a vector is that is as long as the spacing in the chart.
+  double length_of_spacing() const { return m_geodesics.longest(m_spacing); }
   /// About how long edges are.
   double spacing() const { return m_spacing; }
   /// Where the geodesic at an angle is after a length. \pre on a `Sphere_like_surface_2` it is not
@@ -120,8 +132,9 @@ public:
   State continue_ray(const State& state, double length) const {
     return m_geodesics.advance(state, length);
   }
-  /// The length of the geodesic to a point, if the metric were that of the source everywhere.
-  double length_near_source(const Point_2& p) const { return m_geodesics.departure(p).length; }
+  /// The angle and the length of the geodesic to a point, if the metric were that of the source
+  /// everywhere.
+  auto departure(const Point_2& p) const { return m_geodesics.departure(p); }
   /// Whether the chart reaches as far.
   bool is_in_chart(const State& state) const { return m_geodesics.is_in_chart(state); }
 
@@ -147,6 +160,27 @@ private:
       m_rays[v->time_stamp()] = {angle, m_radius, m_geodesics.shoot(angle, m_radius), false, 0};
     }
     move();
+  }
+
+  bool is_going() const {
+    return std::any_of(m_rays.begin(), m_rays.end(),
+                       [](const auto& item) { return !item.second.is_stopped; });
+  }
+
+  void step_by(double length) {
+    std::vector<State> states;
+    for (const auto& [time_stamp, ray] : m_rays)
+      states.push_back(ray.is_stopped ? ray.state : m_geodesics.advance(ray.state, length));
+    m_radius += length;
+    m_step = (std::max)(m_step, length);
+    auto state = states.begin();
+    for (auto& [time_stamp, ray] : m_rays) {
+      ray.state = *state++;
+      if (!ray.is_stopped)
+        ray.length = m_radius;
+    }
+    move();
+    refine();
   }
 
   static Point_2 point(const State& state) { return Point_2(state[0], state[1]); }

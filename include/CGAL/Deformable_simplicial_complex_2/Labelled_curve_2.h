@@ -28,10 +28,12 @@ template <class Point> struct Labelled_curve_2
   std::vector<std::array<std::size_t, 2>> segments; ///< indices into `points`
   int label = 1;                                    ///< the label of the region; 0 is the outside
 
-  /// Adds a closed polyline, whose last point is joined to the first.
+  /// Adds a closed polyline, whose last point is joined to the first, or is equal to it.
   template <class Points> void add_polyline(const Points& polyline) {
     const std::size_t first = points.size();
     points.insert(points.end(), polyline.begin(), polyline.end());
+    if (points.size() > first + 1 && points.back() == points[first])
+      points.pop_back();
     for (std::size_t i = first; i < points.size(); ++i)
       segments.push_back({i, i + 1 < points.size() ? i + 1 : first});
   }

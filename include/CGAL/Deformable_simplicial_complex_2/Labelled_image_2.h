@@ -28,7 +28,8 @@ struct Labelled_image_2
   /// The rectangle of all pixels.
   Bbox_2 bbox() const { return {0, 0, double(width), double(height)}; }
 
-  /// The label of the pixel that p is in; of the nearest if it is outside. \pre there is a pixel
+  /// The label of the pixel that p is in; of the nearest if it is outside. \pre there is a pixel,
+  /// each has a label, and p has no NaN
   template <class Point> int operator()(const Point& p) const {
     const auto index = [](double x, std::size_t n) {
       return std::size_t((std::min)((std::max)(std::floor(x), 0.), double(n - 1)));

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +37,7 @@ struct SVG_options
   double width = 800;       ///< of the picture in pixels; its height follows from the domain
   bool draws_edges = false; ///< whether the edges of all triangles are drawn
   double line_width = 1.5;  ///< of the interface in pixels; 0 leaves it out
-  Bbox_2 window;            ///< what is seen, in user coordinates; the whole domain if it is empty
+  Bbox_2 window; ///< what is seen, in user coordinates; the whole domain if it is `Bbox_2()`
 };
 
 } // namespace IO
@@ -66,9 +67,23 @@ inline std::string color_of_label(int label) {
 class Svg_canvas
 {
 public:
-  Svg_canvas(const Bbox_2& window, double width, const std::array<double, 2>& periods)
-      : m_window(window), m_width(width), m_scale(width / (window.xmax() - window.xmin())),
-        m_periods(periods) {}
+  // Sees a window, or all if that is empty. Throws Error if the window or the width, in pixels, are
+  // no sizes of a picture.
+  Svg_canvas(const Bbox_2& window, const Bbox_2& all, double width,
+             const std::array<double, 2>& periods)
+      : m_window(window == Bbox_2() ? all : window), m_width(width), m_periods(periods) {
+    static constexpr double most_periods = 100, widest = 1e6;
+    if (!(width > 0 && width <= widest))
+      throw Error("the width of a picture is not between 0 and a million pixels");
+    const double size[2] = {m_window.xmax() - m_window.xmin(), m_window.ymax() - m_window.ymin()};
+    m_scale = width / size[0];
+    for (int axis = 0; axis < 2; ++axis)
+      if (!(size[axis] > 0 && size[axis] * m_scale <= widest) ||
+          (periods[axis] > 0 && size[axis] > most_periods * periods[axis]))
+        throw Error(
+            "the window of a picture is empty, not finite, very long, or more than a hundred "
+            "periods");
+  }
 
   void begin(std::ostream& out) const {
     const double height = m_scale * (m_window.ymax() - m_window.ymin());
@@ -87,6 +102,8 @@ public:
                               [&](const Point& p, const Point& q) { return p[axis] < q[axis]; });
       const double begin = axis == 0 ? m_window.xmin() : m_window.ymin(),
                    end = axis == 0 ? m_window.xmax() : m_window.ymax(), period = m_periods[axis];
+      if (period <= 0 && ((*high)[axis] < begin || (*low)[axis] > end))
+        return; // out of sight
       first[axis] = period > 0 ? int(std::ceil((begin - (*high)[axis]) / period)) : 0;
       last[axis] = period > 0 ? int(std::floor((end - (*low)[axis]) / period)) : 0;
     }
@@ -102,10 +119,20 @@ public:
 
 private:
   void append(char command, double x, double y, std::string& path) const {
-    char text[64];
-    std::snprintf(text, sizeof text, "%c%.2f,%.2f", command, m_scale * (x - m_window.xmin()),
-                  m_scale * (m_window.ymax() - y));
-    path += text;
+    path += command;
+    append(m_scale * (x - m_window.xmin()), path);
+    path += ',';
+    append(m_scale * (m_window.ymax() - y), path);
+  }
+
+  // In hundredths of a pixel, in the same way in every locale; far out of sight, anything will do.
+  static void append(double x, std::string& path) {
+    static constexpr double farthest = 1e7;
+    char text[32];
+    const auto end =
+        std::to_chars(text, text + sizeof text, (std::max)(-farthest, (std::min)(farthest, x)),
+                      std::chars_format::fixed, 2);
+    path.append(text, end.ptr);
   }
 
   Bbox_2 m_window;
@@ -129,7 +156,8 @@ seam on both sides.
 \param dsc is the complex.
 \param options tell how.
 
-\throws Deformable_simplicial_complexes::Error if the width is not positive, or the complex is empty.
+\throws Deformable_simplicial_complexes::Error if the width or the window are out of range, or the
+complex is empty.
 \throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file
 of that name is unchanged then.
 
@@ -142,8 +170,6 @@ void write_SVG(const std::string& path,
   namespace internal = Deformable_simplicial_complexes::internal;
   using Complex = Deformable_simplicial_complex_2<Traits, Tds, Domain>;
   using Point = typename Complex::Approximate_point_2;
-  if (!(options.width > 0))
-    throw Deformable_simplicial_complexes::Error("the width of a picture is not positive");
   if (dsc.number_of_cells() == 0)
     throw Deformable_simplicial_complexes::Error("there is nothing to draw: the complex is empty");
   const auto& normalization = dsc.normalization();
@@ -151,19 +177,16 @@ void write_SVG(const std::string& path,
     return ORIGIN + (normalization.translation + normalization.scale * (p - ORIGIN));
   };
   std::array<double, 2> periods = dsc.domain().template periods<2>();
-  Bbox_2 window = options.window;
-  if (!(window.xmax() > window.xmin() && window.ymax() > window.ymin())) {
-    window = Bbox_2();
-    if constexpr (Domain::has_outside)
-      for (const auto v : dsc.vertices())
-        window += dsc.user_position(v).bbox();
-    else
-      window = in_user_coordinates(Point(0, 0)).bbox() +
-               in_user_coordinates(Point(periods[0], periods[1])).bbox();
-  }
+  Bbox_2 all;
+  if constexpr (Domain::has_outside)
+    for (const auto v : dsc.vertices())
+      all += dsc.user_position(v).bbox();
+  else
+    all = in_user_coordinates(Point(0, 0)).bbox() +
+          in_user_coordinates(Point(periods[0], periods[1])).bbox();
   for (double& period : periods)
     period *= normalization.scale;
-  const internal::Svg_canvas canvas(window, options.width, periods);
+  const internal::Svg_canvas canvas(options.window, all, options.width, periods);
 
   std::map<int, std::string> regions;
   std::string edges, interface_;

@@ -34,7 +34,7 @@ cut locus in black and the point in red.
 \param point is the point whose cut locus it is.
 \param options tell the width of the picture and of lines, and what is seen.
 
-\throws Deformable_simplicial_complexes::Error if the width is not positive.
+\throws Deformable_simplicial_complexes::Error if the width or the window are out of range.
 \throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file
 of that name is unchanged then.
 */
@@ -44,13 +44,9 @@ inline void write_SVG(const std::string& path, const Cut_locus_2& locus,
                       const SVG_options& options = SVG_options()) {
   namespace internal = Deformable_simplicial_complexes::internal;
   using Point = Simple_cartesian<double>::Point_2;
-  if (!(options.width > 0))
-    throw Deformable_simplicial_complexes::Error("the width of a picture is not positive");
   const auto& periods = domain.periods();
-  const bool sees_all = !(options.window.xmax() > options.window.xmin() &&
-                          options.window.ymax() > options.window.ymin());
-  const Bbox_2 window = sees_all ? Bbox_2(0, 0, periods[0], periods[1]) : options.window;
-  const internal::Svg_canvas canvas(window, options.width, periods);
+  const internal::Svg_canvas canvas(options.window, Bbox_2(0, 0, periods[0], periods[1]),
+                                    options.width, periods);
   std::string arcs, source;
   for (const auto& polyline : locus.polylines)
     for (std::size_t k = 1; k < polyline.size(); ++k) {
@@ -78,7 +74,7 @@ with the meridians and parallels of the sphere on that side in grey.
 \param surface is a surface, best a convex one: what hides parts of it is not known.
 \param options tell the width of the picture and of lines; the window is not used.
 
-\throws Deformable_simplicial_complexes::Error if the width is not positive.
+\throws Deformable_simplicial_complexes::Error if the width or the window are out of range.
 \throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file
 of that name is unchanged then.
 */
@@ -90,8 +86,6 @@ void write_SVG(const std::string& path, const Cut_locus_2& locus,
   using Surface = Sphere_like_surface_2<Embedding, Differentiated>;
   using Point = Simple_cartesian<double>::Point_2;
   static constexpr int meridians = 24, parallels = 6, finer = 4; // 15 degrees
-  if (!(options.width > 0))
-    throw Deformable_simplicial_complexes::Error("the width of a picture is not positive");
   const double pi = std::acos(-1.), middle = Surface::half_width;
   // By the direction along u, and the one across it that is to the left of the way out.
   const auto right = surface.direction(Point(middle + 1, middle)),
@@ -120,7 +114,7 @@ void write_SVG(const std::string& path, const Cut_locus_2& locus,
   const double margin = .02 * (box.xmax() - box.xmin());
   const Bbox_2 window(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin,
                       box.ymax() + margin);
-  const internal::Svg_canvas canvas(window, options.width, {0, 0});
+  const internal::Svg_canvas canvas(window, window, options.width, {0, 0});
   std::string lines, arcs;
   for (const auto& line : grid)
     canvas.add(line, lines);

@@ -67,7 +67,8 @@ Seeded_segments_2<Point> read_seeded_segments(const std::string& path) {
 \ingroup PkgDeformableSimplicialComplex3Ref
 
 writes the regions of a planar complex as well-known text: a `MULTIPOLYGON` for each label but 0, by
-increasing label, in user coordinates. All digits that tell coordinates apart are written.
+increasing label, in user coordinates. All digits that tell coordinates apart are written; the
+labels are not: what is read again has labels 1, 2 and so on.
 
 \param path is the name of the file; its folder must exist.
 \param dsc is the complex, whose domain is no torus.
@@ -86,12 +87,12 @@ void write_WKT(const std::string& path, const Deformable_simplicial_complex_2<Tr
         out << p.x() << ' ' << p.y() << ", ";
       out << ring[0].x() << ' ' << ring[0].y() << ')';
     };
-    for (const int label : dsc.labels()) {
+    for (const auto& [label, polygons] : extract_polygons(dsc)) {
       if (label == 0)
         continue;
       const char* separator = "";
       out << "MULTIPOLYGON (";
-      for (const auto& polygon : extract_polygons(dsc, label)) {
+      for (const auto& polygon : polygons) {
         out << separator << '(';
         write_ring(polygon.outer_boundary());
         for (const auto& hole : polygon.holes()) {

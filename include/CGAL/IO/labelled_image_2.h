@@ -34,7 +34,8 @@ inline Labelled_image_2 read_labelled_image(const std::string& path) {
   const auto fail = [&](const std::string& what) {
     throw Deformable_simplicial_complexes::File_error(path + ": " + what, path);
   };
-  if (bytes.compare(0, 2, "P2") != 0 && bytes.compare(0, 2, "P5") != 0)
+  if ((bytes.compare(0, 2, "P2") != 0 && bytes.compare(0, 2, "P5") != 0) ||
+      (bytes.size() > 2 && std::isdigit(static_cast<unsigned char>(bytes[2])) != 0))
     fail("is no portable gray map: it should begin with P2 or P5");
   const bool is_binary = bytes[1] == '5';
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
@@ -58,8 +59,9 @@ inline Labelled_image_2 read_labelled_image(const std::string& path) {
   if (size == 0 || gray == 0)
     fail("there are no pixels, or no gray values");
   const std::size_t bytes_of_pixel = is_binary && gray > 255 ? 2 : 1;
-  if (is_binary)
-    ++position; // white space
+  if (is_binary && position < bytes.size() && !std::isspace(byte(position)))
+    fail("there is no white space between the largest gray value and the pixels");
+  position += is_binary;
   if (bytes.size() < position || bytes.size() - position < bytes_of_pixel * size)
     fail("there are fewer pixels than it says; is the file truncated?");
   image.labels.reserve(size);
@@ -70,6 +72,8 @@ inline Labelled_image_2 read_labelled_image(const std::string& path) {
       int value = byte(position++);
       if (bytes_of_pixel == 2)
         value = 256 * value + byte(position++);
+      if (std::size_t(value) > gray)
+        fail("a number is too large");
       image.labels.push_back(value);
     }
   }

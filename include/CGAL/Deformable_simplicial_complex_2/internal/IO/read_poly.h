@@ -40,6 +40,8 @@ template <class Point> Seeded_segments_2<Point> read_poly(const std::string& pat
   };
   Seeded_segments_2<Point> result;
   const std::size_t points = scanner.number<std::size_t>();
+  if (scanner.number<std::size_t>() != 2)
+    scanner.fail("the points are not in the plane: the second number has to be 2");
   scanner.skip_line();
   if (points == 0)
     scanner.fail("there are no points: those of a .node file have to be put into the file");
@@ -77,7 +79,8 @@ template <class Point> Seeded_segments_2<Point> read_poly(const std::string& pat
       double label = 0;
       if (have_labels)
         label = scanner.number<double>();
-      if (label != std::floor(label) || std::abs(label) > (std::numeric_limits<int>::max)())
+      if (label != std::floor(label) || label < (std::numeric_limits<int>::min)() ||
+          label > (std::numeric_limits<int>::max)())
         scanner.fail("the attribute of a region is no integer that can be a label; correct it");
       result.seeds.emplace_back(p, int(label));
       scanner.skip_line();

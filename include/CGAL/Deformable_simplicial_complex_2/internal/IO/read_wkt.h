@@ -30,7 +30,11 @@ template <class Point> class Wkt_reader
 public:
   using Curve = Labelled_curve_2<Point>;
 
-  explicit Wkt_reader(const std::string& path) : m_path(path), m_text(file_contents(path)) {}
+  explicit Wkt_reader(const std::string& path) : m_path(path), m_text(file_contents(path)) {
+    static constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+    if (std::string_view(m_text).substr(0, byte_order_mark.size()) == byte_order_mark)
+      m_position = byte_order_mark.size();
+  }
 
   std::vector<Curve> read() {
     std::vector<Curve> curves;
@@ -43,12 +47,17 @@ public:
                         : type == "MULTIPOLYGON"                         ? 3
                                                                          : 0;
       if (depth == 0)
-        fail(in_quotes(type) + " is no geometry that bounds a region: use POLYGON, MULTIPOLYGON or "
-                               "LINESTRING");
-      if (is_empty())
+        fail(in_quotes(type) + " is no geometry that bounds a region: use POLYGON, MULTIPOLYGON, "
+                               "LINESTRING or MULTILINESTRING");
+      if (const std::string more = is_letter() ? word() : ""; more == "EMPTY") {
         curves.pop_back();
-      else
-        nested(depth, curves.back());
+        continue;
+      } else if (!more.empty()) {
+        fail(in_quotes(type + ' ' + more) + " has more than x and y: leave the others out");
+      }
+      nested(depth, curves.back());
+      if (!curves.empty() && curves.back().segments.empty())
+        curves.pop_back(); // its parts are empty
     }
     return curves;
   }
@@ -89,6 +98,12 @@ private:
       ++m_position;
   }
 
+  bool is_letter() {
+    skip_space();
+    return m_position < m_text.size() &&
+           std::isalpha(static_cast<unsigned char>(m_text[m_position])) != 0;
+  }
+
   std::string word() {
     skip_space();
     std::string result;
@@ -103,7 +118,10 @@ private:
   bool is_empty() {
     skip_space();
     static constexpr std::string_view empty = "EMPTY";
-    if (std::string_view(m_text).substr(m_position, empty.size()) != empty)
+    const std::string_view here = std::string_view(m_text).substr(m_position, empty.size());
+    if (!std::equal(here.begin(), here.end(), empty.begin(), empty.end(), [](char a, char b) {
+          return std::toupper(static_cast<unsigned char>(a)) == b;
+        }))
       return false;
     m_position += empty.size();
     return true;

@@ -56,7 +56,7 @@ void add_segments(const Curve& curve, std::size_t number, Curve_soup_2& soup) {
     refuse_curve(reason, explanation, number, number, {segment});
   };
   if (curve.segments.empty())
-    refuse_curve(Reason::empty, "has no segments: give closed polylines", number, number, {});
+    refuse_curve(Reason::empty, "has no segments: give some", number, number, {});
   for (std::size_t s = 0; s < curve.segments.size(); ++s) {
     std::array<std::size_t, 2> ends;
     for (int i = 0; i < 2; ++i) {
@@ -89,8 +89,13 @@ template <class Curve> void add_curve(const Curve& curve, std::size_t number, Cu
       segments_at[v].push_back(soup.segments[w]);
   for (const auto& [point, segments] : segments_at)
     if (segments.size() % 2 != 0)
-      refuse_curve(Invalid_surface_error::Reason::open, "is not closed: join its ends", number,
-                   number, {segments.front()});
+      refuse_curve(segments.size() == 1 ? Invalid_surface_error::Reason::open
+                                        : Invalid_surface_error::Reason::non_manifold_edge,
+                   segments.size() == 1
+                       ? "is not closed: join its ends"
+                       : "has a point where an odd number of its segments end: make it closed "
+                         "curves, or use segments with seeds",
+                   number, number, {segments.front()});
 }
 
 // Whether two segments have more in common than ends, or all that they are.

@@ -71,8 +71,10 @@ template <class Box> Bbox_2 box_of(const Box& given) { return given.bbox(); }
 
 // The box that is asked for, or the default one, if curves are in it.
 template <class NP> Bbox_2 enclosing_box(const Curve_soup_2& soup, const NP& np) {
-  Bbox_2 box = default_box(soup.points);
-  if constexpr (!CGAL::parameters::is_default_parameter<NP, internal_np::enclosing_box_t>::value)
+  Bbox_2 box;
+  if constexpr (CGAL::parameters::is_default_parameter<NP, internal_np::enclosing_box_t>::value)
+    box = default_box(soup.points);
+  else
     box = box_of(CGAL::parameters::get_parameter(np, internal_np::enclosing_box));
   check_enclosed(soup, box);
   return box;
@@ -119,6 +121,7 @@ inline Grid<2> box_grid(const Bbox_2& box, double edge) {
                total = box.ymax() - box.ymin();
   const std::size_t columns = edges_in_period(width, edge, 2),
                     rows = edges_in_period(total, edge * height, 2);
+  check_number_of_boxes(double(columns) * double(rows));
   Grid<2> grid;
   const auto at = [](double low, double high, double i, double n) {
     return i == n ? high : low + (high - low) * (i / n);

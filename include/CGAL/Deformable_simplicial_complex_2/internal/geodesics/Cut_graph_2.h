@@ -50,6 +50,28 @@ public:
   const Neighborhoods& neighborhoods() const { return m_graph; }
   const Cut_point& point(std::size_t i) const { return *m_points[i]; }
 
+  // Whether it leaves one disk: it is connected, and has as many cycles as it can.
+  bool is_complete() const {
+    std::vector<char> is_reached(m_graph.size(), 0);
+    std::vector<std::size_t> front;
+    std::size_t number = 0, edges = 0, reached = 0;
+    for (std::size_t i = 0; i < m_graph.size(); ++i) {
+      number += !m_graph[i].empty();
+      edges += m_graph[i].size();
+      if (front.empty() && !m_graph[i].empty()) {
+        front.push_back(i);
+        is_reached[i] = 1;
+      }
+    }
+    for (; reached < front.size(); ++reached)
+      for (std::size_t next : m_graph[front[reached]])
+        if (!is_reached[next]) {
+          is_reached[next] = 1;
+          front.push_back(next);
+        }
+    return number > 0 && reached == number && edges / 2 + 1 == number + Front::cycles_of_cut_locus;
+  }
+
 private:
   using Point = typename Front::Point_2;
   using Vector = typename Front::Complex::Approximate_vector_2;
@@ -152,7 +174,7 @@ private:
       } else {
         const Vector turn(std::round(gap.x() / m_domain.periods()[0]),
                           std::round(gap.y() / m_domain.periods()[1]));
-        if (turn == Vector(0, 0) || turns.size() == 2 ||
+        if (turn == Vector(0, 0) || turns.size() == Front::cycles_of_cut_locus ||
             (turns.size() == 1 && turn.x() * turns[0].y() == turn.y() * turns[0].x()))
           continue;
         turns.push_back(turn);
@@ -213,6 +235,7 @@ Cut_locus make_cut_locus(const Cut_graph_2<Front>& cut_graph,
                          const typename Front::Domain& domain) {
   const Neighborhoods& graph = cut_graph.neighborhoods();
   Cut_locus result;
+  result.is_complete = cut_graph.is_complete();
   std::vector<std::size_t> index(graph.size());
   for (std::size_t i = 0; i < graph.size(); ++i)
     if (!graph[i].empty()) {

@@ -174,24 +174,25 @@ private:
     const std::vector<Geodesic> first = geodesics;
     Pair p(start.x(), start.y());
     double distance = geodesics[0].length;
+    const double spacing = m_front.spacing(), unit = m_front.length_of_spacing();
     for (int k = 0; k < iterations; ++k) {
       Eigen::VectorXd value = Eigen::VectorXd::Zero(n + 3);
       Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(n + 3, n + 3);
       for (Eigen::Index i = 0; i < n; ++i) {
         const Arrival a = arrival({geodesics[i].angle, distance});
-        value.segment<2>(2 * i) = miss(Point(p[0], p[1]), a.state);
-        jacobian.block<2, 1>(2 * i, i) = a.by_angle;
-        jacobian.block<2, 1>(2 * i, length) = a.by_length;
+        value.segment<2>(2 * i) = miss(Point(p[0], p[1]), a.state) / spacing;
+        jacobian.block<2, 1>(2 * i, i) = a.by_angle / spacing;
+        jacobian.block<2, 1>(2 * i, length) = a.by_length * (unit / spacing);
         jacobian.block<2, 2>(2 * i, place) = -Eigen::Matrix2d::Identity();
       }
       if (n == 2) {
-        const Pair along(direction.x(), direction.y());
-        value[n + 2] = along.dot(p - Pair(start.x(), start.y()));
+        const Pair along = Pair(direction.x(), direction.y()).normalized();
+        value[n + 2] = along.dot(p - Pair(start.x(), start.y())) / spacing;
         jacobian.block<1, 2>(n + 2, place) = along.transpose();
       }
       const Eigen::VectorXd step = jacobian.fullPivLu().solve(value);
-      distance -= step[length];
-      p -= step.tail<2>();
+      distance -= unit * step[length];
+      p -= spacing * step.tail<2>();
       for (Eigen::Index i = 0; i < n; ++i) {
         geodesics[i] = {geodesics[i].angle - step[i], distance};
         if (is_farther(first[i], geodesics[i]))

@@ -109,6 +109,26 @@ public:
 protected:
   const Front& m_front;
 
+public:
+  // The one that Newton's method finds from another one.
+  std::optional<Geodesic> geodesic_to(const Point& p, const Geodesic& start) const {
+    static constexpr int iterations = 10;
+    static constexpr double precision = 1e-9;
+    Geodesic g = start;
+    for (int k = 0; k < iterations; ++k) {
+      const Arrival a = arrival(g);
+      const Geodesic next = corrected(a, p);
+      if (is_farther(start, next))
+        return std::nullopt;
+      if (std::hypot(next.angle - g.angle, (next.length - g.length) / m_front.length_of_spacing()) <
+              precision &&
+          miss(p, a.state).norm() < precision * m_front.spacing())
+        return next;
+      g = next;
+    }
+    return std::nullopt;
+  }
+
 private:
   using Square = std::array<int, 2>;
 
@@ -154,25 +174,11 @@ private:
 
   // By one step of Newton's method.
   Geodesic corrected(const Arrival& a, const Point& p) const {
+    const double spacing = m_front.spacing(), length = m_front.length_of_spacing();
     Eigen::Matrix2d jacobian;
-    jacobian << a.by_angle, a.by_length;
-    const Pair step = jacobian.fullPivLu().solve(miss(p, a.state));
-    return {a.geodesic.angle - step[0], a.geodesic.length - step[1]};
-  }
-
-  std::optional<Geodesic> geodesic_to(const Point& p, const Geodesic& start) const {
-    static constexpr int iterations = 10;
-    static constexpr double precision = 1e-9;
-    Geodesic g = start;
-    for (int k = 0; k < iterations; ++k) {
-      const Geodesic next = corrected(arrival(g), p);
-      if (is_farther(start, next))
-        return std::nullopt;
-      if (std::hypot(next.angle - g.angle, next.length - g.length) < precision)
-        return next;
-      g = next;
-    }
-    return std::nullopt;
+    jacobian << a.by_angle / spacing, a.by_length * (length / spacing);
+    const Pair step = jacobian.fullPivLu().solve(miss(p, a.state) / spacing);
+    return {a.geodesic.angle - step[0], a.geodesic.length - length * step[1]};
   }
 
   std::map<Square, std::vector<Arrival>> m_arrivals;

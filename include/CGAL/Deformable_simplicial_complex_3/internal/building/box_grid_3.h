@@ -23,6 +23,7 @@ inline Grid<3> box_grid(const Bbox_3& box, double edge) {
   Place n;
   for (int axis = 0; axis < 3; ++axis)
     n[axis] = edges_in_period(box.max(axis) - box.min(axis), edge, 2);
+  check_number_of_boxes(double(n[0]) * double(n[1]) * double(n[2]));
   Grid<3> grid;
   const std::size_t centers = (n[0] + 1) * (n[1] + 1) * (n[2] + 1);
   const auto corner = [&](const Place& p) {

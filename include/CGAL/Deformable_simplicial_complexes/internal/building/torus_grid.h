@@ -29,10 +29,19 @@ inline std::size_t edges_in_period(double period, double edge, std::size_t least
   static constexpr double most = 1 << 20;
   if (!(edge > 0))
     throw Error("the length of edges is not positive: use more than 0");
+  if (!(period > 0) || !std::isfinite(period))
+    throw Error("the box is empty or not finite: its sides have to be longer than 0");
   const double number = std::round(period / edge);
   if (!(number <= most))
     throw Error("the edges are too short for the domain: use more than a millionth of its extent");
   return (std::max)(least, std::size_t(number));
+}
+
+// Throws if a grid of so many boxes is not to be stored.
+inline void check_number_of_boxes(double number) {
+  static constexpr double most = 1 << 30;
+  if (!(number <= most))
+    throw Error("the edges are too short for the domain: there would be more than 2^30 cells");
 }
 
 // Rows of almost regular triangles, every other one shifted by half an edge.
@@ -40,6 +49,7 @@ inline Grid<2> torus_grid(const std::array<double, 2>& periods, double edge) {
   const double height = std::sqrt(3.) / 2;
   const std::size_t columns = edges_in_period(periods[0], edge, 3),
                     rows = 2 * edges_in_period(periods[1] / 2, edge * height, 2);
+  check_number_of_boxes(double(columns) * double(rows));
   Grid<2> grid;
   const auto index = [&](std::size_t i, std::size_t j) { return j % rows * columns + i % columns; };
   for (std::size_t j = 0; j < rows; ++j)
@@ -59,6 +69,7 @@ inline Grid<3> torus_grid(const std::array<double, 3>& periods, double edge) {
   std::array<std::size_t, 3> n;
   for (int axis = 0; axis < 3; ++axis)
     n[axis] = edges_in_period(periods[axis], edge, 3);
+  check_number_of_boxes(double(n[0]) * double(n[1]) * double(n[2]));
   Grid<3> grid;
   const std::size_t boxes = n[0] * n[1] * n[2];
   grid.points.resize(2 * boxes);

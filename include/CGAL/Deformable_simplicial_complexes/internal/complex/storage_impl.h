@@ -131,8 +131,11 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
     }
     barycenters.push_back(CGAL::ORIGIN + sum / corners);
     if (m_domain.orientation(*this, [&](int i) { return exact(positions[v[i]]); }) != POSITIVE)
-      throw Invalid_tetrahedra_error("a tetrahedron is flat or negatively oriented; give its "
-                                     "vertices in positive order",
+      throw Invalid_tetrahedra_error(dimension == 2
+                                         ? "a triangle is flat or clockwise, as it is or rounded; "
+                                           "give its vertices in positive order"
+                                         : "a tetrahedron is flat or negatively oriented; give its "
+                                           "vertices in positive order",
                                      {t}, {v.begin(), v.end()});
   }
   const auto unused = std::find(is_used.begin(), is_used.end(), false);
