@@ -413,7 +413,7 @@ TEST(Fuzzed_readers, poly) {
 TEST(Fuzzed_readers, pgm) {
   expect_survival({"PGM",
                    ".pgm",
-                   {pgm, std::string("P5 4 3 255\n0123456789ab"), std::string("P5 2 1 999\n1234")},
+                   {pgm, std::string("P5 4 3 255\n0123456789ab"), std::string("P5 2 1 999\n\1\2\3\3")},
                    [](const std::string& path) { CGAL::IO::read_labelled_image(path); }});
 }
 
