@@ -33,7 +33,9 @@ namespace internal_np {
 /// \endcond
 
 // Those of CGAL's own parameters that the package understands keep CGAL's tags.
+using CGAL::internal_np::normal_t;
 using CGAL::internal_np::number_of_iterations_t;
+using CGAL::internal_np::point_t;
 using CGAL::internal_np::visitor_t;
 
 } // namespace internal_np
@@ -41,7 +43,9 @@ using CGAL::internal_np::visitor_t;
 /// \cond SKIP_IN_MANUAL
 #define CGAL_DSC_SHARED_PARAMETERS                                                                 \
   CGAL_add_named_parameter(number_of_iterations_t, number_of_iterations, number_of_iterations)     \
-      CGAL_add_named_parameter(visitor_t, visitor, visitor)
+      CGAL_add_named_parameter(visitor_t, visitor, visitor)                                        \
+          CGAL_add_named_parameter(point_t, point_map, point_map)                                  \
+              CGAL_add_named_parameter(normal_t, normal_map, normal_map)
 /// \endcond
 
 /// A chain of named parameters: CGAL's class with the functions of this package.

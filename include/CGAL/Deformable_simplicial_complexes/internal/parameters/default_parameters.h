@@ -106,6 +106,10 @@ struct Interface_collapse_length
   static constexpr double in_wanted_lengths = .25;
 };
 
+// fit_tolerance: of the root of the mean square of the distances of points from a facet, in spacings
+// of the points: flat parts are met closer than that, so that all of a surface is within a fiftieth.
+inline constexpr double fit_tolerance = .05;
+
 // number_of_iterations: bounds on rounds.
 struct Number_of_iterations
 {
@@ -113,6 +117,8 @@ struct Number_of_iterations
   static constexpr unsigned over_mesh = 10;
   // Each goes over the whole interface again and smooths it a little more.
   static constexpr unsigned over_interface = 1;
+  // Steps of a reconstruction: most end after 30; long narrow tunnels take one for each width.
+  static constexpr unsigned of_reconstruction = 80;
   // Steps towards volumes, each with several steps of Newton's method.
   static constexpr unsigned towards_volumes = 5;
 };

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_RECONSTRUCTION_REPORT_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_RECONSTRUCTION_REPORT_3_H
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+What `reconstruct_point_set_3()` found and how well it fits. Distances are in the unit of length of
+the points.
+
+\tparam Complex a deformable simplicial complex in space
+*/
+template <class Complex> struct Reconstruction_report_3
+{
+  std::size_t number_of_points = 0;     ///< those that count
+  std::size_t number_of_duplicates = 0; ///< points equal to others, which were left out
+  std::size_t number_of_strays = 0;     ///< points far from all others, or on neither side of the
+                                        ///< surface, which were left out
+  double spacing = 0;                   ///< the mean distance of points from their 6 nearest ones
+  double noise = 0;                     ///< how far points are from quadrics of their neighbors
+
+  std::size_t number_of_steps = 0;       ///< of the interface
+  bool is_complete = false;              ///< whether it came to rest; if not, it was interrupted or
+                                         ///< there were not enough steps
+  double root_mean_square = 0;           ///< of the distances of points from the interface
+  double maximum_distance = 0;           ///< of a point from the interface
+  std::vector<std::size_t> unfit_points; ///< those farther than a spacing and four times the noise,
+                                         ///< by their places among the points that were given
+  std::vector<typename Complex::Facet> facets_without_points; ///< which close holes of the cloud
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_RECONSTRUCTION_REPORT_3_H

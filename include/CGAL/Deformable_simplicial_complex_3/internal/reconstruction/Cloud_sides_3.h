@@ -1,0 +1,251 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_CLOUD_SIDES_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_CLOUD_SIDES_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Point_cloud_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Signed_union_find.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Delaunay_triangulation_cell_base_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The two sides of the surface that a cloud samples. The largest empty balls at a point, its poles,
+// are on different sides; balls that overlap deeply are on the same. The surest of such relations
+// hold. After R. Kolluri, J. R. Shewchuk and J. F. O'Brien, "Spectral surface reconstruction from
+// noisy point clouds", SGP 2004, with a spanning forest instead of their eigenvectors. As only
+// angles count, a hole in the cloud is closed where it is narrow beside what is behind it.
+//
+// n log n in the number of points, if their Delaunay triangulation is linear.
+class Cloud_sides_3
+{
+  using Kernel = Exact_predicates_inexact_constructions_kernel;
+
+public:
+  using Point = Kernel::Point_3;
+  using Vector = Kernel::Vector_3;
+
+  template <class Points>
+  explicit Cloud_sides_3(const Points& points)
+      : m_outward(points.size(), NULL_VECTOR),
+        m_room(points.size(), std::numeric_limits<double>::infinity()) {
+    triangulate(points);
+    const std::vector<Ball> balls = this->balls();
+    const std::vector<Poles> poles = this->poles(balls);
+    Signed_union_find sides(balls.size());
+    join_outside(sides);
+    join_by(relations_of_poles(balls, poles), sides);
+    join_by(relations_of_neighbors(balls), sides);
+    for (std::size_t c = 0; c < balls.size(); ++c)
+      m_is_inside.push_back(sides.find(c).second != sides.find(outside).second);
+    for (std::size_t i = 0; i < poles.size(); ++i)
+      if (has_both(poles[i]) && m_is_inside[poles[i][0]] != m_is_inside[poles[i][1]]) {
+        const bool is_first_inside = m_is_inside[poles[i][0]] != 0;
+        const Ball &inner = balls[poles[i][is_first_inside ? 0 : 1]],
+                   &outer = balls[poles[i][is_first_inside ? 1 : 0]];
+        m_outward[i] = outer.center - inner.center;
+        m_room[i] = std::sqrt(outer.squared_radius);
+      }
+  }
+
+  // Takes a walk from where the last question was.
+  bool is_inside(const Point& p) const {
+    m_last = m_delaunay.locate(p, m_last);
+    return m_is_inside[m_last->info()] != 0;
+  }
+  bool encloses_anything() const {
+    return std::find(m_is_inside.begin(), m_is_inside.end(), 1) != m_is_inside.end();
+  }
+  // Roughly the normal of a point, of any length; null where both poles are on one side.
+  const Vector& outward(std::size_t i) const { return m_outward[i]; }
+  // The radius of the largest empty ball that touches a point from outside; infinite where unknown.
+  double room(std::size_t i) const { return m_room[i]; }
+
+  void keep(const std::vector<char>& is_kept) {
+    keep_marked(m_outward, is_kept);
+    keep_marked(m_room, is_kept);
+  }
+
+private:
+  using Ball_index = std::uint32_t;
+  using Vertex_base = Triangulation_vertex_base_with_info_3<std::size_t, Kernel>;
+  using Cell_base = Triangulation_cell_base_with_info_3<Ball_index, Kernel,
+                                                        Delaunay_triangulation_cell_base_3<Kernel>>;
+  using Delaunay =
+      Delaunay_triangulation_3<Kernel, Triangulation_data_structure_3<Vertex_base, Cell_base>>;
+  using Vertex_handle = Delaunay::Vertex_handle;
+  using Cell_handle = Delaunay::Cell_handle;
+  using Poles = std::array<Ball_index, 2>;
+  static constexpr Ball_index outside = 0, none = static_cast<Ball_index>(-1);
+
+  struct Ball // that is empty and circumscribes a cell
+  {
+    Point center;
+    double squared_radius;
+  };
+  struct Relation
+  {
+    float angle; // how far it is from being certain
+    Ball_index first, second;
+    bool are_opposite;
+
+    bool operator<(const Relation& r) const {
+      return std::tie(angle, first, second, are_opposite) <
+             std::tie(r.angle, r.first, r.second, r.are_opposite);
+    }
+  };
+
+  static double angle(double cosine) { return std::acos((std::max)(-1., (std::min)(1., cosine))); }
+  // Where two spheres meet: 0 if they are equal, pi if they touch from outside.
+  static double angle(const Ball& a, const Ball& b) {
+    return angle((a.squared_radius + b.squared_radius - squared_distance(a.center, b.center)) /
+                 (2 * std::sqrt(a.squared_radius * b.squared_radius)));
+  }
+  static bool has_both(const Poles& p) { return p[0] != none && p[1] != none; }
+  bool is_of_box(Vertex_handle v) const { return v->info() == m_outward.size(); }
+
+  // With the corners of a box around all, where outside begins.
+  template <class Points> void triangulate(const Points& points) {
+    static constexpr double away = 2; // extents of the cloud
+    Bbox_3 box;
+    std::vector<std::pair<Point, std::size_t>> vertices;
+    for (const auto& p : points) {
+      vertices.emplace_back(Point(p.x(), p.y(), p.z()), vertices.size());
+      box += p.bbox();
+    }
+    const double margin = away * (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(),
+                                             box.zmax() - box.zmin()});
+    for (double x : {box.xmin() - margin, box.xmax() + margin})
+      for (double y : {box.ymin() - margin, box.ymax() + margin})
+        for (double z : {box.zmin() - margin, box.zmax() + margin})
+          vertices.emplace_back(Point(x, y, z), points.size());
+    m_delaunay.insert(vertices.begin(), vertices.end());
+  }
+
+  // Those of the finite cells, numbered from 1.
+  std::vector<Ball> balls() {
+    std::vector<Ball> result(1);
+    for (auto c : m_delaunay.all_cell_handles()) {
+      c->info() = outside;
+      if (m_delaunay.is_infinite(c))
+        continue;
+      c->info() = Ball_index(result.size());
+      const Point center = c->circumcenter();
+      result.push_back({center, squared_distance(center, c->vertex(0)->point())});
+    }
+    return result;
+  }
+
+  void join_outside(Signed_union_find& sides) const {
+    for (auto c : m_delaunay.finite_cell_handles())
+      for (int k = 0; k < 4; ++k)
+        if (is_of_box(c->vertex(k)))
+          sides.unite(outside, c->info(), false);
+  }
+
+  // For each point the largest ball, and the largest one in the half space on the other side.
+  std::vector<Poles> poles(const std::vector<Ball>& balls) const {
+    std::vector<Poles> result(m_outward.size(), Poles{none, none});
+    std::vector<Cell_handle> star;
+    for (auto v : m_delaunay.finite_vertex_handles()) {
+      if (is_of_box(v))
+        continue;
+      star.clear();
+      m_delaunay.incident_cells(v, std::back_inserter(star)); // all finite, within the box
+      Vector across(0, 0, 0);
+      for (Ball_index& pole : result[v->info()]) {
+        double largest = 0;
+        for (Cell_handle c : star) {
+          const Ball& ball = balls[c->info()];
+          if (ball.squared_radius > largest && (ball.center - v->point()) * across <= 0) {
+            largest = ball.squared_radius;
+            pole = c->info();
+          }
+        }
+        if (pole != none)
+          across = balls[pole].center - v->point();
+      }
+    }
+    return result;
+  }
+
+  std::vector<Relation> relations_of_poles(const std::vector<Ball>& balls,
+                                           const std::vector<Poles>& poles) const {
+    std::vector<Relation> result;
+    for (auto v : m_delaunay.finite_vertex_handles())
+      if (!is_of_box(v) && has_both(poles[v->info()])) {
+        const Poles& p = poles[v->info()];
+        const Vector a = balls[p[0]].center - v->point(), b = balls[p[1]].center - v->point();
+        const double cosine = a * b / std::sqrt(a.squared_length() * b.squared_length());
+        result.push_back({float(angle(-cosine)), p[0], p[1], true});
+      }
+    for (const auto& e : m_delaunay.finite_edges()) {
+      const auto v = e.first->vertex(e.second), w = e.first->vertex(e.third);
+      if (is_of_box(v) || is_of_box(w))
+        continue;
+      for (Ball_index a : poles[v->info()])
+        for (Ball_index b : poles[w->info()])
+          if (a != none && b != none && a != b)
+            add_if_deep(balls, a, b, result);
+    }
+    return result;
+  }
+
+  // For balls that are no poles.
+  std::vector<Relation> relations_of_neighbors(const std::vector<Ball>& balls) const {
+    std::vector<Relation> result;
+    for (const auto& f : m_delaunay.finite_facets()) {
+      const Ball_index a = f.first->info(), b = f.first->neighbor(f.second)->info();
+      if (a != outside && b != outside)
+        result.push_back(
+            {float(angle(balls[a], balls[b])), (std::min)(a, b), (std::max)(a, b), false});
+    }
+    return result;
+  }
+
+  static void add_if_deep(const std::vector<Ball>& balls, Ball_index a, Ball_index b,
+                          std::vector<Relation>& result) {
+    const double d = angle(balls[a], balls[b]);
+    if (d < CGAL_PI / 2)
+      result.push_back({float(d), (std::min)(a, b), (std::max)(a, b), false});
+  }
+
+  static void join_by(std::vector<Relation> relations, Signed_union_find& sides) {
+    std::sort(relations.begin(), relations.end());
+    for (const Relation& r : relations)
+      sides.unite(r.first, r.second, r.are_opposite);
+  }
+
+  Delaunay m_delaunay;
+  mutable Cell_handle m_last;
+  std::vector<char> m_is_inside; // by balls
+  std::vector<Vector> m_outward;
+  std::vector<double> m_room;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_CLOUD_SIDES_3_H

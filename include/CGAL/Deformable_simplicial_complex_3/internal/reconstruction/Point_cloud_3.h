@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_POINT_CLOUD_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_POINT_CLOUD_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/local_fits_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+
+#include <CGAL/Kd_tree.h>
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Search_traits_adapter.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The elements whose marks are not 0, in their order.
+template <class T> void keep_marked(std::vector<T>& elements, const std::vector<char>& marks) {
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    if (marks[i] != 0)
+      elements[number++] = elements[i];
+  elements.resize(number, T());
+}
+
+// Points by lexicographic order, and what is near them. Of points that are equal, the first counts.
+class Point_cloud_3
+{
+public:
+  using Point = Cloud_kernel::Point_3;
+  using Vector = Cloud_kernel::Vector_3;
+
+  // Throws Error if coordinates are not finite, or the points lie in a plane.
+  explicit Point_cloud_3(const std::vector<Point>& points) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (int axis = 0; axis < 3; ++axis)
+        if (!std::isfinite(points[i][axis]))
+          throw Error("the coordinates of point " + std::to_string(i) + " are not finite");
+    m_indices.resize(points.size());
+    std::iota(m_indices.begin(), m_indices.end(), std::size_t(0));
+    std::stable_sort(m_indices.begin(), m_indices.end(),
+                     [&](std::size_t i, std::size_t j) { return points[i] < points[j]; });
+    m_indices.erase(
+        std::unique(m_indices.begin(), m_indices.end(),
+                    [&](std::size_t i, std::size_t j) { return points[i] == points[j]; }),
+        m_indices.end());
+    m_duplicates = points.size() - m_indices.size();
+    for (std::size_t i : m_indices)
+      m_points.push_back(points[i]);
+    require_extent();
+    plant();
+    measure();
+    drop_isolated();
+  }
+
+  const std::vector<Point>& points() const { return m_points; }
+  std::size_t size() const { return m_points.size(); }
+  // The place of a point among those that were given.
+  std::size_t index(std::size_t i) const { return m_indices[i]; }
+  std::size_t number_of_duplicates() const { return m_duplicates; }
+  // Of points that were left out, as they were far from others.
+  std::size_t number_of_strays() const { return m_strays; }
+
+  // Leaves out the others. Throws Error if what is left lies in a plane.
+  void keep(const std::vector<char>& is_kept) {
+    const auto number = std::size_t(std::count(is_kept.begin(), is_kept.end(), 1));
+    if (number == size())
+      return;
+    m_strays += size() - number;
+    keep_marked(m_points, is_kept);
+    keep_marked(m_indices, is_kept);
+    keep_marked(m_reaches, is_kept);
+    require_extent();
+    plant();
+  }
+
+  // The mean distance of points from their six nearest neighbors.
+  double spacing() const { return m_spacing; }
+  // The distance of the sixth neighbor.
+  double reach(std::size_t i) const { return m_reaches[i]; }
+
+  // The nearest points, by distance.
+  std::vector<std::size_t> nearest(const Point& p, unsigned number) const {
+    const Search search(*m_tree, p, number, 0, true, Distance(map()));
+    std::vector<std::size_t> result;
+    for (const auto& item : search)
+      result.push_back(item.first);
+    return result;
+  }
+  std::size_t nearest(const Point& p) const {
+    return Search(*m_tree, p, 1, 0, true, Distance(map())).begin()->first;
+  }
+  double distance(const Point& p) const {
+    return std::sqrt((m_points[nearest(p)] - p).squared_length());
+  }
+
+private:
+  using Map = Pointer_property_map<Point>::const_type;
+  using Traits = Search_traits_adapter<std::size_t, Map, Search_traits_3<Cloud_kernel>>;
+  using Search = Orthogonal_k_neighbor_search<Traits>;
+  using Tree = Search::Tree;
+  using Distance = Search::Distance;
+  static constexpr unsigned ring = 6; // neighbors of a point of a surface
+
+  Map map() const { return make_property_map(m_points); }
+
+  void require_extent() const {
+    static constexpr std::size_t least = 4;
+    static constexpr double thinnest = 1e-9; // of the extent
+    if (m_points.size() < least)
+      throw Error("there are fewer than four different points: they bound no solid");
+    const Fitted_plane_3 plane = fit_plane(m_points);
+    double thickness = 0, extent = 0;
+    for (const Point& p : m_points) {
+      thickness = (std::max)(thickness, std::abs(plane.height(p)));
+      extent = (std::max)(extent, std::sqrt((p - plane.center).squared_length()));
+    }
+    if (!(thickness > thinnest * extent))
+      throw Error("all points lie in a plane: they bound no solid");
+  }
+
+  // The tree of the points.
+  void plant() {
+    std::vector<std::size_t> all(size());
+    std::iota(all.begin(), all.end(), std::size_t(0));
+    m_tree = std::make_shared<Tree>(all.begin(), all.end(), Tree::Splitter(), Traits(map()));
+    m_tree->build();
+  }
+
+  void measure() {
+    double sum = 0;
+    std::size_t number = 0;
+    for (const Point& p : m_points) {
+      const auto near = nearest(p, ring + 1); // itself among them
+      for (std::size_t k = 1; k < near.size(); ++k, ++number)
+        sum += std::sqrt((m_points[near[k]] - p).squared_length());
+      m_reaches.push_back(std::sqrt((m_points[near.back()] - p).squared_length()));
+    }
+    m_spacing = sum / double(number);
+  }
+
+  // A point is isolated if it is farther from its neighbors than most of those around are from
+  // theirs. What a point reaches is no more than what most of those around do.
+  void drop_isolated() {
+    static constexpr double far = 3;       // reaches of those around: their median
+    static constexpr unsigned around = 32; // more than outliers have among themselves
+    std::vector<char> is_kept;
+    std::vector<double> medians;
+    for (std::size_t i = 0; i < size(); ++i) {
+      std::vector<double> reaches;
+      for (std::size_t k : nearest(m_points[i], around))
+        reaches.push_back(m_reaches[k]);
+      const auto middle = reaches.begin() + std::ptrdiff_t(reaches.size() / 2);
+      std::nth_element(reaches.begin(), middle, reaches.end());
+      is_kept.push_back(m_reaches[i] <= far * *middle);
+      medians.push_back(*middle);
+    }
+    for (std::size_t i = 0; i < size(); ++i)
+      m_reaches[i] = (std::min)(m_reaches[i], medians[i]);
+    keep(is_kept);
+  }
+
+  std::vector<Point> m_points;
+  std::vector<std::size_t> m_indices; // among the points that were given
+  std::size_t m_duplicates = 0, m_strays = 0;
+  std::shared_ptr<Tree> m_tree;
+  std::vector<double> m_reaches;
+  double m_spacing = 0;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_POINT_CLOUD_3_H

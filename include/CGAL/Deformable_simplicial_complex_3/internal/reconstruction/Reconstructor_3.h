@@ -1,0 +1,218 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_RECONSTRUCTOR_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_RECONSTRUCTOR_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Reconstruction_report_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_approach_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_facets_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_sizes_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/ways_by_least_squares.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Takes the interface of a complex from around a cloud to the surface that it samples, and divides
+// its facets where they do not fit.
+template <class Complex> class Reconstructor_3
+{
+public:
+  using Point = Sampled_surface_3::Point;
+  using Vector = Sampled_surface_3::Vector;
+
+  // The longest edges to begin with; the tolerance in spacings.
+  Reconstructor_3(Complex& complex, const Sampled_surface_3& surface, double edge, double tolerance)
+      : m_complex(complex), m_surface(surface), m_sizes(surface, edge, tolerance),
+        m_tolerance(tolerance * surface.cloud().spacing()) {}
+
+  // Steps until it comes to rest, as long as the observer agrees.
+  template <class Observer>
+  Reconstruction_report_3<Complex> run(unsigned steps, Observer& observer) {
+    static constexpr int last_fits = 2; // by when vertices stay where they are
+    Reconstruction_report_3<Complex> report;
+    bool goes_on = observer(std::as_const(m_complex), report.number_of_steps);
+    while (goes_on && !report.is_complete && report.number_of_steps < steps) {
+      report.is_complete = !advance();
+      for (int i = 0; i < last_fits && report.is_complete; ++i)
+        fit();
+      goes_on = observer(std::as_const(m_complex), ++report.number_of_steps);
+    }
+    measure(report);
+    return report;
+  }
+
+private:
+  // Moves the vertices: while many facets are free, by what the facets around them know; then where
+  // all facets are nearest to all points. Returns whether that is not the end.
+  bool advance() {
+    static constexpr double many = .1; // of the facets
+    const Front front(m_complex, m_surface);
+    const Cloud_planes_3 planes(m_surface, front.triangles);
+    Cloud_approach_3 approach(m_surface, front.facets(), front.positions, front.triangles, planes);
+    std::vector<Vector>& ways = approach.ways;
+    calm(front.snapshot, ways);
+    const auto free = std::count(approach.is_free.begin(), approach.is_free.end(), 1);
+    const bool fits = double(free) < many * double(front.triangles.size());
+    if (fits) {
+      const auto best =
+          ways_by_least_squares(m_surface, front.facets(), front.positions, front.triangles);
+      for (std::size_t v = 0; v < ways.size(); ++v)
+        if (approach.is_at_free[v] == 0)
+          ways[v] = best[v];
+    }
+    refine(front, planes, ways, fits);
+    deform(front, ways);
+    improve();
+    if (fits)
+      m_residuals.push_back(front.triangles.residual(m_surface));
+    return !has_settled();
+  }
+
+  // Moves all vertices once more, without other changes.
+  void fit() {
+    const Front front(m_complex, m_surface);
+    deform(front,
+           ways_by_least_squares(m_surface, front.facets(), front.positions, front.triangles));
+  }
+
+  using Snapshot = Interface_snapshot<Complex>;
+
+  struct Front
+  {
+    Snapshot snapshot;
+    std::vector<Point> positions;
+    Cloud_triangles_3 triangles;
+
+    Front(const Complex& complex, const Sampled_surface_3& surface)
+        : snapshot(complex), positions(cloud_points(snapshot.positions(complex))),
+          triangles(surface, snapshot.facets(), positions) {}
+
+    const auto& facets() const { return snapshot.facets(); }
+  };
+
+  // How a vertex moved last.
+  struct Motion
+  {
+    Vector way;
+    double part; // of it that the vertex went
+  };
+
+  // A vertex that goes back and forth goes half as far each time; short ways are none.
+  void calm(const Snapshot& front, std::vector<Vector>& ways) {
+    static constexpr double half = .5, more = 1.2;
+    static constexpr double rest = .01; // spacings
+    std::map<std::size_t, Motion> motions;
+    for (std::size_t v = 0; v < ways.size(); ++v) {
+      const std::size_t time_stamp = front.vertices[v]->time_stamp();
+      const auto last = m_motions.find(time_stamp);
+      Motion motion{ways[v], 1};
+      if (last != m_motions.end())
+        motion.part = last->second.way * ways[v] < 0 ? half * last->second.part
+                                                     : (std::min)(1., more * last->second.part);
+      ways[v] = motion.part * ways[v];
+      if (std::sqrt(ways[v].squared_length()) < rest * m_surface.cloud().spacing())
+        ways[v] = NULL_VECTOR;
+      motions[time_stamp] = motion;
+    }
+    m_motions.swap(motions);
+  }
+
+  void refine(const Front& front, const Cloud_planes_3& planes, const std::vector<Vector>& ways,
+              bool fits) {
+    static constexpr double rest = .1; // edges
+    std::vector<char> rests;
+    for (std::size_t f = 0; f < front.triangles.size(); ++f) {
+      double edge = 0, way = 0; // squared
+      for (int k = 0; k < 3; ++k) {
+        const auto& t = front.triangles[f];
+        edge = (std::max)(edge, (t[k] - t[k + 1]).squared_length());
+        way = (std::max)(way, ways[front.facets()[f].vertices[std::size_t(k)]].squared_length());
+      }
+      rests.push_back(way <= rest * rest * edge);
+    }
+    m_sizes.refine(front.triangles, planes, rests, fits);
+  }
+
+  void deform(const Front& front, const std::vector<Vector>& ways) {
+    std::vector<typename Complex::Approximate_point> destinations;
+    for (std::size_t v = 0; v < ways.size(); ++v) {
+      const Point q = front.positions[v] + ways[v];
+      destinations.emplace_back(q.x(), q.y(), q.z());
+    }
+    deform_interface_to(m_complex, front.snapshot, destinations,
+                        parameters::manifold_interface(true));
+  }
+
+  void improve() {
+    static constexpr double longest = 1.5, shortest = .4; // of what is asked for
+    static constexpr double crease = 40;                  // degrees
+    improve_interface(m_complex, parameters::size_field(std::cref(m_sizes))
+                                     .interface_split_length(longest)
+                                     .interface_collapse_length(shortest)
+                                     .feature_angle(crease));
+  }
+
+  // Whether points come no nearer, or are much nearer than they have to be.
+  bool has_settled() const {
+    static constexpr std::size_t steps = 5;
+    static constexpr double part = .9;   // of the distance before these steps
+    static constexpr double enough = .2; // of the tolerance
+    const std::size_t n = m_residuals.size();
+    return n > steps && (m_residuals[n - 1] >= part * m_residuals[n - 1 - steps] ||
+                         m_residuals[n - 1] <= enough * m_tolerance);
+  }
+
+  void measure(Reconstruction_report_3<Complex>& report) const {
+    const Point_cloud_3& cloud = m_surface.cloud();
+    report.number_of_points = cloud.size();
+    report.number_of_duplicates = cloud.number_of_duplicates();
+    report.number_of_strays = cloud.number_of_strays();
+    report.spacing = cloud.spacing();
+    report.noise = m_surface.noise();
+    const Front front(m_complex, m_surface);
+    report.root_mean_square = front.triangles.residual(m_surface);
+    const double bound = (std::max)(report.spacing, 4 * report.noise);
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      const double distance =
+          std::sqrt((front.triangles.foot(i) - cloud.points()[i]).squared_length());
+      report.maximum_distance = (std::max)(report.maximum_distance, distance);
+      if (distance > bound)
+        report.unfit_points.push_back(cloud.index(i));
+    }
+    std::sort(report.unfit_points.begin(), report.unfit_points.end());
+    const Cloud_planes_3 planes(m_surface, front.triangles);
+    const auto facets = m_complex.interface_facets(); // in the order of the front's
+    for (std::size_t f = 0; f < facets.size(); ++f)
+      if (!planes[f].is_near)
+        report.facets_without_points.push_back(facets[f]);
+  }
+
+  Complex& m_complex;
+  const Sampled_surface_3& m_surface;
+  Cloud_sizes_3 m_sizes;
+  double m_tolerance;
+  std::map<std::size_t, Motion> m_motions; // by the time stamps of vertices
+  std::vector<double> m_residuals;         // of points, after the approach
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_RECONSTRUCTOR_3_H

@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_SAMPLED_SURFACE_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_SAMPLED_SURFACE_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_sides_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Point_cloud_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/local_fits_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// What a cloud tells of the surface that it samples: its sides and, at each point, the normal and
+// how strongly it bends.
+class Sampled_surface_3
+{
+public:
+  using Point = Point_cloud_3::Point;
+  using Vector = Point_cloud_3::Vector;
+
+  // Normals, if there are any, of any length and sign, in the order of the points. Throws Error if
+  // the points bound no solid.
+  explicit Sampled_surface_3(const std::vector<Point>& points, const std::vector<Vector>& normals)
+      : m_cloud(points), m_sides(m_cloud.points()) {
+    if (!m_sides.encloses_anything())
+      throw Error("the points enclose nothing: they bound no solid");
+    drop_strays();
+    fit();
+    measure_rooms();
+    for (std::size_t i = 0; i < m_cloud.size(); ++i)
+      if (!normals.empty() && normals[m_cloud.index(i)].squared_length() > 0) {
+        const Vector& n = normals[m_cloud.index(i)];
+        m_normals[i] = n / std::sqrt(n.squared_length());
+      }
+    for (std::size_t i = 0; i < m_cloud.size(); ++i) {
+      const auto& o = m_sides.outward(i);
+      if (Vector(o.x(), o.y(), o.z()) * m_normals[i] < 0)
+        m_normals[i] = -m_normals[i];
+    }
+  }
+
+  const Point_cloud_3& cloud() const { return m_cloud; }
+  bool is_inside(const Point& p) const { return m_sides.is_inside({p.x(), p.y(), p.z()}); }
+
+  // Of unit length; where planes meet, that of the neighbors on one side.
+  const Vector& normal(std::size_t i) const { return m_normals[i]; }
+  // Whether the normal points outwards, or else either way.
+  bool is_oriented(std::size_t i) const { return m_sides.outward(i) != NULL_VECTOR; }
+  // How large a ball outside may touch a point or one of its neighbors.
+  double room(std::size_t i) const { return m_rooms[i]; }
+  // The larger one of the absolute values of the principal curvatures.
+  double curvature(std::size_t i) const { return m_curvatures[i]; }
+  // Whether the surface is not smooth there, as at a crease, or else there is more noise.
+  bool is_rough(std::size_t i) const {
+    static constexpr double rough = .1; // spacings
+    return m_residuals[i] > (std::max)(rough * m_cloud.spacing(), 2 * m_noise);
+  }
+  // By how much points are off quadrics of their neighbors: the median.
+  double noise() const { return m_noise; }
+
+private:
+  // A point of a surface has poles on both of its sides, or a neighbor that has.
+  void drop_strays() {
+    static constexpr unsigned around = 6;
+    std::vector<char> is_kept;
+    for (std::size_t i = 0; i < m_cloud.size(); ++i) {
+      const Point& p = m_cloud.points()[i];
+      is_kept.push_back(is_oriented(i));
+      if (!is_oriented(i))
+        for (std::size_t k : m_cloud.nearest(p, around + 1))
+          if (is_oriented(k) &&
+              (m_cloud.points()[k] - p).squared_length() < 4 * m_cloud.reach(k) * m_cloud.reach(k))
+            is_kept.back() = 1;
+    }
+    m_cloud.keep(is_kept);
+    m_sides.keep(is_kept);
+  }
+
+  void fit() {
+    static constexpr unsigned around =
+        16; // neighbors: two rings, almost; of thin parts, those on one side
+    const std::vector<Point>& points = m_cloud.points();
+    std::vector<std::vector<std::size_t>> neighbors;
+    std::vector<Fitted_plane_3> planes;
+    for (const Point& p : points) {
+      neighbors.push_back(m_cloud.nearest(p, around + 1)); // itself among them
+      const std::size_t i = planes.size();
+      const auto is_on_other_side = [&](std::size_t k) {
+        return m_sides.outward(k) * m_sides.outward(i) < 0;
+      };
+      auto& indices = neighbors.back();
+      indices.erase(std::remove_if(indices.begin(), indices.end(), is_on_other_side),
+                    indices.end());
+      std::vector<Point> near;
+      for (std::size_t k : indices)
+        near.push_back(points[k]);
+      planes.push_back(fit_plane(near));
+      const Fitted_quadric_3 quadric = fit_quadric(near, planes.back());
+      m_normals.push_back(quadric.normal);
+      m_residuals.push_back(quadric.residual);
+      m_curvatures.push_back(quadric.curvature);
+    }
+    std::vector<double> residuals = m_residuals;
+    const auto middle = residuals.begin() + std::ptrdiff_t(residuals.size() / 2);
+    std::nth_element(residuals.begin(), middle, residuals.end());
+    m_noise = *middle;
+    static constexpr double rounding = 1e-12; // spacings
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (is_rough(i)) {
+        std::size_t best = i;
+        for (std::size_t k : neighbors[i])
+          if (planes[k].residual < planes[best].residual &&
+              std::abs(planes[k].height(points[i])) <=
+                  2 * planes[k].residual + rounding * m_cloud.spacing())
+            best = k;
+        m_normals[i] = planes[best].normal;
+      }
+  }
+
+  // Of the points of a layer of noise, only some have large balls.
+  void measure_rooms() {
+    static constexpr unsigned around = 8;
+    for (const Point& p : m_cloud.points()) {
+      double room = 0;
+      for (std::size_t k : m_cloud.nearest(p, around))
+        room = (std::max)(room, m_sides.room(k));
+      m_rooms.push_back(room);
+    }
+  }
+
+  Point_cloud_3 m_cloud;
+  Cloud_sides_3 m_sides;
+  std::vector<Vector> m_normals;
+  std::vector<double> m_residuals, m_curvatures, m_rooms;
+  double m_noise = 0;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_SAMPLED_SURFACE_3_H

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_COLLECT_POINTS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_COLLECT_POINTS_H
+
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+
+#include <CGAL/number_utils.h>
+
+#include <vector>
+
+namespace CGAL {
+
+template <typename Point, typename Vector> class Point_set_3;
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Points of any kernel, and their normals: none, or as many.
+struct Collected_points
+{
+  std::vector<Sampled_surface_3::Point> points;
+  std::vector<Sampled_surface_3::Vector> normals;
+
+  template <class P> void add_point(const P& p) {
+    points.emplace_back(to_double(p.x()), to_double(p.y()), to_double(p.z()));
+  }
+  template <class V> void add_normal(const V& v) {
+    normals.emplace_back(to_double(v.x()), to_double(v.y()), to_double(v.z()));
+  }
+};
+
+template <class Range, class NamedParameters>
+Collected_points collect_points(const Range& range, const NamedParameters& np) {
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::is_default_parameter;
+  Collected_points result;
+  for (const auto& key : range) {
+    if constexpr (is_default_parameter<NamedParameters, CGAL::internal_np::point_t>::value)
+      result.add_point(key);
+    else
+      result.add_point(get(get_parameter(np, CGAL::internal_np::point_map), key));
+    if constexpr (!is_default_parameter<NamedParameters, CGAL::internal_np::normal_t>::value)
+      result.add_normal(get(get_parameter(np, CGAL::internal_np::normal_map), key));
+  }
+  return result;
+}
+
+// A set has its own points, and maybe normals.
+template <class Point, class Vector, class NamedParameters>
+Collected_points collect_points(const Point_set_3<Point, Vector>& set,
+                                const NamedParameters& /*np*/) {
+  Collected_points result;
+  for (auto i : set) {
+    result.add_point(set.point(i));
+    if (set.has_normal_map())
+      result.add_normal(set.normal(i));
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_COLLECT_POINTS_H
