@@ -10,12 +10,14 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Reconstructor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/collect_points.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -61,20 +63,20 @@ lists.
     \cgalParamDefault{`Identity_property_map`}
   \cgalParamNEnd
   \cgalParamNBegin{normal_map}
-    \cgalParamDescription{normals of the surface, of any length and sign; those of length 0 are
-                          estimated}
+    \cgalParamDescription{normals of the surface, of any length and sign; those that are 0 or not
+                          finite are estimated}
     \cgalParamType{a model of `ReadablePropertyMap` whose value type has `x()`, `y()` and `z()`}
     \cgalParamDefault{estimated from the 16 nearest points}
   \cgalParamNEnd
   \cgalParamNBegin{fit_tolerance}
     \cgalParamDescription{facets are divided where the root of the mean square of the distances of
                           their points is more, in units of the mean distance of points from their
-                          six nearest ones, or twice the noise; positive. Edges do not become
-                          shorter than two of these distances.}
+                          six nearest ones, or twice the noise; positive, finite. No edges are asked
+                          for that are shorter than two of these distances and 12 times the noise.}
     \cgalParamType{`double`} \cgalParamDefault{0.05}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{how many steps the interface makes at the most}
+    \cgalParamDescription{how many steps the interface makes at the most; 1 or more}
     \cgalParamType{`unsigned int`} \cgalParamDefault{80}
   \cgalParamNEnd
   \cgalParamNBegin{observer}
@@ -92,8 +94,9 @@ lists.
 
 \return the complex: label 1 inside, 0 between that and a box around it. Its interface is manifold.
 \throws Deformable_simplicial_complexes::Error if a parameter is out of its range, coordinates are not
-        finite, there are fewer than four different points, all lie in a plane, or they enclose
-nothing
+        finite, the extent of the points is not between 1e-30 and 1e30, there are fewer than four
+        different points, all lie in a plane, or what they enclose is nothing or too thin; then the
+        report stays what it was, as if the observer or a map throws
 
 n log n in the number of points, if their Delaunay triangulation is linear, and for each of some
 tens of steps a query for each point and the deformation of the interface. A cloud of 20 000 points
@@ -109,9 +112,9 @@ Complex reconstruct_point_set_3(
 
   const double tolerance =
       internal::number_parameter(np, tags::fit_tolerance, internal::defaults::fit_tolerance);
-  if (!(tolerance > 0))
+  if (!(tolerance > 0 && tolerance <= (std::numeric_limits<double>::max)()))
     throw Deformable_simplicial_complexes::Error(
-        "the tolerance of the fit is not positive: use 0.05, for example");
+        "the tolerance of the fit is not positive and finite: use 0.05, for example");
   const unsigned steps =
       internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
                                 internal::defaults::Number_of_iterations::of_reconstruction);

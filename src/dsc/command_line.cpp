@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <climits>
 #include <iostream>
 #include <string>
 
@@ -104,6 +105,32 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
                         "JSON file with points, distances and arcs");
   cut_locus->add_flag("--quiet", cut_locus_options.quiet, "Print nothing but errors");
 
+  Reconstruct_options reconstruct_options;
+  std::string tolerance = "0.05";
+  CLI::App* reconstruct =
+      app.add_subcommand("reconstruct", "Find the solid whose surface points sample");
+  reconstruct
+      ->add_option("POINTS", reconstruct_options.input,
+                   "Points, with or without normals (.xyz, .pwn, .ply, .off)")
+      ->required();
+  reconstruct
+      ->add_option("-o", reconstruct_options.output,
+                   "Surface (.off, .obj, .ply, .stl) or tetrahedra (.vtu, .mesh)")
+      ->required();
+  reconstruct
+      ->add_option("--tolerance", tolerance,
+                   "How far triangles may be from their points, in mean distances of a point from "
+                   "its neighbors")
+      ->capture_default_str();
+  reconstruct->add_option("--steps", reconstruct_options.steps, "Number of steps at the most")
+      ->check(CLI::Range(1, INT_MAX))
+      ->capture_default_str();
+  reconstruct->add_option("--output", reconstruct_options.folder,
+                          "Folder for the steps, to be shown with ParaView");
+  reconstruct->add_option("--report", reconstruct_options.report,
+                          "JSON file with distances, parts, and what fits nothing");
+  reconstruct->add_flag("--quiet", reconstruct_options.quiet, "Print nothing but errors");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
@@ -147,6 +174,12 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
     else if (!cut_locus_options.output.empty())
       require_extension(cut_locus_options.output, {"svg"});
     return cut_locus_options;
+  }
+  if (*reconstruct) {
+    require_extension(reconstruct_options.input, {"xyz", "pwn", "ply", "off"});
+    require_extension(reconstruct_options.output, {"off", "obj", "ply", "stl", "vtu", "mesh"});
+    reconstruct_options.tolerance = parse_positive(tolerance, "--tolerance");
+    return reconstruct_options;
   }
   return run_commands.options();
 }

@@ -16,6 +16,7 @@ int execute(const Info_options& options);
 int execute(const Convert_options& options);
 int execute(const Improve_options& options);
 int execute(const Cut_locus_options& options);
+int execute(const Reconstruct_options& options);
 
 } // namespace dsc
 

@@ -159,8 +159,20 @@ struct Cut_locus_options
   bool quiet = false;
 };
 
-using Options =
-    std::variant<Info_options, Run_options, Convert_options, Improve_options, Cut_locus_options>;
+/// What `dsc reconstruct` is asked to do.
+struct Reconstruct_options
+{
+  std::string input;      ///< points
+  std::string output;     ///< surface or tetrahedra
+  double tolerance = .05; ///< in spacings of the points
+  unsigned steps = 80;    ///< at the most
+  std::string folder;     ///< for the steps; empty for none
+  std::string report;     ///< file; empty for none
+  bool quiet = false;
+};
+
+using Options = std::variant<Info_options, Run_options, Convert_options, Improve_options,
+                             Cut_locus_options, Reconstruct_options>;
 
 } // namespace dsc
 

@@ -21,7 +21,7 @@ the points.
 */
 template <class Complex> struct Reconstruction_report_3
 {
-  std::size_t number_of_points = 0;     ///< those that count
+  std::size_t number_of_points = 0;     ///< without duplicates and strays
   std::size_t number_of_duplicates = 0; ///< points equal to others, which were left out
   std::size_t number_of_strays = 0;     ///< points far from all others, or on neither side of the
                                         ///< surface, which were left out
@@ -35,7 +35,8 @@ template <class Complex> struct Reconstruction_report_3
   double maximum_distance = 0;           ///< of a point from the interface
   std::vector<std::size_t> unfit_points; ///< those farther than a spacing and four times the noise,
                                          ///< by their places among the points that were given
-  std::vector<typename Complex::Facet> facets_without_points; ///< which close holes of the cloud
+  std::vector<typename Complex::Facet> facets_without_points; ///< that no point is
+                                                              ///< near to: they close holes
 };
 
 } // namespace Deformable_simplicial_complexes

@@ -39,9 +39,7 @@ namespace internal {
 
 // By the extension of the file.
 inline Surface_format surface_format(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension)
-    c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const std::string extension = lower_case_extension(path);
   return extension == ".off"   ? Surface_format::off
          : extension == ".obj" ? Surface_format::obj
          : extension == ".ply" ? Surface_format::ply
@@ -69,6 +67,7 @@ template <class Point> struct Point_sink
                        path);
     points.emplace_back(x, y, z);
   }
+  void normal(double, double, double) {}
 
   void polygon(const std::vector<std::size_t>& corners) {
     ++number_of_polygons;
@@ -86,6 +85,7 @@ template <class Point> struct Triangle_sink
 
   void expect_points(std::size_t) {}
   void point(double, double, double) {}
+  void normal(double, double, double) {}
 
   void polygon(const std::vector<std::size_t>& corners) {
     points_of_polygon.clear();

@@ -69,7 +69,7 @@ public:
       ways.push_back(corners[v].way());
       if (is_at_free[v] != 0 && !surface.is_inside(positions[v]))
         for (int i = 0; i < halvings && surface.is_inside(positions[v] + ways[v]); ++i)
-          ways[v] = ways[v] / 2;
+          ways[v] = i + 1 < halvings ? ways[v] / 2 : Vector(0, 0, 0);
     }
   }
 

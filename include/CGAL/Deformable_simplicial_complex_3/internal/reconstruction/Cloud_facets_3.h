@@ -9,11 +9,13 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/cgal_compat.h>
 
 #include <CGAL/AABB_tree.h>
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,6 +43,8 @@ public:
     for (const auto& f : facets)
       m_triangles.emplace_back(positions[f.vertices[0]], positions[f.vertices[1]],
                                positions[f.vertices[2]]);
+    if (m_triangles.empty())
+      return;
     Tree tree(m_triangles.begin(), m_triangles.end());
     tree.accelerate_distance_queries();
     for (const Point& p : surface.cloud().points()) {
@@ -85,9 +89,6 @@ struct Cloud_facet_3
   double residual = 0;             // of all points from the facet: root of the mean square
 };
 
-// How far a point reaches, in distances of its sixth neighbor: facets within touch it.
-constexpr double reach_of_points = 2;
-
 // Gives each facet a plane: that of most of its points, of those with similar normals.
 class Cloud_planes_3
 {
@@ -124,31 +125,34 @@ private:
     const auto faces_away = [&](std::size_t i) {
       return m_surface.is_oriented(i) && m_surface.normal(i) * normal < away;
     };
-    const auto touches = [&](std::size_t i) {
-      return m_distances[i] < reach_of_points * cloud.reach(i);
+    const auto touches = [&](std::size_t i, double distance) {
+      return distance < reach_of_points * cloud.reach(i);
     };
-    auto& points = facet.points;
-    points.erase(std::remove_if(points.begin(), points.end(), faces_away), points.end());
-    if (std::none_of(points.begin(), points.end(), touches)) {
+    std::vector<std::pair<std::size_t, double>> points; // and their distances
+    for (std::size_t i : facet.points)
+      if (!faces_away(i)) {
+        points.emplace_back(i, m_distances[i]);
+        facet.is_near = facet.is_near || touches(i, m_distances[i]);
+      }
+    if (!facet.is_near) {
       // Small facets have no points of their own, but those of their neighbors.
+      points.clear();
       for (std::size_t i : cloud.nearest(CGAL::centroid(t), some)) {
         const double distance = std::sqrt(CGAL::squared_distance(cloud.points()[i], t));
-        if (distance < reach_of_points * cloud.reach(i) && !faces_away(i)) {
-          m_distances[i] = distance;
-          points.push_back(i);
-        }
+        if (touches(i, distance) && !faces_away(i))
+          points.emplace_back(i, distance);
       }
+      facet.is_near = !points.empty();
     }
-    facet.is_near = std::any_of(points.begin(), points.end(), touches);
-    const auto is_far = [&](std::size_t i) {
-      return !touches(i) && (!facet.is_near || m_distances[i] > part * edge);
-    };
-    points.erase(std::remove_if(points.begin(), points.end(), is_far), points.end());
+    facet.points.clear();
     double squares = 0;
-    for (std::size_t i : points)
-      squares += m_distances[i] * m_distances[i];
+    for (const auto& [i, distance] : points)
+      if (touches(i, distance) || distance <= part * edge) {
+        facet.points.push_back(i);
+        squares += distance * distance;
+      }
     if (facet.is_near)
-      facet.residual = std::sqrt(squares / double(points.size()));
+      facet.residual = std::sqrt(squares / double(facet.points.size()));
   }
 
   void choose_plane(Cloud_facet_3& facet, const Vector& normal) const {

@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_CLOUD_SHELL_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/box_grid_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Own_operations_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/fill_torus.h>
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -31,11 +31,14 @@ public:
   using Point = Sampled_surface_3::Point;
 
   explicit Cloud_shell_3(const Sampled_surface_3& surface) : m_surface(surface) {
-    static constexpr double edges = 12; // on the longest side: few, as large parts need few facets
-    static constexpr double margin = 2; // edges between the solid and the border of the domain
+    static constexpr double edges = 12;  // on the longest side: few, as large parts need few facets
+    static constexpr double least = 2.5; // spacings: shorter edges would have no points
+    static constexpr double fewest = 4;  // edges on the longest side
+    static constexpr double margin = 2;  // edges between the solid and the border of the domain
     for (const Point& p : surface.cloud().points())
       m_bbox += p.bbox();
-    m_edge = (std::max)({m_bbox.x_span(), m_bbox.y_span(), m_bbox.z_span()}) / edges;
+    const double side = (std::max)({m_bbox.x_span(), m_bbox.y_span(), m_bbox.z_span()});
+    m_edge = (std::min)(side / fewest, (std::max)(side / edges, least * surface.cloud().spacing()));
     const auto grown = [&](double low, double high) {
       return (std::ceil((high - low) / m_edge + 2 * margin) * m_edge - (high - low)) / 2;
     };
@@ -81,12 +84,14 @@ private:
 // A complex with that interface, and without pinches.
 template <class Complex> Complex complex_of_shell(const Cloud_shell_3& shell) {
   static constexpr double longest = 1.7; // of what is asked for; of a grid, 1.15
+  static constexpr unsigned rounds = 60; // three for each halving; most need none
   Complex result = fill_grid(
       Complex(), box_grid(shell.bbox(), shell.edge()), [](const auto&) { return 0; },
       parameters::default_values());
   control_detail(result, parameters::size_field([&](const auto& p) { return shell.size(p); })
                              .split_length(longest)
-                             .collapse_length(0.));
+                             .collapse_length(0.)
+                             .number_of_iterations(rounds));
   for (auto c : result.cells())
     result.relabel(c, shell.label(barycenter(result, c)));
   for (auto pinched = non_manifold_vertices(result); !pinched.empty();

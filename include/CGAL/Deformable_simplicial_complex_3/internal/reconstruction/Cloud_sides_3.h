@@ -102,7 +102,7 @@ private:
   struct Ball // that is empty and circumscribes a cell
   {
     Point center;
-    double squared_radius;
+    double squared_radius = 0; // also of cells that are flat in double precision
   };
   struct Relation
   {
@@ -119,6 +119,8 @@ private:
   static double angle(double cosine) { return std::acos((std::max)(-1., (std::min)(1., cosine))); }
   // Where two spheres meet: 0 if they are equal, pi if they touch from outside.
   static double angle(const Ball& a, const Ball& b) {
+    if (!(a.squared_radius > 0) || !(b.squared_radius > 0))
+      return CGAL_PI / 2; // which tells nothing
     return angle((a.squared_radius + b.squared_radius - squared_distance(a.center, b.center)) /
                  (2 * std::sqrt(a.squared_radius * b.squared_radius)));
   }
@@ -151,10 +153,25 @@ private:
       if (m_delaunay.is_infinite(c))
         continue;
       c->info() = Ball_index(result.size());
-      const Point center = c->circumcenter();
-      result.push_back({center, squared_distance(center, c->vertex(0)->point())});
+      result.push_back(ball_of(c));
     }
     return result;
+  }
+
+  static Ball ball_of(Cell_handle cell) {
+    const Point& p = cell->vertex(0)->point();
+    const Vector a = cell->vertex(1)->point() - p, b = cell->vertex(2)->point() - p,
+                 c = cell->vertex(3)->point() - p;
+    static constexpr double flat = 1e-12; // of the volume of a cube: less is rounding
+    const Vector across = cross_product(b, c);
+    const double volume = a * across;
+    const bool is_flat = volume * volume <=
+                         flat * flat * a.squared_length() * b.squared_length() * c.squared_length();
+    const Vector way = (a.squared_length() * across + b.squared_length() * cross_product(c, a) +
+                        c.squared_length() * cross_product(a, b)) /
+                       (2 * volume);
+    const double squared = way.squared_length();
+    return is_flat || !std::isfinite(squared) ? Ball{p, 0} : Ball{p + way, squared};
   }
 
   void join_outside(Signed_union_find& sides) const {
@@ -212,7 +229,7 @@ private:
     return result;
   }
 
-  // For balls that are no poles.
+  // Of all cells: for those that are no poles.
   std::vector<Relation> relations_of_neighbors(const std::vector<Ball>& balls) const {
     std::vector<Relation> result;
     for (const auto& f : m_delaunay.finite_facets()) {

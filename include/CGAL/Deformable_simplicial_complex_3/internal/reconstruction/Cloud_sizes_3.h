@@ -8,6 +8,8 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_facets_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
 
+#include <CGAL/Kernel/global_functions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -25,18 +27,24 @@ public:
   using Point = Sampled_surface_3::Point;
   using Vector = Sampled_surface_3::Vector;
 
-  // At most an edge at the points; the tolerance, of distances of points from facets, in spacings.
+  // At most an edge at the points, if that is not too short for them; the tolerance, of distances
+  // of points from facets, in spacings.
   Cloud_sizes_3(const Sampled_surface_3& surface, double edge, double tolerance)
       : m_surface(surface), m_sizes(surface.cloud().size()) {
-    static constexpr double radii = 1.2; // of curvature
-    static constexpr double least = 4;   // spacings
+    static constexpr double radii = 1.2; // of curvature: 10 facets around a ball
+    static constexpr double least = 4;   // spacings; where that does not fit, they are refined
+    // Spacings: so that facets have points, and tell on which side of a crease these are.
+    static constexpr double smooth_floor = 2, crease_floor = 3;
+    static constexpr double noise_floor = 12; // noises: to average over about ten points
+    static constexpr double fits = 2;         // noises: as much as a facet among noise is off
     const double spacing = surface.cloud().spacing(), noise = surface.noise();
-    m_bound = (std::max)(tolerance * spacing, 2 * noise);
-    m_smooth_floor = 2 * spacing + 12 * noise;
-    m_crease_floor = 3 * spacing + 12 * noise;
+    m_bound = (std::max)(tolerance * spacing, fits * noise);
+    m_smooth_floor = smooth_floor * spacing + noise_floor * noise;
+    m_crease_floor = crease_floor * spacing + noise_floor * noise;
     for (std::size_t i = 0; i < m_sizes.size(); ++i)
-      m_sizes[i] = (std::min)(
-          edge, (std::max)({least * spacing, m_smooth_floor, radii / surface.curvature(i)}));
+      m_sizes[i] =
+          (std::max)(m_smooth_floor,
+                     (std::min)(edge, (std::max)(least * spacing, radii / surface.curvature(i))));
   }
 
   template <class P> double operator()(const P& q) const {
@@ -51,7 +59,7 @@ public:
   // or cannot go on.
   void refine(const Cloud_triangles_3& triangles, const Cloud_planes_3& planes,
               const std::vector<char>& rests, bool fits) {
-    static constexpr double least = .4; // of an edge
+    static constexpr double least = .4, half = .5; // of an edge; without points
     for (std::size_t f = 0; f < triangles.size(); ++f) {
       if (rests[f] == 0 || (planes[f].is_near && (!fits || planes[f].residual <= m_bound)))
         continue;
@@ -60,7 +68,7 @@ public:
       for (int k = 0; k < 3; ++k)
         edge = (std::max)(edge, std::sqrt((t[k] - t[k + 1]).squared_length()));
       // Distances go with the squares of edges.
-      const double part = planes[f].is_near ? std::sqrt(m_bound / planes[f].residual) : .5;
+      const double part = planes[f].is_near ? std::sqrt(m_bound / planes[f].residual) : half;
       const double wanted = (std::max)(planes[f].has_crease ? m_crease_floor : m_smooth_floor,
                                        (std::max)(least, part) * edge);
       for (std::size_t i : planes[f].points)

@@ -8,6 +8,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/local_fits_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Kd_tree.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
@@ -20,12 +21,16 @@
 #include <memory>
 #include <numeric>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
+
+// How far a point reaches, in distances of its sixth neighbor: facets within touch it.
+inline constexpr double reach_of_points = 2;
 
 // The elements whose marks are not 0, in their order.
 template <class T> void keep_marked(std::vector<T>& elements, const std::vector<char>& marks) {
@@ -43,16 +48,19 @@ public:
   using Point = Cloud_kernel::Point_3;
   using Vector = Cloud_kernel::Vector_3;
 
-  // Throws Error if coordinates are not finite, or the points lie in a plane.
-  explicit Point_cloud_3(const std::vector<Point>& points) {
+  // Of equal points, that with the greatest vector counts, if there are any vectors. Throws Error
+  // if coordinates are not finite, or too large or small, or the points lie in a plane.
+  Point_cloud_3(const std::vector<Point>& points, const std::vector<Vector>& vectors) {
     for (std::size_t i = 0; i < points.size(); ++i)
       for (int axis = 0; axis < 3; ++axis)
         if (!std::isfinite(points[i][axis]))
           throw Error("the coordinates of point " + std::to_string(i) + " are not finite");
     m_indices.resize(points.size());
     std::iota(m_indices.begin(), m_indices.end(), std::size_t(0));
-    std::stable_sort(m_indices.begin(), m_indices.end(),
-                     [&](std::size_t i, std::size_t j) { return points[i] < points[j]; });
+    std::stable_sort(m_indices.begin(), m_indices.end(), [&](std::size_t i, std::size_t j) {
+      return points[i] == points[j] ? !vectors.empty() && less(vectors[j], vectors[i])
+                                    : points[i] < points[j];
+    });
     m_indices.erase(
         std::unique(m_indices.begin(), m_indices.end(),
                     [&](std::size_t i, std::size_t j) { return points[i] == points[j]; }),
@@ -65,6 +73,9 @@ public:
     measure();
     drop_isolated();
   }
+
+  Point_cloud_3(const Point_cloud_3&) = delete; // the tree refers to the points
+  Point_cloud_3& operator=(const Point_cloud_3&) = delete;
 
   const std::vector<Point>& points() const { return m_points; }
   std::size_t size() const { return m_points.size(); }
@@ -85,6 +96,7 @@ public:
     keep_marked(m_reaches, is_kept);
     require_extent();
     plant();
+    m_spacing = mean_distance();
   }
 
   // The mean distance of points from their six nearest neighbors.
@@ -115,13 +127,25 @@ private:
   using Distance = Search::Distance;
   static constexpr unsigned ring = 6; // neighbors of a point of a surface
 
+  static bool less(const Vector& a, const Vector& b) {
+    return std::make_tuple(a.x(), a.y(), a.z()) < std::make_tuple(b.x(), b.y(), b.z());
+  }
+
   Map map() const { return make_property_map(m_points); }
 
   void require_extent() const {
     static constexpr std::size_t least = 4;
     static constexpr double thinnest = 1e-9; // of the extent
     if (m_points.size() < least)
-      throw Error("there are fewer than four different points: they bound no solid");
+      throw Error(m_strays == 0 ? "there are fewer than four different points: they bound no solid"
+                                : "fewer than four points are near others: they bound no solid");
+    static constexpr double smallest = 1e-30, largest = 1e30; // extents of complexes
+    Bbox_3 box;
+    for (const Point& p : m_points)
+      box += p.bbox();
+    const double side = (std::max)({box.x_span(), box.y_span(), box.z_span()});
+    if (!(side >= smallest && side <= largest))
+      throw Error("the extent of the points is not between 1e-30 and 1e30: scale them");
     const Fitted_plane_3 plane = fit_plane(m_points);
     double thickness = 0, extent = 0;
     for (const Point& p : m_points) {
@@ -136,20 +160,26 @@ private:
   void plant() {
     std::vector<std::size_t> all(size());
     std::iota(all.begin(), all.end(), std::size_t(0));
-    m_tree = std::make_shared<Tree>(all.begin(), all.end(), Tree::Splitter(), Traits(map()));
+    m_tree = std::make_unique<Tree>(all.begin(), all.end(), Tree::Splitter(), Traits(map()));
     m_tree->build();
   }
 
   void measure() {
+    for (const Point& p : m_points)
+      m_reaches.push_back(std::sqrt((m_points[nearest(p, ring + 1).back()] - p).squared_length()));
+    m_spacing = mean_distance();
+  }
+
+  // Of points from their neighbors.
+  double mean_distance() const {
     double sum = 0;
     std::size_t number = 0;
     for (const Point& p : m_points) {
       const auto near = nearest(p, ring + 1); // itself among them
       for (std::size_t k = 1; k < near.size(); ++k, ++number)
         sum += std::sqrt((m_points[near[k]] - p).squared_length());
-      m_reaches.push_back(std::sqrt((m_points[near.back()] - p).squared_length()));
     }
-    m_spacing = sum / double(number);
+    return sum / double(number);
   }
 
   // A point is isolated if it is farther from its neighbors than most of those around are from
@@ -176,7 +206,7 @@ private:
   std::vector<Point> m_points;
   std::vector<std::size_t> m_indices; // among the points that were given
   std::size_t m_duplicates = 0, m_strays = 0;
-  std::shared_ptr<Tree> m_tree;
+  std::unique_ptr<Tree> m_tree;
   std::vector<double> m_reaches;
   double m_spacing = 0;
 };

@@ -6,13 +6,16 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_RECONSTRUCTOR_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Reconstruction_report_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_care_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_approach_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_facets_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_sizes_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Least_squares_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/ways_by_least_squares.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/remeshing/Interface_improver_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
@@ -53,6 +56,8 @@ public:
         fit();
       goes_on = observer(std::as_const(m_complex), ++report.number_of_steps);
     }
+    m_complex.measure_interface_edges();
+    m_complex.take_component_events();
     measure(report);
     return report;
   }
@@ -70,8 +75,7 @@ private:
     const auto free = std::count(approach.is_free.begin(), approach.is_free.end(), 1);
     const bool fits = double(free) < many * double(front.triangles.size());
     if (fits) {
-      const auto best =
-          ways_by_least_squares(m_surface, front.facets(), front.positions, front.triangles);
+      const std::vector<Vector> best = best_ways(front);
       for (std::size_t v = 0; v < ways.size(); ++v)
         if (approach.is_at_free[v] == 0)
           ways[v] = best[v];
@@ -79,16 +83,17 @@ private:
     refine(front, planes, ways, fits);
     deform(front, ways);
     improve();
-    if (fits)
+    if (fits) {
       m_residuals.push_back(front.triangles.residual(m_surface));
+      m_free.push_back(std::size_t(free));
+    }
     return !has_settled();
   }
 
   // Moves all vertices once more, without other changes.
   void fit() {
     const Front front(m_complex, m_surface);
-    deform(front,
-           ways_by_least_squares(m_surface, front.facets(), front.positions, front.triangles));
+    deform(front, best_ways(front));
   }
 
   using Snapshot = Interface_snapshot<Complex>;
@@ -101,12 +106,19 @@ private:
 
     Front(const Complex& complex, const Sampled_surface_3& surface)
         : snapshot(complex), positions(cloud_points(snapshot.positions(complex))),
-          triangles(surface, snapshot.facets(), positions) {}
+          triangles(surface, snapshot.facets(), positions) {
+      if (positions.empty())
+        throw Error("nothing is left of the solid: it is too thin for the distances of its points");
+    }
 
     const auto& facets() const { return snapshot.facets(); }
   };
 
-  // How a vertex moved last.
+  std::vector<Vector> best_ways(const Front& front) const {
+    return Least_squares_3(m_surface, front.facets(), front.positions, front.triangles).ways();
+  }
+
+  // How a vertex was to move last by the facets around it.
   struct Motion
   {
     Vector way;
@@ -174,11 +186,15 @@ private:
     static constexpr double part = .9;   // of the distance before these steps
     static constexpr double enough = .2; // of the tolerance
     const std::size_t n = m_residuals.size();
-    return n > steps && (m_residuals[n - 1] >= part * m_residuals[n - 1 - steps] ||
-                         m_residuals[n - 1] <= enough * m_tolerance);
+    // Narrow tunnels have few points.
+    if (n <= steps || (m_free[n - 1] > 0 && m_free[n - 1] < m_free[n - 1 - steps]))
+      return false;
+    return (m_residuals[n - 1] >= part * m_residuals[n - 1 - steps] ||
+            m_residuals[n - 1] <= enough * m_tolerance);
   }
 
   void measure(Reconstruction_report_3<Complex>& report) const {
+    static constexpr double unfit = 4; // noises
     const Point_cloud_3& cloud = m_surface.cloud();
     report.number_of_points = cloud.size();
     report.number_of_duplicates = cloud.number_of_duplicates();
@@ -187,7 +203,7 @@ private:
     report.noise = m_surface.noise();
     const Front front(m_complex, m_surface);
     report.root_mean_square = front.triangles.residual(m_surface);
-    const double bound = (std::max)(report.spacing, 4 * report.noise);
+    const double bound = (std::max)(report.spacing, unfit * report.noise);
     for (std::size_t i = 0; i < cloud.size(); ++i) {
       const double distance =
           std::sqrt((front.triangles.foot(i) - cloud.points()[i]).squared_length());
@@ -208,7 +224,9 @@ private:
   Cloud_sizes_3 m_sizes;
   double m_tolerance;
   std::map<std::size_t, Motion> m_motions; // by the time stamps of vertices
-  std::vector<double> m_residuals;         // of points, after the approach
+  // After the approach, in each step.
+  std::vector<double> m_residuals; // of points
+  std::vector<std::size_t> m_free; // facets on their way to points
 };
 
 } // namespace internal

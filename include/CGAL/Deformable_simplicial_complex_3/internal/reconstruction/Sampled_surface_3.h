@@ -10,9 +10,14 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/local_fits_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
+#include <CGAL/Origin.h>
+#include <CGAL/jet_smooth_point_set.h>
+#include <CGAL/tags.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -30,31 +35,36 @@ public:
   // Normals, if there are any, of any length and sign, in the order of the points. Throws Error if
   // the points bound no solid.
   explicit Sampled_surface_3(const std::vector<Point>& points, const std::vector<Vector>& normals)
-      : m_cloud(points), m_sides(m_cloud.points()) {
-    if (!m_sides.encloses_anything())
+      : m_cloud(points, normals) {
+    static constexpr double noisy = .25; // spacings: of layers, sides are decided by their middles
+    m_sides = std::make_unique<Cloud_sides_3>(m_cloud.points());
+    fit();
+    const double layer = m_noise / (noisy * m_cloud.spacing());
+    if (layer > 1 && m_cloud.size() > few * neighbors_to_smooth(layer)) {
+      auto sides = std::make_unique<Cloud_sides_3>(smoothed(layer));
+      if (sides->encloses_anything())
+        m_sides.swap(sides);
+      fit();
+    }
+    if (!m_sides->encloses_anything())
       throw Error("the points enclose nothing: they bound no solid");
     drop_strays();
-    fit();
     measure_rooms();
-    for (std::size_t i = 0; i < m_cloud.size(); ++i)
-      if (!normals.empty() && normals[m_cloud.index(i)].squared_length() > 0) {
-        const Vector& n = normals[m_cloud.index(i)];
-        m_normals[i] = n / std::sqrt(n.squared_length());
-      }
     for (std::size_t i = 0; i < m_cloud.size(); ++i) {
-      const auto& o = m_sides.outward(i);
-      if (Vector(o.x(), o.y(), o.z()) * m_normals[i] < 0)
+      if (!normals.empty())
+        m_normals[i] = unit_vector(normals[m_cloud.index(i)], m_normals[i]);
+      if (vector_of(m_sides->outward(i)) * m_normals[i] < 0)
         m_normals[i] = -m_normals[i];
     }
   }
 
   const Point_cloud_3& cloud() const { return m_cloud; }
-  bool is_inside(const Point& p) const { return m_sides.is_inside({p.x(), p.y(), p.z()}); }
+  bool is_inside(const Point& p) const { return m_sides->is_inside({p.x(), p.y(), p.z()}); }
 
   // Of unit length; where planes meet, that of the neighbors on one side.
   const Vector& normal(std::size_t i) const { return m_normals[i]; }
   // Whether the normal points outwards, or else either way.
-  bool is_oriented(std::size_t i) const { return m_sides.outward(i) != NULL_VECTOR; }
+  bool is_oriented(std::size_t i) const { return m_sides->outward(i) != NULL_VECTOR; }
   // How large a ball outside may touch a point or one of its neighbors.
   double room(std::size_t i) const { return m_rooms[i]; }
   // The larger one of the absolute values of the principal curvatures.
@@ -68,6 +78,39 @@ public:
   double noise() const { return m_noise; }
 
 private:
+  static constexpr unsigned few = 10; // times as many points as are smoothed together
+
+  static Vector vector_of(const Cloud_sides_3::Vector& v) { return {v.x(), v.y(), v.z()}; }
+
+  // The other one if that has no direction.
+  static Vector unit_vector(const Vector& v, const Vector& otherwise) {
+    const double largest = (std::max)({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
+    if (!(largest > 0) || !std::isfinite(largest))
+      return otherwise;
+    const Vector w = v / largest;
+    const double squared = w.squared_length();
+    return std::isfinite(squared) ? w / std::sqrt(squared) : otherwise;
+  }
+
+  static unsigned neighbors_to_smooth(double layer) {
+    static constexpr double around = 24, most = 200; // of a layer of thickness 1, of any
+    return unsigned((std::min)(most, around * layer * layer));
+  }
+
+  // Makes a layer, of that thickness, a surface. CGAL loses digits far from the origin.
+  std::vector<Point> smoothed(double layer) const {
+    static constexpr int rounds = 3;
+    const Vector shift = m_cloud.points().front() - ORIGIN;
+    std::vector<Point> points;
+    for (const Point& p : m_cloud.points())
+      points.push_back(p - shift);
+    for (int i = 0; i < rounds; ++i)
+      jet_smooth_point_set<Sequential_tag>(points, neighbors_to_smooth(layer));
+    for (Point& p : points)
+      p = p + shift;
+    return points;
+  }
+
   // A point of a surface has poles on both of its sides, or a neighbor that has.
   void drop_strays() {
     static constexpr unsigned around = 6;
@@ -77,29 +120,37 @@ private:
       is_kept.push_back(is_oriented(i));
       if (!is_oriented(i))
         for (std::size_t k : m_cloud.nearest(p, around + 1))
-          if (is_oriented(k) &&
-              (m_cloud.points()[k] - p).squared_length() < 4 * m_cloud.reach(k) * m_cloud.reach(k))
+          if (is_oriented(k) && std::sqrt((m_cloud.points()[k] - p).squared_length()) <
+                                    reach_of_points * m_cloud.reach(k))
             is_kept.back() = 1;
     }
     m_cloud.keep(is_kept);
-    m_sides.keep(is_kept);
+    m_sides->keep(is_kept);
+    keep_marked(m_normals, is_kept);
+    keep_marked(m_residuals, is_kept);
+    keep_marked(m_curvatures, is_kept);
   }
 
   void fit() {
-    static constexpr unsigned around =
-        16; // neighbors: two rings, almost; of thin parts, those on one side
+    // Neighbors: two rings, almost; of thin parts those on one side, if they determine a quadric.
+    static constexpr unsigned around = 16, least = 6;
     const std::vector<Point>& points = m_cloud.points();
     std::vector<std::vector<std::size_t>> neighbors;
     std::vector<Fitted_plane_3> planes;
+    m_normals.clear();
+    m_residuals.clear();
+    m_curvatures.clear();
     for (const Point& p : points) {
       neighbors.push_back(m_cloud.nearest(p, around + 1)); // itself among them
       const std::size_t i = planes.size();
       const auto is_on_other_side = [&](std::size_t k) {
-        return m_sides.outward(k) * m_sides.outward(i) < 0;
+        return m_sides->outward(k) * m_sides->outward(i) < 0;
       };
       auto& indices = neighbors.back();
-      indices.erase(std::remove_if(indices.begin(), indices.end(), is_on_other_side),
-                    indices.end());
+      const auto end = std::stable_partition(indices.begin(), indices.end(),
+                                             [&](std::size_t k) { return !is_on_other_side(k); });
+      if (end - indices.begin() > least)
+        indices.erase(end, indices.end());
       std::vector<Point> near;
       for (std::size_t k : indices)
         near.push_back(points[k]);
@@ -114,13 +165,14 @@ private:
     std::nth_element(residuals.begin(), middle, residuals.end());
     m_noise = *middle;
     static constexpr double rounding = 1e-12; // spacings
+    static constexpr double in_plane = 2;     // residuals
     for (std::size_t i = 0; i < points.size(); ++i)
       if (is_rough(i)) {
         std::size_t best = i;
         for (std::size_t k : neighbors[i])
           if (planes[k].residual < planes[best].residual &&
               std::abs(planes[k].height(points[i])) <=
-                  2 * planes[k].residual + rounding * m_cloud.spacing())
+                  in_plane * planes[k].residual + rounding * m_cloud.spacing())
             best = k;
         m_normals[i] = planes[best].normal;
       }
@@ -129,16 +181,17 @@ private:
   // Of the points of a layer of noise, only some have large balls.
   void measure_rooms() {
     static constexpr unsigned around = 8;
-    for (const Point& p : m_cloud.points()) {
+    for (std::size_t i = 0; i < m_cloud.size(); ++i) {
       double room = 0;
-      for (std::size_t k : m_cloud.nearest(p, around))
-        room = (std::max)(room, m_sides.room(k));
+      for (std::size_t k : m_cloud.nearest(m_cloud.points()[i], around))
+        if (is_oriented(k) && m_sides->outward(k) * m_sides->outward(i) >= 0)
+          room = (std::max)(room, m_sides->room(k));
       m_rooms.push_back(room);
     }
   }
 
   Point_cloud_3 m_cloud;
-  Cloud_sides_3 m_sides;
+  std::unique_ptr<Cloud_sides_3> m_sides;
   std::vector<Vector> m_normals;
   std::vector<double> m_residuals, m_curvatures, m_rooms;
   double m_noise = 0;

@@ -33,6 +33,29 @@ struct Collected_points
   }
 };
 
+// The points of a range; those of a set of points are its own, as are its normals, unless there are
+// maps.
+template <class Range> struct Own_maps
+{
+  template <class Key> static void add_point(const Range&, const Key& key, Collected_points& to) {
+    to.add_point(key);
+  }
+  template <class Key> static void add_normal(const Range&, const Key&, Collected_points&) {}
+};
+
+template <class Point, class Vector> struct Own_maps<Point_set_3<Point, Vector>>
+{
+  using Set = Point_set_3<Point, Vector>;
+
+  static void add_point(const Set& set, typename Set::Index i, Collected_points& to) {
+    to.add_point(set.point(i));
+  }
+  static void add_normal(const Set& set, typename Set::Index i, Collected_points& to) {
+    if (set.has_normal_map())
+      to.add_normal(set.normal(i));
+  }
+};
+
 template <class Range, class NamedParameters>
 Collected_points collect_points(const Range& range, const NamedParameters& np) {
   using CGAL::parameters::get_parameter;
@@ -40,24 +63,13 @@ Collected_points collect_points(const Range& range, const NamedParameters& np) {
   Collected_points result;
   for (const auto& key : range) {
     if constexpr (is_default_parameter<NamedParameters, CGAL::internal_np::point_t>::value)
-      result.add_point(key);
+      Own_maps<Range>::add_point(range, key, result);
     else
       result.add_point(get(get_parameter(np, CGAL::internal_np::point_map), key));
-    if constexpr (!is_default_parameter<NamedParameters, CGAL::internal_np::normal_t>::value)
+    if constexpr (is_default_parameter<NamedParameters, CGAL::internal_np::normal_t>::value)
+      Own_maps<Range>::add_normal(range, key, result);
+    else
       result.add_normal(get(get_parameter(np, CGAL::internal_np::normal_map), key));
-  }
-  return result;
-}
-
-// A set has its own points, and maybe normals.
-template <class Point, class Vector, class NamedParameters>
-Collected_points collect_points(const Point_set_3<Point, Vector>& set,
-                                const NamedParameters& /*np*/) {
-  Collected_points result;
-  for (auto i : set) {
-    result.add_point(set.point(i));
-    if (set.has_normal_map())
-      result.add_normal(set.normal(i));
   }
   return result;
 }

@@ -49,7 +49,7 @@ inline const Ply_type* find_ply_type(std::string_view name) {
 
 struct Ply_property
 {
-  enum Meaning { x, y, z, corners, nothing };
+  enum Meaning { x, y, z, nx, ny, nz, corners, nothing };
 
   const Ply_type* size_type; // of a list, null otherwise
   const Ply_type* type;
@@ -81,11 +81,13 @@ public:
 
   // Hands the points and the polygons to a sink; see read_polygons.h.
   template <class Sink> void read(Sink& sink) {
-    double coordinates[3] = {};
+    double coordinates[6] = {}; // and those of a normal
     std::vector<std::size_t> corners;
     for (const Ply_element& element : m_elements) {
       if (element.kind == Ply_element::point)
         sink.expect_points(element.number);
+      const bool has_normal = element.has(Ply_property::nx) && element.has(Ply_property::ny) &&
+                              element.has(Ply_property::nz);
       // Elements that have no properties take no place in the file.
       const std::size_t number = element.properties.empty() ? 0 : element.number;
       for (std::size_t i = 0; i < number; ++i) {
@@ -96,9 +98,11 @@ public:
             coordinates[property.meaning] = property.type->read(m_scanner, m_encoding);
           else
             skip(property);
-        if (element.kind == Ply_element::point)
+        if (element.kind == Ply_element::point) {
           sink.point(coordinates[0], coordinates[1], coordinates[2]);
-        else if (element.kind == Ply_element::polygon)
+          if (has_normal)
+            sink.normal(coordinates[3], coordinates[4], coordinates[5]);
+        } else if (element.kind == Ply_element::polygon)
           sink.polygon(corners);
       }
     }
@@ -167,10 +171,13 @@ private:
     const std::string_view name = word();
     Ply_property::Meaning meaning = Ply_property::nothing;
     if (element.kind == Ply_element::point && !is_list)
-      meaning = name == "x"   ? Ply_property::x
-                : name == "y" ? Ply_property::y
-                : name == "z" ? Ply_property::z
-                              : Ply_property::nothing;
+      meaning = name == "x"    ? Ply_property::x
+                : name == "y"  ? Ply_property::y
+                : name == "z"  ? Ply_property::z
+                : name == "nx" ? Ply_property::nx
+                : name == "ny" ? Ply_property::ny
+                : name == "nz" ? Ply_property::nz
+                               : Ply_property::nothing;
     if (element.kind == Ply_element::polygon && is_list &&
         (name == "vertex_indices" || name == "vertex_index"))
       meaning = Ply_property::corners;

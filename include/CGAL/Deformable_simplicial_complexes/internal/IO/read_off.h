@@ -18,7 +18,7 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // Hands the points and the polygons of an OFF file, as text or binary, to a sink; see
-// read_polygons.h. Normals, colours and textures are skipped.
+// read_polygons.h. Colours and textures are skipped.
 template <class Sink> void read_off(File_scanner& scanner, Sink& sink) {
   std::string kind(scanner.next() ? scanner.word() : "");
   const auto has_prefix = [&](std::string_view prefix) {
@@ -58,8 +58,12 @@ template <class Sink> void read_off(File_scanner& scanner, Sink& sink) {
   for (std::size_t i = 0; i < number_of_points; ++i) {
     const double x = real(), y = real(), z = real(), w = is_homogeneous ? real() : 1;
     sink.point(x / w, y / w, z / w);
+    if (has_normal) {
+      const double nx = real(), ny = real(), nz = real();
+      sink.normal(nx, ny, nz);
+    }
     if (is_binary)
-      skip_reals((has_normal ? 3 : 0) + (has_color ? 4 : 0) + (has_texture ? 2 : 0));
+      skip_reals((has_color ? 4 : 0) + (has_texture ? 2 : 0));
     else
       scanner.skip_line();
   }

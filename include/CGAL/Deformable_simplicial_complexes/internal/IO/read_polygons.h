@@ -23,6 +23,7 @@ enum class Surface_format { none, off, obj, ply, stl };
 // Goes through a file of that format and hands to `sink`, in the order of the file, what it finds:
 // - `expect_points(n)`: as many points should follow, if the number is told; it may be wrong;
 // - `point(x, y, z)`: a point;
+// - `normal(x, y, z)`: that of the last point, if the file tells it;
 // - `polygon(corners)`: places of points as a `std::vector<std::size_t>`, which may come before the
 //   points or be wrong.
 // Nothing is stored but the polygon. Throws File_error with the line if the file has another form.

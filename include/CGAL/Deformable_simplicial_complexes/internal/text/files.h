@@ -30,6 +30,14 @@ inline std::string in_quotes(std::string_view text) {
   return "'" + result + "'";
 }
 
+// With the dot.
+inline std::string lower_case_extension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension)
+    c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return extension;
+}
+
 // Removes a file that was not renamed before the end of the scope.
 struct Temporary_file
 {

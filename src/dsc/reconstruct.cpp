@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands.h"
+#include "errors.h"
+#include "files.h"
+#include "interrupt.h"
+#include "progress_line.h"
+#include "report_json.h"
+#include "tracked_complex_3.h"
+
+#include <CGAL/IO/PVD_series.h>
+#include <CGAL/IO/VTU_3.h>
+#include <CGAL/IO/point_set_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/reconstruct_point_set_3.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+namespace fs = std::filesystem;
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+using CGAL::IO::Point_and_normal_3;
+using Complex = Tracked_complex_3::Complex;
+using Reconstruction_report =
+    CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Complex>;
+
+constexpr int exit_code_of_interrupt = 130; // what shells use for SIGINT
+
+/// Writes each step of a reconstruction.
+class Step_folder
+{
+public:
+  /// Creates the folder if need be. \throws Input_error if that fails, or it holds other steps
+  explicit Step_folder(const std::string& path)
+      : m_path(path), m_volume(file("volume.pvd")), m_interface(file("interface.pvd")) {
+    std::error_code error;
+    fs::create_directories(path, error);
+    if (error || !fs::is_directory(path, error))
+      throw Input_error("cannot create the folder '" + path +
+                        "'; check that no file has its name and that its place may be written to");
+    if (fs::exists(m_volume.path(), error))
+      throw Input_error("the folder '" + path +
+                        "' holds the steps of another run; choose another folder");
+    require_writable(m_volume.path());
+  }
+
+  void write(const Complex& complex, std::size_t step) {
+    char name[40];
+    std::snprintf(name, sizeof name, "_%06zu.vtu", step);
+    const std::string volume = file(std::string("volume") + name),
+                      interface = file(std::string("interface") + name);
+    CGAL::IO::write_VTU(volume, complex);
+    CGAL::IO::write_interface_VTU(interface, complex);
+    m_volume.append(double(step), volume);
+    m_interface.append(double(step), interface);
+  }
+
+private:
+  std::string file(const std::string& name) const { return (fs::path(m_path) / name).string(); }
+
+  std::string m_path;
+  CGAL::IO::PVD_series m_volume, m_interface;
+};
+
+Json json_of(const Reconstruction_report& report, const Complex& complex) {
+  Json facets = Json::array();
+  for (const auto& f : report.facets_without_points) {
+    Json facet = Json::array();
+    for (const auto v : complex.facet_vertices(f)) {
+      const auto p = complex.user_position(v);
+      facet.push_back({p.x(), p.y(), p.z()});
+    }
+    facets.push_back(facet);
+  }
+  return {{"points", report.number_of_points},
+          {"duplicates", report.number_of_duplicates},
+          {"strays", report.number_of_strays},
+          {"spacing", report.spacing},
+          {"noise", report.noise},
+          {"steps", report.number_of_steps},
+          {"is_complete", report.is_complete},
+          {"root_mean_square", report.root_mean_square},
+          {"maximum_distance", report.maximum_distance},
+          {"unfit_points", report.unfit_points},
+          {"facets_without_points", facets}};
+}
+
+void print_summary(const Reconstruction_report& report, const Statistics& statistics,
+                   double seconds) {
+  const Label_statistics& solid = statistics.labels.back();
+  std::printf("dsc: %zu points, %zu triangles, %zu %s, Euler characteristic %d; distances of "
+              "points %.3g in the mean square, %.3g at the most (spacing %.3g); %zu unfit points, "
+              "%zu triangles without points%s; %.3g s\n",
+              report.number_of_points, statistics.interface_facets, solid.components,
+              solid.components == 1 ? "part" : "parts", solid.euler_characteristic,
+              report.root_mean_square, report.maximum_distance, report.spacing,
+              report.unfit_points.size(), report.facets_without_points.size(),
+              report.is_complete ? "" : "; did not come to rest", seconds);
+}
+
+} // namespace
+
+int execute(const Reconstruct_options& options) {
+  catch_interrupts();
+  // What cannot work is refused before anything is computed.
+  if (!options.report.empty())
+    require_place_of_report(options.report, {options.input, options.output});
+  require_writable(options.output);
+  std::optional<Step_folder> folder;
+  if (!options.folder.empty())
+    folder.emplace(options.folder);
+
+  const std::vector<Point_and_normal_3> points = CGAL::IO::read_point_set(options.input);
+  const auto begin = Clock::now();
+  Progress_line progress(options.steps, options.quiet);
+  const auto observe = [&](const Complex& complex, std::size_t step) {
+    if (folder)
+      folder->write(complex, step);
+    progress.show(unsigned(step));
+    return !interrupted();
+  };
+  Reconstruction_report report;
+  Tracked_complex_3 tracked(CGAL::reconstruct_point_set_3<Complex>(
+      points, parameters::point_map(CGAL::First_of_pair_property_map<Point_and_normal_3>())
+                  .normal_map(CGAL::Second_of_pair_property_map<Point_and_normal_3>())
+                  .fit_tolerance(options.tolerance)
+                  .number_of_iterations(options.steps)
+                  .observer(observe)
+                  .report(std::ref(report))));
+  progress.clear();
+
+  tracked.write(options.output);
+  const double seconds = seconds_since(begin);
+  const Statistics statistics = tracked.statistics();
+  if (!options.report.empty()) {
+    Json json = {{"input", options.input}, {"seconds", seconds}};
+    json.update(json_of(report, tracked.complex));
+    json["state"] = statistics_json(statistics);
+    write_json(options.report, json);
+  }
+  if (!options.quiet)
+    print_summary(report, statistics, seconds);
+  return interrupted() ? exit_code_of_interrupt : 0;
+}
+
+} // namespace dsc
