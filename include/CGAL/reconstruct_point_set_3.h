@@ -73,7 +73,7 @@ lists.
                           their points is more, in units of the mean distance of points from their
                           six nearest ones, or twice the noise; positive, finite. No edges are asked
                           for that are shorter than two of these distances and 12 times the noise.}
-    \cgalParamType{`double`} \cgalParamDefault{0.05}
+    \cgalParamType{`double`} \cgalParamDefault{0.03}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{how many steps the interface makes at the most; 1 or more}
@@ -114,7 +114,7 @@ Complex reconstruct_point_set_3(
       internal::number_parameter(np, tags::fit_tolerance, internal::defaults::fit_tolerance);
   if (!(tolerance > 0 && tolerance <= (std::numeric_limits<double>::max)()))
     throw Deformable_simplicial_complexes::Error(
-        "the tolerance of the fit is not positive and finite: use 0.05, for example");
+        "the tolerance of the fit is not positive and finite: use 0.03, for example");
   const unsigned steps =
       internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
                                 internal::defaults::Number_of_iterations::of_reconstruction);

@@ -106,7 +106,7 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   cut_locus->add_flag("--quiet", cut_locus_options.quiet, "Print nothing but errors");
 
   Reconstruct_options reconstruct_options;
-  std::string tolerance = "0.05";
+  std::string tolerance = "0.03";
   CLI::App* reconstruct =
       app.add_subcommand("reconstruct", "Find the solid whose surface points sample");
   reconstruct

@@ -164,7 +164,7 @@ struct Reconstruct_options
 {
   std::string input;      ///< points
   std::string output;     ///< surface or tetrahedra
-  double tolerance = .05; ///< in spacings of the points
+  double tolerance = .03; ///< in spacings of the points
   unsigned steps = 80;    ///< at the most
   std::string folder;     ///< for the steps; empty for none
   std::string report;     ///< file; empty for none

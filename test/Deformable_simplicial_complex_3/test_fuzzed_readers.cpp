@@ -12,6 +12,7 @@
 #include <CGAL/IO/labelled_curves_2.h>
 #include <CGAL/IO/labelled_image_2.h>
 #include <CGAL/IO/labelled_surface_3.h>
+#include <CGAL/IO/point_set_3.h>
 #include <CGAL/make_deformable_simplicial_complex_2.h>
 
 #include <boost/crc.hpp>
@@ -411,10 +412,29 @@ TEST(Fuzzed_readers, poly) {
 }
 
 TEST(Fuzzed_readers, pgm) {
-  expect_survival({"PGM",
-                   ".pgm",
-                   {pgm, std::string("P5 4 3 255\n0123456789ab"), std::string("P5 2 1 999\n\1\2\3\3")},
-                   [](const std::string& path) { CGAL::IO::read_labelled_image(path); }});
+  expect_survival(
+      {"PGM",
+       ".pgm",
+       {pgm, std::string("P5 4 3 255\n0123456789ab"), std::string("P5 2 1 999\n\1\2\3\3")},
+       [](const std::string& path) { CGAL::IO::read_labelled_image(path); }});
+}
+
+TEST(Fuzzed_readers, points) {
+  const auto read = [](const std::string& path) { CGAL::IO::read_point_set(path); };
+  expect_survival(
+      {"points as text",
+       ".xyz",
+       {std::string("1 2 3\n4 5 6\n"), std::string("2\n1 2 3 0 0 1 # a comment\n4 5 6 1 0 0\n")},
+       read});
+  expect_survival({"points in PLY",
+                   ".ply",
+                   {std::string("ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n"
+                                "property float y\nproperty float z\nproperty float nx\n"
+                                "property float ny\nproperty float nz\nend_header\n"
+                                "1 2 3 1 0 0\n4 5 6 0 0 1\n")},
+                   read});
+  expect_survival(
+      {"points in OFF", ".off", {std::string("NOFF\n2 0 0\n1 2 3 1 0 0\n4 5 6 0 0 1\n")}, read});
 }
 
 TEST(Fuzzed_readers, planar_checkpoint) {

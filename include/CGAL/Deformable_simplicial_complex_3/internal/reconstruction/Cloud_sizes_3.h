@@ -35,16 +35,17 @@ public:
     static constexpr double least = 4;   // spacings; where that does not fit, they are refined
     // Spacings: so that facets have points, and tell on which side of a crease these are.
     static constexpr double smooth_floor = 2, crease_floor = 3;
-    static constexpr double noise_floor = 12; // noises: to average over about ten points
-    static constexpr double fits = 2;         // noises: as much as a facet among noise is off
+    // Noises: to average over tens of points, or where a curved surface needs it, over ten.
+    static constexpr double flat_noise = 24, curved_noise = 14;
+    static constexpr double fits = 1.3; // noises: facets of ten points that fit are rarely off more
     const double spacing = surface.cloud().spacing(), noise = surface.noise();
     m_bound = (std::max)(tolerance * spacing, fits * noise);
-    m_smooth_floor = smooth_floor * spacing + noise_floor * noise;
-    m_crease_floor = crease_floor * spacing + noise_floor * noise;
+    m_smooth_floor = smooth_floor * spacing + curved_noise * noise;
+    m_crease_floor = crease_floor * spacing + flat_noise * noise;
     for (std::size_t i = 0; i < m_sizes.size(); ++i)
-      m_sizes[i] =
-          (std::max)(m_smooth_floor,
-                     (std::min)(edge, (std::max)(least * spacing, radii / surface.curvature(i))));
+      m_sizes[i] = (std::max)(m_smooth_floor,
+                              (std::min)(edge, (std::max)(least * spacing + flat_noise * noise,
+                                                          radii / surface.curvature(i))));
   }
 
   template <class P> double operator()(const P& q) const {

@@ -38,7 +38,7 @@ template <class T> void keep_marked(std::vector<T>& elements, const std::vector<
   for (std::size_t i = 0; i < elements.size(); ++i)
     if (marks[i] != 0)
       elements[number++] = elements[i];
-  elements.resize(number, T());
+  elements.erase(elements.begin() + std::ptrdiff_t(number), elements.end());
 }
 
 // Points by lexicographic order, and what is near them. Of points that are equal, the first counts.
@@ -48,8 +48,9 @@ public:
   using Point = Cloud_kernel::Point_3;
   using Vector = Cloud_kernel::Vector_3;
 
-  // Of equal points, that with the greatest vector counts, if there are any vectors. Throws Error
-  // if coordinates are not finite, or too large or small, or the points lie in a plane.
+  // Of equal points, that with the greatest vector counts, if there are any vectors; 0 is the
+  // least. Throws Error if coordinates are not finite, or too large or small, or the points lie in
+  // a plane.
   Point_cloud_3(const std::vector<Point>& points, const std::vector<Vector>& vectors) {
     for (std::size_t i = 0; i < points.size(); ++i)
       for (int axis = 0; axis < 3; ++axis)
@@ -128,7 +129,8 @@ private:
   static constexpr unsigned ring = 6; // neighbors of a point of a surface
 
   static bool less(const Vector& a, const Vector& b) {
-    return std::make_tuple(a.x(), a.y(), a.z()) < std::make_tuple(b.x(), b.y(), b.z());
+    return std::make_tuple(a != NULL_VECTOR, a.x(), a.y(), a.z()) <
+           std::make_tuple(b != NULL_VECTOR, b.x(), b.y(), b.z());
   }
 
   Map map() const { return make_property_map(m_points); }

@@ -107,8 +107,8 @@ struct Interface_collapse_length
 };
 
 // fit_tolerance: of the root of the mean square of the distances of points from a facet, in spacings
-// of the points: flat parts are met closer than that, so that all of a surface is within a fiftieth.
-inline constexpr double fit_tolerance = .05;
+// of the points: what is flat or smooth is met closer than that, so that all of a surface is within a fiftieth.
+inline constexpr double fit_tolerance = .03;
 
 // number_of_iterations: bounds on rounds.
 struct Number_of_iterations

@@ -1,0 +1,50 @@
+// The solid whose surface points sample: those of a file, or else random ones of a torus.
+#include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/IO/labelled_surface_3.h>
+#include <CGAL/IO/point_set_3.h>
+#include <CGAL/Random.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+#include <CGAL/reconstruct_point_set_3.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <vector>
+
+using Complex = CGAL::Deformable_simplicial_complex_3<>;
+using Report = CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Complex>;
+using CGAL::IO::Point_and_normal_3;
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
+std::vector<Point_and_normal_3> torus() {
+  std::vector<Point_and_normal_3> points;
+  CGAL::Random random(1);
+  while (points.size() < 3000) {
+    const double u = random.uniform_real(0., 2 * CGAL_PI), v = random.uniform_real(0., 2 * CGAL_PI);
+    const double radius = 2 + std::cos(v);
+    if (random.uniform_real(0., 3.) < radius) // as many on each part of the same area
+      points.push_back({{radius * std::cos(u), radius * std::sin(u), std::sin(v)},
+                        CGAL::NULL_VECTOR}); // normals are not known
+  }
+  return points;
+}
+
+int main(int argc, char** argv) {
+  const auto points = argc > 1 ? CGAL::IO::read_point_set(argv[1]) : torus();
+  Report report;
+  const Complex complex = CGAL::reconstruct_point_set_3<Complex>(
+      points, parameters::point_map(CGAL::First_of_pair_property_map<Point_and_normal_3>())
+                  .normal_map(CGAL::Second_of_pair_property_map<Point_and_normal_3>())
+                  .observer([](const Complex& c, std::size_t step) {
+                    std::cout << "step " << step << ": volume " << c.volume(1) << '\n';
+                    return true; // go on
+                  })
+                  .report(std::ref(report)));
+  std::cout << "Euler characteristic " << complex.euler_characteristic(1) << ", points are "
+            << report.root_mean_square / report.spacing << " spacings away, "
+            << report.facets_without_points.size() << " facets close holes of the cloud\n";
+  CGAL::IO::write_interface("reconstruct_points.off", complex);
+  return report.is_complete ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,71 @@
+// Solids from points, by the program.
+#include "program.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <sstream>
+#include <string>
+
+namespace {
+
+using program::contents;
+using program::Json;
+using program::Outcome;
+namespace fs = std::filesystem;
+
+// Points of the unit sphere along a spiral.
+std::string sphere(int n) {
+  std::ostringstream out;
+  for (int i = 0; i < n; ++i) {
+    const double z = 1 - (2 * i + 1.) / n, r = std::sqrt(1 - z * z), a = 2.399963229728653 * i;
+    out << r * std::cos(a) << ' ' << r * std::sin(a) << ' ' << z << '\n';
+  }
+  return out.str();
+}
+
+using Reconstruction = program::Program_test;
+
+} // namespace
+
+TEST_F(Reconstruction, writes_surface_report_and_steps) {
+  write("sphere.xyz", sphere(800));
+  const std::string command = "reconstruct " + path("sphere.xyz").string() + " -o " +
+                              path("sphere.off").string() + " --output " + path("steps").string();
+  const Outcome outcome = run(command + " --report " + path("report.json").string());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("Euler characteristic 2"), std::string::npos);
+  const Json report = Json::parse(contents(path("report.json")));
+  EXPECT_EQ(report["points"], 800);
+  EXPECT_TRUE(report["is_complete"]);
+  EXPECT_TRUE(report["unfit_points"].empty());
+  EXPECT_LT(report["root_mean_square"].get<double>(), .1 * report["spacing"].get<double>());
+  const std::size_t steps = report["steps"];
+  EXPECT_TRUE(fs::exists(path("steps/interface.pvd")));
+  char last[40];
+  std::snprintf(last, sizeof last, "steps/volume_%06zu.vtu", steps);
+  EXPECT_TRUE(fs::exists(path(last)));
+  const Outcome info = run("info " + path("sphere.off").string());
+  EXPECT_NE(info.out.find("Euler characteristic  2"), std::string::npos) << info.out;
+  // Steps of another run are not replaced.
+  EXPECT_EQ(run(command).exit_code, 1);
+}
+
+TEST_F(Reconstruction, refuses_points_that_bound_nothing) {
+  write("plane.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 1 0\n");
+  const std::string plane = path("plane.xyz").string(), off = " -o " + path("a.off").string();
+  const auto expect = [&](const std::string& arguments, int code, const std::string& text) {
+    const Outcome outcome = run("reconstruct " + arguments);
+    EXPECT_EQ(outcome.exit_code, code);
+    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+  };
+  expect(plane + off, 1, "lie in a plane");
+  expect(path("missing.xyz").string() + off, 1, "missing.xyz");
+  expect(plane + " -o " + path("a.jpg").string(), 2, "jpg");
+  expect(plane, 2, "-o");
+  expect(plane + off + " --tolerance 0", 2, "tolerance");
+}
