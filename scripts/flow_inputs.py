@@ -2,11 +2,12 @@
 # Copyright (c) 2026 The deformable simplicial complex authors
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the surfaces that scripts/render_flows.sh starts from, as OFF, into a folder."""
+"""Writes what scripts/render_flows.sh starts from into a folder: surfaces as OFF, and points."""
 
 import argparse
 import math
 import os
+import random
 
 
 class Surface:
@@ -107,6 +108,27 @@ def dumbbell(ball_radius, bar_radius, n):
     return revolved(half + [(0, bar_radius)] + other_half, 2 * n, axis=0)
 
 
+def drilled_block_points(n, hole):
+    """Random points of a block of the sides 2, 2 and 1 with a round hole along the z axis."""
+    numbers = random.Random(1)
+    cover, wall = 4 - math.pi * hole**2, 2 * math.pi * hole
+    points = []
+    while len(points) < n:
+        place = numbers.uniform(0, 2 * cover + 8 + wall)
+        u, v = numbers.uniform(-1, 1), numbers.uniform(-1, 1)
+        if place < 2 * cover:
+            while math.hypot(u, v) < hole:
+                u, v = numbers.uniform(-1, 1), numbers.uniform(-1, 1)
+            points.append((u, v, 0.5 if place < cover else -0.5))
+        elif place < 2 * cover + 8:
+            side = int(place - 2 * cover) // 2
+            end = 1 if side % 2 == 0 else -1
+            points.append((end, u, v / 2) if side < 2 else (u, end, v / 2))
+        else:
+            points.append((hole * math.cos(math.pi * u), hole * math.sin(math.pi * u), v / 2))
+    return points
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", metavar="DIR", help="created if need be")
@@ -122,6 +144,9 @@ def main():
     }
     for name, surface in surfaces.items():
         surface.write(os.path.join(folder, name + ".off"))
+    with open(os.path.join(folder, "drilled_block.xyz"), "w") as file:
+        for point in drilled_block_points(20000, 0.4):
+            print(*point, file=file)
 
 
 if __name__ == "__main__":

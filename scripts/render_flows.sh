@@ -47,7 +47,7 @@ mkdir -p "$flows"
 cd "$flows"
 "$python" "$source/scripts/flow_inputs.py" .
 tar --extract --gzip --file "$data" --strip-components=2 \
-  data/meshes/{armadillo,bunny00,refined_elephant}.off
+  data/meshes/{armadillo,bunny00,refined_elephant}.off data/points_3/kitten.xyz
 
 flow enright 5 enright --steps 100 --every 5
 flow enright_armadillo 3 enright armadillo.off --fit --triangles 6000 --steps 100 --every 5
@@ -73,3 +73,6 @@ flow double_bubble 4 mean-curvature --resume double_bubble/checkpoint.dsc --keep
 
 flow improved_elephant 2 rotate refined_elephant.off --triangles 6000 --axis 0,0,1 --angle 0 \
   --improve-interface
+
+flow reconstruct_kitten 4 reconstruct kitten.xyz -o kitten.off
+flow reconstruct_block 4 reconstruct drilled_block.xyz -o drilled_block.off

@@ -33,7 +33,7 @@ public:
       : m_facets(facets), m_right(Eigen::VectorXd::Zero(3 * Eigen::Index(positions.size()))),
         m_weights(positions.size(), 0) {
     add_points(surface, triangles);
-    add_smoothness(positions);
+    add_smoothness(surface, positions);
     for (Eigen::Index i = 0; i < m_right.size(); ++i)
       m_entries.emplace_back(i, i, stiffness);
   }
@@ -109,12 +109,18 @@ private:
       }
   }
 
-  void add_smoothness(const std::vector<Point>& positions) {
-    static constexpr double few = .3; // weight of points that leaves a vertex loose
+  void add_smoothness(const Sampled_surface_3& surface, const std::vector<Point>& positions) {
+    static constexpr double few = .3, some = 3; // weights of points
+    static constexpr double far = 1.4;          // spacings: from points, beyond an edge
+    std::vector<char> is_loose;
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      is_loose.push_back(m_weights[v] < few ||
+                         (m_weights[v] < some && surface.cloud().distance(positions[v]) >
+                                                     far * surface.cloud().spacing()));
     std::vector<std::vector<std::size_t>> neighbors(positions.size());
     for (const auto& f : m_facets)
       for (std::size_t k = 0; k < 3; ++k)
-        if (m_weights[f.vertices[k]] < few)
+        if (is_loose[f.vertices[k]] != 0)
           neighbors[f.vertices[k]].push_back(f.vertices[(k + 1) % 3]);
     for (std::size_t v = 0; v < positions.size(); ++v) {
       if (neighbors[v].empty())
