@@ -5,12 +5,15 @@
 #ifndef CGAL_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
 #define CGAL_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/Labelled_patch_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Labelled_surface_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Tetrahedralization_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/building/Boxed_soup_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/building/Solid_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/box_grid_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/building/check_patches_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/check_surfaces_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/check_tetrahedra_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/building/enclosing_box_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/building/label_by_sides_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_care_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Own_operations_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
@@ -28,9 +31,9 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -44,45 +47,10 @@ template <class Complex, class Tetrahedralizer, class NP>
 Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
                         const std::vector<typename Complex::Label>& surface_labels,
                         const Tetrahedralizer& tetrahedralizer, const NP& np) {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  const bool normalize = choose_parameter(get_parameter(np, internal_np::normalize), false);
-  const unsigned subdivision =
-      count_parameter(np, internal_np::box_subdivision, "box_subdivision", 4u);
-
-  Joined_soup_3 soup = check_surfaces(surfaces);
-  const Building_frame_3 frame(soup.points, normalize);
-  const Bbox_3 box = frame.box(get_parameter(np, internal_np::enclosing_box));
-  for (Coordinates_3& p : soup.points)
-    p = frame(p);
-  check_distinct(soup);
-  check_enclosed(soup, box);
-
-  std::vector<Wall<3>> walls;
-  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
-    walls.push_back(make_wall(soup.triangles[t], soup.triangle_origins[t].surface));
-  append(soup, box_surface(box, subdivision));
-
-  const auto mesh = tetrahedralizer(soup.points, soup.triangles);
-  if (mesh.points.size() < soup.points.size() ||
-      !std::equal(soup.points.begin(), soup.points.end(), mesh.points.begin()))
-    throw Tetrahedralization_error("the tetrahedralizer moved points of the surfaces: use another "
-                                   "one");
-  std::vector<typename Complex::Point_3> points;
-  const auto construct_point = typename Complex::Geom_traits().construct_exact_point_3_object();
-  for (const Coordinates_3& p : mesh.points)
-    points.push_back(construct_point({p[0], p[1], p[2]}));
-
-  for (const auto& t : mesh.tetrahedra)
-    if (*std::max_element(t.begin(), t.end()) >= points.size())
-      throw Tetrahedralization_error("the tetrahedralizer names a point that does not exist: use "
-                                     "another one");
-  Complex dsc;
-  dsc.assign(points, mesh.tetrahedra, label_cells<3>(mesh.tetrahedra, walls, surface_labels));
-  const Coordinates_3& t = frame.translation();
-  dsc.set_normalization({{t[0], t[1], t[2]}, frame.scale()});
-  improve_new_mesh(dsc, new_mesh_options(np));
-  return dsc;
+  const Boxed_soup_3 boxed = put_into_box(check_surfaces(surfaces), np);
+  const auto mesh = fill_box(boxed, tetrahedralizer);
+  return make_in_frame<Complex>(mesh, label_cells<3>(mesh.tetrahedra, boxed.walls(), surface_labels),
+                                boxed.frame, np);
 }
 
 template <class Points> std::vector<Coordinates_3> all_coordinates(const Points& points) {
@@ -229,6 +197,53 @@ Complex make_deformable_simplicial_complex_3(
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
+Makes a complex of patches that share borders, such as the walls between several materials: labels
+are told for both sides of each patch. What can be reached from a side without crossing a triangle
+has its label; so the box around has that of the patches that it touches.
+
+Triangles meet only in common vertices and edges, any number in each. They need not share points:
+equal points are merged, points without triangles are left out. Patches need not be closed, as long
+as regions of different labels are separated: a wall with the same label on both sides is no part of
+the interface.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+\tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`, such as `Tetgen_tetrahedralizer_3`
+\tparam NP a sequence of named parameters
+
+\param patches with the labels of their sides; coordinates are rounded to `double`
+\param tetrahedralizer fills the box with tetrahedra
+\param np named parameters of the first overload
+
+\throws Deformable_simplicial_complexes::Invalid_surface_error if a patch is not as described above,
+        or reaches the box, or two of them tell different labels for the same region
+\throws Deformable_simplicial_complexes::Tetrahedralization_error if the tetrahedralizer fails
+\throws Deformable_simplicial_complexes::Error if the box is not finite, or its subdivision is out
+of range
+
+n log n in the number of triangles and tetrahedra, plus the tetrahedralization and the improvement.
+*/
+template <class Complex, class Tetrahedralizer,
+          class NP = Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Complex make_deformable_simplicial_complex_3(
+    const std::vector<Labelled_patch_3<typename Complex::Point_3>>& patches,
+    const Tetrahedralizer& tetrahedralizer,
+    const NP& np = Deformable_simplicial_complexes::parameters::default_values()) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  std::vector<internal::Triangle_soup_3> soups;
+  std::vector<internal::Labels_of_sides> sides;
+  for (const auto& patch : patches) {
+    soups.push_back({internal::all_coordinates(patch.points), patch.triangles});
+    sides.push_back({patch.label_behind, patch.label_in_front});
+  }
+  const auto boxed = internal::put_into_box(internal::check_patches(soups), np);
+  const auto mesh = internal::fill_box(boxed, tetrahedralizer);
+  return internal::make_in_frame<Complex>(mesh, internal::label_by_sides(mesh, boxed, sides),
+                                          boxed.frame, np);
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
 Makes a complex of given tetrahedra, the union of which is a ball. Tetrahedra may be oriented in any
 way. The interface stays what it is, bit for bit.
 
@@ -258,6 +273,54 @@ Complex make_deformable_simplicial_complex_3(
   dsc.assign(points, tetrahedra, labels);
   internal::improve_new_mesh(dsc, internal::new_mesh_options(np));
   return dsc;
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Makes a complex of given tetrahedra of any shape, with any number of parts and voids, and of
+tetrahedra with label 0 that fill the space around them, in a box. Given tetrahedra stay what they
+are but for the improvement; the interface stays bit for bit unless `normalize` is set.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+\tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`, such as `Tetgen_tetrahedralizer_3`
+\tparam NP a sequence of named parameters
+
+\param points the vertices; equal ones are merged, those without tetrahedra are left out
+\param tetrahedra indices into `points`, oriented in any way
+\param labels one label for each tetrahedron
+\param tetrahedralizer fills the space around
+\param np named parameters of the first overload
+
+\throws Deformable_simplicial_complexes::Invalid_tetrahedra_error if there are none, coordinates are
+        not finite, sizes or indices do not fit, or tetrahedra are flat or overlap
+\throws Deformable_simplicial_complexes::Invalid_surface_error if their boundary reaches the box;
+        its vertices are indices into `points`
+\throws Deformable_simplicial_complexes::Tetrahedralization_error if the tetrahedralizer fails
+
+n log n in the number of tetrahedra, plus the tetrahedralization and the improvement.
+*/
+template <class Complex, class Tetrahedralizer,
+          class NP = Deformable_simplicial_complexes::parameters::Default_named_parameters,
+          class = std::enable_if_t<std::is_invocable_v<
+              const Tetrahedralizer&, const std::vector<std::array<double, 3>>&,
+              const std::vector<std::array<std::size_t, 3>>&>>>
+Complex make_deformable_simplicial_complex_3(
+    const std::vector<typename Complex::Point_3>& points,
+    const std::vector<std::array<std::size_t, 4>>& tetrahedra,
+    const std::vector<typename Complex::Label>& labels, const Tetrahedralizer& tetrahedralizer,
+    const NP& np = Deformable_simplicial_complexes::parameters::default_values()) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  if (labels.size() != tetrahedra.size())
+    throw Deformable_simplicial_complexes::Invalid_tetrahedra_error(
+        "there are not as many labels as tetrahedra: give one for each");
+  const internal::Solid_tetrahedra_3 solid(points, tetrahedra,
+                                           typename Complex::Geom_traits());
+  const auto boxed = internal::put_into_box(solid.boundary(), np);
+  const auto mesh = solid.with_space_around(internal::fill_box(boxed, tetrahedralizer), boxed);
+  auto all_labels = labels;
+  all_labels.resize(mesh.tetrahedra.size(), 0);
+  return internal::make_in_frame<Complex>(mesh, all_labels, boxed.frame, np);
 }
 
 /*!

@@ -46,7 +46,9 @@ public:
     self_intersection, ///< two facets of one surface meet outside their common vertices and edges
     crossing_surfaces, ///< two surfaces cross, or meet outside their common vertices and edges
     too_fine,          ///< vertices cannot be told apart beside the size of all surfaces
-    outside_enclosing_box ///< a vertex is not strictly inside the enclosing box
+    outside_enclosing_box, ///< a vertex is not strictly inside the enclosing box
+    contradicting_sides ///< two patches tell different labels for the same region: the first facet
+                        ///< of `facets()` is of `surface()`, the second of `other_surface()`
   };
 
   /// constructs the error; the arguments are returned by the functions below.

@@ -41,10 +41,10 @@ std::vector<int> label_by_seeds(const std::vector<std::pair<Point, int>>& seeds,
       refuse(i, "is on a segment: choose a point within its region");
     triangles.emplace_back(*triangle, seeds[i].second);
   }
-  std::optional<std::size_t> contradicting;
+  std::optional<Contradicting_seeds> contradicting;
   auto labels = label_cells_by_seeds<2>(filling.triangles, soup.walls, triangles, contradicting);
   if (contradicting)
-    refuse(*contradicting,
+    refuse(contradicting->second,
            "is in the region of another seed with another label: are segments missing "
            "between them?");
   return labels;

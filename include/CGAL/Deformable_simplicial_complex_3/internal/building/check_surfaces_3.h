@@ -89,11 +89,10 @@ inline void check_closedness(const Merged_soup_3& soup, std::size_t surface) {
   odd.refuse(Reason::non_manifold_edge, surface);
 }
 
-// Refuses the first surface that meets itself, or else the first two that meet.
-inline void check_intersections(const Joined_soup_3& soup) {
-  auto pairs = crossing_triangles(soup);
-  if (pairs.empty())
-    pairs = crossings_at_edges(soup);
+// Of pairs of triangles that cross, refuses the first surface that meets itself, or else the first
+// two that meet.
+inline void refuse_crossings(const Joined_soup_3& soup,
+                             const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
   if (pairs.empty())
     return;
 
@@ -133,7 +132,8 @@ inline Joined_soup_3 check_surfaces(const std::vector<Triangle_soup_3>& surfaces
     check_closedness(merged.back(), s);
   }
   Joined_soup_3 joined = join(merged);
-  check_intersections(joined);
+  refuse_crossings(joined, crossing_triangles(joined));
+  refuse_crossings(joined, crossings_at_edges(joined));
   return joined;
 }
 

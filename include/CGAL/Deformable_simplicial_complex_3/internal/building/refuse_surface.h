@@ -44,6 +44,9 @@ inline const char* explanation(Invalid_surface_error::Reason reason) {
     return "has vertices that cannot be told apart beside the size of all surfaces: build it alone";
   case Reason::outside_enclosing_box:
     return "is not strictly inside the enclosing box: give a larger box";
+  case Reason::contradicting_sides:
+    return "tells another label for a region than a second facet that bounds it: close the gap "
+           "between the patches, or exchange the labels of the sides where triangles are turned";
   }
   return "is invalid";
 }

@@ -147,31 +147,41 @@ std::vector<int> label_cells(const std::vector<Cell_vertices<d>>& cells, std::ve
   return labels;
 }
 
+// Indices of two seeds with different labels in the same region.
+struct Contradicting_seeds
+{
+  std::size_t first, second;
+};
+
 // The label of each cell: that of the seed in its region, which is what can be reached from it
-// without passing a wall, and 0 where there is none. Of two seeds in a region with different
-// labels, the second is returned in `contradicting`. n log n.
+// without passing a wall, and 0 where there is none. `contradicting` are the first two seeds that
+// do not agree. n log n.
 template <int d>
 std::vector<int> label_cells_by_seeds(const std::vector<Cell_vertices<d>>& cells,
                                       std::vector<Wall<d>> walls,
                                       const std::vector<std::pair<std::size_t, int>>& seeds,
-                                      std::optional<std::size_t>& contradicting) {
+                                      std::optional<Contradicting_seeds>& contradicting) {
   std::sort(walls.begin(), walls.end());
   const std::vector<Facet_sides<d>> sides = find_sides(cells, walls);
-  std::vector<int> labels(cells.size(), 0);
+  std::vector<std::size_t> seed_of_cell(cells.size());
   std::vector<char> is_visited(cells.size(), 0);
   std::vector<std::size_t> region;
   std::vector<Facet_side> entrances;
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     const auto [cell, label] = seeds[i];
     if (is_visited[cell]) {
-      if (labels[cell] != label && !contradicting)
-        contradicting = i;
+      if (seeds[seed_of_cell[cell]].second != label && !contradicting)
+        contradicting = {seed_of_cell[cell], i};
       continue;
     }
     gather_region<d>(sides, cell, is_visited, region, entrances);
     for (std::size_t c : region)
-      labels[c] = label;
+      seed_of_cell[c] = i;
   }
+  std::vector<int> labels(cells.size(), 0);
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    if (is_visited[c])
+      labels[c] = seeds[seed_of_cell[c]].second;
   return labels;
 }
 
