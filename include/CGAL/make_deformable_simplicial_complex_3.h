@@ -49,8 +49,8 @@ Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
                         const Tetrahedralizer& tetrahedralizer, const NP& np) {
   const Boxed_soup_3 boxed = put_into_box(check_surfaces(surfaces), np);
   const auto mesh = fill_box(boxed, tetrahedralizer);
-  return make_in_frame<Complex>(mesh, label_cells<3>(mesh.tetrahedra, boxed.walls(), surface_labels),
-                                boxed.frame, np);
+  return make_in_frame<Complex>(
+      mesh, label_cells<3>(mesh.tetrahedra, boxed.walls(), surface_labels), boxed.frame, np);
 }
 
 template <class Points> std::vector<Coordinates_3> all_coordinates(const Points& points) {
@@ -302,9 +302,9 @@ n log n in the number of tetrahedra, plus the tetrahedralization and the improve
 */
 template <class Complex, class Tetrahedralizer,
           class NP = Deformable_simplicial_complexes::parameters::Default_named_parameters,
-          class = std::enable_if_t<std::is_invocable_v<
-              const Tetrahedralizer&, const std::vector<std::array<double, 3>>&,
-              const std::vector<std::array<std::size_t, 3>>&>>>
+          class = std::enable_if_t<
+              std::is_invocable_v<const Tetrahedralizer&, const std::vector<std::array<double, 3>>&,
+                                  const std::vector<std::array<std::size_t, 3>>&>>>
 Complex make_deformable_simplicial_complex_3(
     const std::vector<typename Complex::Point_3>& points,
     const std::vector<std::array<std::size_t, 4>>& tetrahedra,
@@ -314,8 +314,7 @@ Complex make_deformable_simplicial_complex_3(
   if (labels.size() != tetrahedra.size())
     throw Deformable_simplicial_complexes::Invalid_tetrahedra_error(
         "there are not as many labels as tetrahedra: give one for each");
-  const internal::Solid_tetrahedra_3 solid(points, tetrahedra,
-                                           typename Complex::Geom_traits());
+  const internal::Solid_tetrahedra_3 solid(points, tetrahedra, typename Complex::Geom_traits());
   const auto boxed = internal::put_into_box(solid.boundary(), np);
   const auto mesh = solid.with_space_around(internal::fill_box(boxed, tetrahedralizer), boxed);
   auto all_labels = labels;

@@ -23,7 +23,7 @@ template <class Point> struct Labelled_patch_3
 {
   std::vector<Point> points;                         ///< the corners of the triangles
   std::vector<std::array<std::size_t, 3>> triangles; ///< indices into `points`
-  int label_behind = 1;   ///< the label where corners are seen clockwise
+  int label_behind = 1;                              ///< the label where corners are seen clockwise
   int label_in_front = 0; ///< the label where corners are seen counterclockwise
 };
 

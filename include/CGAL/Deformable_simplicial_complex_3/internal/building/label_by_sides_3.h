@@ -51,9 +51,8 @@ inline std::vector<Cell_at_triangle_3> cells_at_triangles(const Tetrahedralizati
         {found->surface, facet.cell,
          orientation(point(t[0]), point(t[1]), point(t[2]), point(opposite)) == POSITIVE});
   }
-  std::stable_sort(
-      result.begin(), result.end(),
-      [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
+  std::stable_sort(result.begin(), result.end(),
+                   [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
   return result;
 }
 
