@@ -6,7 +6,7 @@
 
 #include "child_process.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/building/Triangle_soup_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/soups/Triangle_soup_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <CGAL/Bbox_3.h>
@@ -63,11 +63,11 @@ const char* explanation(int code) {
 
 // What an attempt failed of.
 enum class Cause {
-  INPUT,    // is said to be bad
-  RESULT,   // there is none, or a bad one
-  CRASH,    // of TetGen
-  TIME,     // is not enough
-  MEMORY    // is not enough
+  INPUT,  // is said to be bad
+  RESULT, // there is none, or a bad one
+  CRASH,  // of TetGen
+  TIME,   // is not enough
+  MEMORY  // is not enough
 };
 
 class Failed_attempt : public Tetrahedralization_error

@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_CHECK_TETRAHEDRA_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_CHECK_TETRAHEDRA_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/building/Triangle_soup_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/soups/Triangle_soup_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 

@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_SOUP_INTERSECTIONS_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_SOUP_INTERSECTIONS_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SOUPS_SOUP_INTERSECTIONS_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SOUPS_SOUP_INTERSECTIONS_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/building/Triangle_soup_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/soups/Triangle_soup_3.h>
 
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/box_intersection_d.h>
@@ -89,4 +89,4 @@ crossing_triangles(const Triangle_soup_3& soup) {
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_SOUP_INTERSECTIONS_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SOUPS_SOUP_INTERSECTIONS_3_H

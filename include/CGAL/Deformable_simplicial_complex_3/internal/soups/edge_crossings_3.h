@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_EDGE_CROSSINGS_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_EDGE_CROSSINGS_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SOUPS_EDGE_CROSSINGS_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SOUPS_EDGE_CROSSINGS_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/building/Triangle_soup_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/soups/Triangle_soup_3.h>
 
 #include <CGAL/enum.h>
 
@@ -90,4 +90,4 @@ crossings_at_edges(const Joined_soup_3& soup) {
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_EDGE_CROSSINGS_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SOUPS_EDGE_CROSSINGS_3_H
