@@ -15,6 +15,7 @@
 #include <CGAL/Image_3.h>
 
 #include <cmath>
+#include <string>
 
 namespace CGAL {
 
@@ -32,13 +33,13 @@ and thin ones are found, but the interface is smoother than the voxels.
 
 \param image holds whole numbers from 0 to 2^24
 \param edge about how long interface edges are to be, in the unit of the image, more than 0; or 0 for
-       twice the longest side of a voxel
+       two and a half times the longest side of a voxel
 \param tetrahedralizer fills the space around
 \param np named parameters of `make_deformable_simplicial_complex_3()` from surfaces
 
 \throws Deformable_simplicial_complexes::Error if the image has no voxels, holds other values, or all
-        of them are 0, or `edge` is negative; or as `make_deformable_simplicial_complex_3()` from
-        tetrahedra in a box
+        of them are 0, or `edge` is negative, or so long that a label would be lost; or as
+`make_deformable_simplicial_complex_3()` from tetrahedra in a box
 
 Linear in the number of voxels, plus the meshing.
 */
@@ -48,22 +49,24 @@ Complex make_complex_from_labelled_image_3(
     const Image_3& image, double edge, const Tetrahedralizer& tetrahedralizer,
     const NP& np = Deformable_simplicial_complexes::parameters::default_values()) {
   namespace internal = Deformable_simplicial_complexes::internal;
-  static constexpr double voxels_of_edge = 2; // shorter ones would follow the stairs
+  static constexpr double voxels_of_edge = 2.5; // shorter ones would follow the stairs
   if (!(edge >= 0) || !std::isfinite(edge))
     throw Deformable_simplicial_complexes::Error(
-        "the length of edges is negative or not finite: use more than 0, or 0 for two voxels");
+        "the length of edges is negative or not finite: use more than 0, or 0 for the default");
   const internal::Labelled_voxels_3 voxels(image);
   auto volumes = voxels.volumes();
   if (volumes.empty())
     throw Deformable_simplicial_complexes::Error("the image holds no label but 0: there is nothing "
                                                  "to be found in it");
   const internal::Mesh_of_image_3 meshed(
-      image, voxels, edge > 0 ? edge : voxels_of_edge * voxels.largest_spacing());
+      voxels, edge > 0 ? edge : voxels_of_edge * voxels.largest_spacing());
   auto dsc = make_complex_from_mesh_complex_3<Complex>(meshed.mesh(), tetrahedralizer, np);
-  for (auto volume = volumes.begin(); volume != volumes.end();) {
-    volume->second /= std::pow(dsc.normalization().scale, 3);
-    // Smaller than what can be told apart from noise.
-    volume = dsc.number_of_cells(volume->first) == 0 ? volumes.erase(volume) : std::next(volume);
+  for (auto& [label, volume] : volumes) {
+    if (dsc.number_of_cells(label) == 0)
+      throw Deformable_simplicial_complexes::Error(
+          "label " + std::to_string(label) +
+          " of the image is in parts too small for these edges: use shorter ones");
+    volume /= std::pow(dsc.normalization().scale, 3);
   }
   restore_volumes(dsc, volumes);
   dsc.measure_interface_edges();

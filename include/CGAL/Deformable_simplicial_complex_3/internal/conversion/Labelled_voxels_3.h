@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <vector>
@@ -46,6 +47,28 @@ public:
             throw Error("the image holds values that are no labels: use whole numbers from 0 on");
           m_labels.push_back(int(value));
         }
+  }
+
+  // The image with a layer of voxels of label 0 around: at its border, too, the interface is then
+  // halfway between the centers of voxels.
+  Image_3 padded_image() const {
+    std::array<std::size_t, 3> size;
+    for (int axis = 0; axis < 3; ++axis)
+      size[axis] = m_size[axis] + 2;
+    _image* image =
+        _createImage(unsigned(size[0]), unsigned(size[1]), unsigned(size[2]), 1, m_spacing[0],
+                   m_spacing[1], m_spacing[2], sizeof(std::uint32_t), WK_FIXED, SGN_UNSIGNED);
+    image->tx = float(m_origin[0] - m_spacing[0]);
+    image->ty = float(m_origin[1] - m_spacing[1]);
+    image->tz = float(m_origin[2] - m_spacing[2]);
+    std::uint32_t* const values = static_cast<std::uint32_t*>(image->data);
+    std::fill_n(values, size[0] * size[1] * size[2], 0);
+    for (std::size_t v = 0; v < m_labels.size(); ++v) {
+      const auto at = place(v);
+      values[((at[2] + 1) * size[1] + at[1] + 1) * size[0] + at[0] + 1] =
+          std::uint32_t(m_labels[v]);
+    }
+    return Image_3(image);
   }
 
   double largest_spacing() const { return *std::max_element(m_spacing.begin(), m_spacing.end()); }

@@ -33,8 +33,9 @@ public:
   using Mesh = Mesh_complex_3_in_triangulation_3<Triangulation>;
 
   // Interface edges are about as long as `edge`.
-  Mesh_of_image_3(const Image_3& image, const Labelled_voxels_3& voxels, double edge)
-      : m_domain(Domain::create_labeled_image_mesh_domain(image)) {
+  Mesh_of_image_3(const Labelled_voxels_3& voxels, double edge)
+      : m_image(voxels.padded_image()),
+        m_domain(Domain::create_labeled_image_mesh_domain(m_image)) {
     namespace p = CGAL::parameters;
     // Radii of circles around triangles; those of equilateral ones are .58 edges.
     static constexpr double radius = .75;  // edges; triangles are smaller than the largest
@@ -75,6 +76,7 @@ private:
     }
   }
 
+  Image_3 m_image;
   Domain m_domain;
   Mesh m_mesh;
 };
