@@ -6,7 +6,7 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build
   libcgal-dev libcgal-demo libeigen3-dev libboost-dev libtbb-dev libtet1.5-dev
-  libcli11-dev nlohmann-json3-dev libmuparser-dev libpng-dev
+  libcli11-dev nlohmann-json3-dev libmuparser-dev libpng-dev zlib1g-dev
   libgtest-dev libbenchmark-dev
   python3-vtk9 xvfb xauth libgl1-mesa-dri
   "$@"

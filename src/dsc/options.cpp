@@ -19,4 +19,17 @@ int dimension_of(const Run_start& start) {
   return is_planar || start.figure != Figure::none ? 2 : 3;
 }
 
+Input_kind input_kind(const Run_start& start) {
+  return start.inputs.empty() ? Input_kind::surfaces : input_kind(start.inputs.front());
+}
+
+Input_kind input_kind(const std::string& input) {
+  if (input.find_first_of("<>") != std::string::npos)
+    return Input_kind::inequalities;
+  const std::string format = extension(input);
+  if (format == "mesh" || format == "vtu")
+    return Input_kind::tetrahedra;
+  return format == "inr" || format == "gz" ? Input_kind::image : Input_kind::surfaces;
+}
+
 } // namespace dsc

@@ -98,7 +98,16 @@ struct Run_start
                                    ///< surface
   std::size_t segments = 0;        ///< of all curves together, at least; 0 keeps them as they are
   Figure figure = Figure::none;    ///< without any input in the plane
+  double edge = 0; ///< about how long interface edges are to be, of images and inequalities; 0 for
+                   ///< the default of each
 };
+
+/// What the inputs of a run in space are; all of them are of the same kind.
+enum class Input_kind { surfaces, inequalities, image, tetrahedra };
+
+/// Of a file, or of what is written in its place.
+Input_kind input_kind(const std::string& input);
+Input_kind input_kind(const Run_start& start);
 
 /// 2 if a run starts in the plane, else 3.
 int dimension_of(const Run_start& start);

@@ -11,6 +11,7 @@
 #include "progress_line.h"
 #include "report.h"
 #include "run_position.h"
+#include "start_complex.h"
 #include "start_curves.h"
 #include "start_distance.h"
 #include "surface.h"
@@ -41,12 +42,7 @@ void print_changes(const Run_position& position, const std::string& changes) {
 std::unique_ptr<Tracked_complex> start(Run_options& options, Run_position& position) {
   if (options.resume.empty()) {
     position.start = options.start;
-    if (dimension_of(options.start) == 2)
-      return track_figure(options.start, options.domain);
-    std::vector<std::string> names = options.start.inputs;
-    if (names.empty())
-      names = {"the ball"};
-    return track_surfaces(start_surfaces(options.start), names, options.domain);
+    return start_complex(options);
   }
   std::string metadata;
   auto complex = track_checkpoint(options.resume, metadata);
@@ -75,7 +71,7 @@ double period(const Motion& motion) {
 std::optional<Start_distance> start_distance(const Run_options& options,
                                              const Run_position& position) {
   const Run_start& start = position.start;
-  if (period(options.step.motion) == 0 ||
+  if (period(options.step.motion) == 0 || input_kind(start) != Input_kind::surfaces ||
       (start.inputs.empty() && !start.ball && start.figure == Figure::none))
     return std::nullopt;
   try {

@@ -78,8 +78,10 @@ CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
   CLI::App* command = app.add_subcommand(name, description);
   CLI::Option* inputs = command->add_option(
       "INPUT", m_options.start.inputs,
-      "Closed surfaces (.off, .obj, .ply, .stl), or in the plane polygons (.wkt); they get the "
-      "labels 1, 2 and so on. Or segments (.poly) or an image of labels (.pgm, .png)");
+      "Closed surfaces (.off, .obj, .ply, .stl), or in the plane polygons (.wkt), or inequalities "
+      "like 'x^2+y^2+z^2<1' in the domain; they get the labels 1, 2 and so on. Or labelled "
+      "tetrahedra (.mesh, .vtu), or an image of labels (.inr, .inr.gz), in the plane (.pgm, .png) "
+      "or segments (.poly)");
   CLI::Option* resume = command->add_option("--resume", m_options.resume,
                                             "Continue the run of this checkpoint instead of an "
                                             "INPUT; options of its steps that are not given stay");
@@ -101,6 +103,11 @@ CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
       ->add_option("--domain", m_domain,
                    "Box around all, by its least and its largest coordinates like -1,-1,-1,1,1,1, "
                    "in the plane -1,-1,1,1")
+      ->excludes(resume);
+  command
+      ->add_option("--edge", m_edge,
+                   "About how long interface edges are to be, of inequalities and images of "
+                   "voxels; a fortieth of the domain, or 2.5 voxels, if not given")
       ->excludes(resume);
   CLI::Option* improves =
       command->add_flag("--improve-interface", m_options.step.improves_interface,
@@ -187,6 +194,35 @@ void Run_commands::require_dimension(const Run_options& options, bool is_planar)
     throw Usage_error("--axis is required; see dsc rotate --help");
 }
 
+/// What has a meaning for some kinds of inputs only is refused for the others.
+void Run_commands::require_kind(const Run_options& options, bool is_planar) const {
+  const Input_kind kind = input_kind(options.start);
+  const auto is_given = [&](const char* name) { return options.given.count(name) > 0; };
+  const bool has_edge = kind == Input_kind::inequalities || kind == Input_kind::image;
+  if (is_given("--edge") && !(has_edge && !is_planar))
+    throw Usage_error("--edge has a meaning for inequalities and images of voxels only; leave it "
+                      "out");
+  if (is_planar || kind == Input_kind::surfaces) {
+    for (const std::string& input : options.start.inputs)
+      if (input_kind(input) != Input_kind::surfaces)
+        throw Usage_error(input + " cannot be mixed with other kinds of INPUT");
+    return;
+  }
+  for (const char* name : {"--triangles", "--fit"})
+    if (is_given(name))
+      throw Usage_error(std::string(name) + " has a meaning for surfaces only; leave it out");
+  if (kind == Input_kind::inequalities) {
+    for (const std::string& input : options.start.inputs)
+      if (input_kind(input) != kind)
+        throw Usage_error(input + " is no inequality and cannot be mixed with them");
+    if (!is_given("--domain") && !*m_enright && !*m_vortex)
+      throw Usage_error("inequalities need a box to hold in; give its least and its largest "
+                        "coordinates by --domain");
+  } else if (options.start.inputs.size() > 1)
+    throw Usage_error("there is more than one INPUT, but tetrahedra and images hold all labels "
+                      "themselves; give a single one");
+}
+
 Run_options Run_commands::options() const {
   Run_options options = m_options;
   for (const CLI::App* command :
@@ -216,10 +252,15 @@ Run_options Run_commands::options() const {
   for (const std::string& input : options.start.inputs)
     if (is_planar)
       require_extension(input, {"wkt", "poly", "pgm", "png"});
-    else
-      require_extension(input, {"off", "obj", "ply", "stl", "wkt", "poly", "pgm", "png"});
-  if (is_new)
+    else if (input_kind(options.start) != Input_kind::inequalities)
+      require_extension(input, {"off", "obj", "ply", "stl", "mesh", "vtu", "inr", "gz", "wkt",
+                                "poly", "pgm", "png"});
+  if (is_new) {
     require_dimension(options, is_planar);
+    require_kind(options, is_planar);
+  }
+  if (options.given.count("--edge") > 0)
+    options.start.edge = parse_positive(m_edge, "--edge");
   if (is_new && has_ball) {
     if (m_fits || !has_input)
       options.start.ball = *m_enright ? ball_of_enright : ball_of_vortex;

@@ -29,6 +29,7 @@ private:
   CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description);
   void add_flow_options(CLI::App& command);
   void require_dimension(const Run_options& options, bool is_planar) const;
+  void require_kind(const Run_options& options, bool is_planar) const;
   Motion motion(const std::set<std::string>& given) const;
   Advection advection(Advection::Field field, const std::set<std::string>& given,
                       double default_period) const;
@@ -37,7 +38,7 @@ private:
   Run_options m_options;
   // As they were written.
   std::string m_axis, m_angle, m_distance, m_expressions, m_period, m_dt, m_domain,
-      m_aggressiveness;
+      m_aggressiveness, m_edge;
   std::string m_scheme = "rk4";
   bool m_moves_faces = false, m_fits = false, m_keeps_volumes = false, m_is_planar = false;
 };

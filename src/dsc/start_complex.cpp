@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "start_complex.h"
+
+#include "errors.h"
+#include "inequalities.h"
+#include "labelled_tetrahedra.h"
+#include "start_curves.h"
+#include "surface.h"
+#include "tracked_complex_3.h"
+
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Tetgen_tetrahedralizer_3.h>
+#include <CGAL/make_deformable_simplicial_complex_3.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+using Complex = Tracked_complex_3::Complex;
+using Domain = std::optional<std::array<double, 6>>;
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
+CGAL::Bbox_3 box(const std::array<double, 6>& d) { return {d[0], d[1], d[2], d[3], d[4], d[5]}; }
+
+std::unique_ptr<Tracked_complex> track(Complex&& complex) {
+  return std::make_unique<Tracked_complex_3>(std::move(complex));
+}
+
+std::unique_ptr<Tracked_complex> track_inequalities(const Run_start& start,
+                                                    const std::array<double, 6>& d) {
+  const Inequalities inequalities(start.inputs);
+  static constexpr double edges_of_side = 40;
+  const double side = std::max({d[3] - d[0], d[4] - d[1], d[5] - d[2]});
+  const double edge = start.edge > 0 ? start.edge : side / edges_of_side;
+  auto complex =
+      CGAL::make_deformable_simplicial_complex_3<Complex>(box(d), edge, [&](const auto& p) {
+        return inequalities.label_at({p.x(), p.y(), p.z()});
+      });
+  if (complex.interface_facets().empty())
+    throw Input_error("no inequality has a border in the domain; choose another --domain, or "
+                      "shorter edges by --edge");
+  return track(std::move(complex));
+}
+
+/// Whether all tetrahedra at the boundary have label 0: then there is room around the interface.
+bool has_room_around(const Complex& complex) {
+  const auto& triangulation = complex.triangulation();
+  const auto all = triangulation.all_cell_handles();
+  return std::all_of(all.begin(), all.end(), [&](Complex::Cell_handle c) {
+    return !triangulation.is_infinite(c) ||
+           c->neighbor(c->index(triangulation.infinite_vertex()))->label() == 0;
+  });
+}
+
+std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path, const Domain& domain) {
+  using CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error;
+  if (!domain) {
+    try {
+      auto complex = Tracked_complex_3::from_mesh(path);
+      if (has_room_around(complex->complex))
+        return complex;
+    } catch (const Input_error&) { // of another shape than a ball, or really wrong
+    }
+  }
+  const Labelled_tetrahedra mesh = read_tetrahedra(path);
+  const auto build = [&](const auto& np) {
+    return track(CGAL::make_deformable_simplicial_complex_3<Complex>(
+        mesh.points, mesh.tetrahedra, mesh.labels, CGAL::Tetgen_tetrahedralizer_3(), np));
+  };
+  const auto normalized = parameters::normalize(true);
+  try {
+    return domain ? build(normalized.enclosing_box(box(*domain))) : build(normalized);
+  } catch (const Invalid_tetrahedra_error& error) {
+    throw Input_error(path + ": " + error.what() + place_of(error, mesh));
+  } catch (const CGAL::Deformable_simplicial_complexes::Invalid_surface_error& error) {
+    throw Input_error(path + ": the boundary of the tetrahedra, " + error.what());
+  }
+}
+
+} // namespace
+
+std::unique_ptr<Tracked_complex> start_complex(const Run_options& options) {
+  const Run_start& start = options.start;
+  if (dimension_of(start) == 2)
+    return track_figure(start, options.domain);
+  switch (input_kind(start)) {
+  case Input_kind::inequalities:
+    return track_inequalities(start, *options.domain);
+  case Input_kind::image:
+    return track_image(start.inputs.front(), start.edge, options.domain);
+  case Input_kind::tetrahedra:
+    return track_tetrahedra(start.inputs.front(), options.domain);
+  case Input_kind::surfaces:
+    break;
+  }
+  std::vector<std::string> names = start.inputs;
+  if (names.empty())
+    names = {"the ball"};
+  return track_surfaces(start_surfaces(start), names, options.domain);
+}
+
+} // namespace dsc

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_START_COMPLEX_H
+#define DSC_START_COMPLEX_H
+
+#include "options.h"
+#include "tracked_complex.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace dsc {
+
+/// The complex that a run starts from, of any kind of inputs in space or in the plane.
+/// \throws std::runtime_error if an input cannot be read, or makes no complex
+std::unique_ptr<Tracked_complex> start_complex(const Run_options& options);
+
+/// The complex of a labelled image (.inr, .inr.gz).
+/// \param edge about how long interface edges are to be, in the unit of the image; 0 for the default
+/// \param domain least and largest coordinates of the box; that of the library if not set
+std::unique_ptr<Tracked_complex> track_image(const std::string& path, double edge,
+                                             const std::optional<std::array<double, 6>>& domain);
+
+} // namespace dsc
+
+#endif // DSC_START_COMPLEX_H

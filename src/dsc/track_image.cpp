@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "errors.h"
+#include "start_complex.h"
+#include "tracked_complex_3.h"
+
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Tetgen_tetrahedralizer_3.h>
+#include <CGAL/convert_labelled_image_3.h>
+
+#include <CGAL/Bbox_3.h>
+
+namespace dsc {
+
+std::unique_ptr<Tracked_complex> track_image(const std::string& path, double edge,
+                                             const std::optional<std::array<double, 6>>& domain) {
+  namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+  CGAL::Image_3 image;
+  if (!image.read(path))
+    throw Input_error(path + " cannot be read as an image of voxels");
+  const auto build = [&](const auto& np) {
+    return std::make_unique<Tracked_complex_3>(
+        CGAL::make_complex_from_labelled_image_3<Tracked_complex_3::Complex>(
+            image, edge, CGAL::Tetgen_tetrahedralizer_3(), np));
+  };
+  const auto normalized = parameters::normalize(true);
+  try {
+    if (!domain)
+      return build(normalized);
+    const auto& [x0, y0, z0, x1, y1, z1] = *domain;
+    return build(normalized.enclosing_box(CGAL::Bbox_3(x0, y0, z0, x1, y1, z1)));
+  } catch (const CGAL::Deformable_simplicial_complexes::Error& error) {
+    throw Input_error(path + ": " + error.what());
+  }
+}
+
+} // namespace dsc

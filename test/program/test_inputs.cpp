@@ -1,0 +1,124 @@
+// Every kind of INPUT that moves, by the program.
+#include "program.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <sstream>
+#include <string>
+
+namespace {
+
+using program::contents;
+using program::Json;
+using program::Outcome;
+
+class Inputs : public program::Program_test
+{
+protected:
+  // The labels and their volumes after a turn, which changes none.
+  std::map<int, double> volumes(const std::string& input) {
+    const std::string report = path("report.json").string();
+    const Outcome outcome =
+        run("rotate " + input + " --axis 0,0,1 --angle 5 --steps 1 --report " + report);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::map<int, double> result;
+    if (outcome.exit_code != 0)
+      return result;
+    const Json json = Json::parse(contents(path("report.json")));
+    for (const Json& label : json["steps"].back()["labels"])
+      result[label["label"]] = label["volume"];
+    return result;
+  }
+
+  void expect_refusal(const std::string& input, int code, const std::string& text) {
+    const Outcome outcome = run("rotate " + input + " --axis 0,0,1 --angle 5");
+    EXPECT_EQ(outcome.exit_code, code) << input;
+    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+  }
+};
+
+// A Kuhn cube of label 2 in MEDIT's format.
+const char* const cube = R"(MeshVersionFormatted 2
+Dimension 3
+Vertices 8
+0 0 0 0
+1 0 0 0
+0 1 0 0
+1 1 0 0
+0 0 1 0
+1 0 1 0
+0 1 1 0
+1 1 1 0
+Tetrahedra 6
+1 2 4 8 2
+1 2 6 8 2
+1 3 4 8 2
+1 3 7 8 2
+1 5 6 8 2
+1 5 7 8 2
+End
+)";
+
+// A header of INR, 256 bytes long, and one byte for each voxel.
+std::string inr(int n, const std::string& voxels) {
+  std::ostringstream header;
+  header << "#INRIMAGE-4#{\nXDIM=" << n << "\nYDIM=" << n << "\nZDIM=" << n
+         << "\nVDIM=1\nTYPE=unsigned fixed\nPIXSIZE=8 bits\nCPU=decm\nVX=1\nVY=1\nVZ=1\n";
+  std::string text = header.str();
+  const std::string end = "##}\n";
+  text += std::string(256 - end.size() - text.size(), '\n') + end;
+  return text + voxels;
+}
+
+TEST_F(Inputs, may_be_inequalities) {
+  const auto result =
+      volumes("'x^2+y^2+z^2<0.5' '(x^2+y^2+z^2<0.5)&&(z>0)' --domain -1,-1,-1,1,1,1 --edge 0.075");
+  ASSERT_EQ(result.size(), 3u);
+  const double half = 2 * 3.14159265358979 / 3 * std::pow(.5, 1.5);
+  EXPECT_NEAR(result.at(1), half, .01 * half);
+  EXPECT_NEAR(result.at(2), half, .01 * half);
+}
+
+TEST_F(Inputs, may_be_tetrahedra_without_space_around) {
+  write("cube.mesh", cube);
+  const auto result = volumes(path("cube.mesh").string());
+  ASSERT_EQ(result.size(), 2u);
+  EXPECT_NEAR(result.at(2), 1, 1e-12);
+  EXPECT_NEAR(volumes(path("cube.mesh").string() + " --domain -1,-1,-1,2,2,2").at(0), 26, 1e-12);
+}
+
+TEST_F(Inputs, may_be_images_of_voxels) {
+  std::string voxels(6 * 6 * 6, '\0');
+  for (std::size_t i = 0; i < voxels.size(); ++i)
+    voxels[i] = i % 6 < 3 ? '\1' : i / 36 < 3 ? '\4' : '\0';
+  write("halves.inr", inr(6, voxels));
+  const auto result = volumes(path("halves.inr").string());
+  ASSERT_EQ(result.size(), 3u);
+  EXPECT_NEAR(result.at(1), 108, 1e-6);
+  EXPECT_NEAR(result.at(4), 54, 1e-6);
+}
+
+TEST_F(Inputs, that_make_no_sense_are_refused) {
+  write("cube.mesh", cube);
+  write("cut.inr", inr(6, "").substr(0, 100));
+  write("empty.inr", inr(2, std::string(8, '\0')));
+  const std::string mesh = path("cube.mesh").string();
+  expect_refusal("'x<1'", 2, "--domain");
+  expect_refusal("'x<' --domain 0,0,0,1,1,1", 2, "cannot be read");
+  expect_refusal("'x<1,y<1' --domain 0,0,0,1,1,1", 2, "commas");
+  expect_refusal("'x<3' --domain 0,0,0,1,1,1", 1, "no inequality has a border");
+  expect_refusal("'x<1' " + mesh + " --domain 0,0,0,1,1,1", 2, "is no inequality");
+  expect_refusal(mesh + " " + mesh, 2, "more than one INPUT");
+  expect_refusal(mesh + " --triangles 100", 2, "--triangles");
+  expect_refusal(mesh + " --edge 0.1", 2, "--edge");
+  expect_refusal(mesh + " --domain 0,0,0,2,2,2", 1, "enclosing box");
+  expect_refusal(path("cut.inr").string(), 1, "cannot be read");
+  expect_refusal(path("missing.inr").string(), 1, "cannot be read");
+  expect_refusal(path("empty.inr").string(), 1, "no label but 0");
+}
+
+} // namespace
