@@ -76,7 +76,7 @@ std::string inr(int n, const std::string& voxels) {
 
 TEST_F(Inputs, may_be_inequalities) {
   const auto result =
-      volumes("'x^2+y^2+z^2<0.5' '(x^2+y^2+z^2<0.5)&&(z>0)' --domain -1,-1,-1,1,1,1 --edge 0.075");
+      volumes("'x^2+y^2+z^2<0.5' '(x^2+y^2+z^2<0.5)&&(z>0)' --domain -1,-1,-1,1,1,1 --edge 0.05");
   ASSERT_EQ(result.size(), 3u);
   const double half = 2 * 3.14159265358979 / 3 * std::pow(.5, 1.5);
   EXPECT_NEAR(result.at(1), half, .01 * half);
