@@ -15,6 +15,7 @@
 #include <CGAL/Deformable_simplicial_complex_2/internal/improvement/Mesh_care_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/improvement/Own_operations_2.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/fill_grid.h>
 #include <CGAL/Deformable_simplicial_complexes/fill_torus.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/improve_new_mesh.h>

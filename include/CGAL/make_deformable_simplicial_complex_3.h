@@ -18,6 +18,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Own_operations_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/fill_grid.h>
 #include <CGAL/Deformable_simplicial_complexes/fill_torus.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/improve_new_mesh.h>

@@ -79,6 +79,10 @@ lists.
     \cgalParamDescription{how many steps the interface makes at the most; 1 or more}
     \cgalParamType{`unsigned int`} \cgalParamDefault{80}
   \cgalParamNEnd
+  \cgalParamNBegin{number_of_threads}
+    \cgalParamDescription{threads to use where linked with TBB; the result does not depend on it}
+    \cgalParamType{`unsigned int`} \cgalParamDefault{1}
+  \cgalParamNEnd
   \cgalParamNBegin{observer}
     \cgalParamDescription{`observer(complex, step)` is asked before the first step and after each one;
                           if it returns false, the reconstruction ends with what there is}
@@ -93,10 +97,11 @@ lists.
 \cgalNamedParamsEnd
 
 \return the complex: label 1 inside, 0 between that and a box around it. Its interface is manifold.
-\throws Deformable_simplicial_complexes::Error if a parameter is out of its range, coordinates are not
-        finite, the extent of the points is not between 1e-30 and 1e30, there are fewer than four
-        different points, all lie in a plane, or what they enclose is nothing or too thin; then the
-        report stays what it was, as if the observer or a map throws
+\throws Deformable_simplicial_complexes::Invalid_points_error if coordinates are not finite, the extent
+        of the points is not between 1e-30 and 1e30, there are fewer than four different points, all
+        lie in a plane, or what they enclose is nothing or too thin
+\throws Deformable_simplicial_complexes::Error if a parameter is out of its range. The report stays
+        what it was if anything is thrown, by the observer or a map, too.
 
 n log n in the number of points, if their Delaunay triangulation is linear, and for each of some
 tens of steps a query for each point and the deformation of the interface. A cloud of 20 000 points
@@ -118,16 +123,19 @@ Complex reconstruct_point_set_3(
   const unsigned steps =
       internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
                                 internal::defaults::Number_of_iterations::of_reconstruction);
+  const unsigned threads = internal::count_parameter(
+      np, tags::number_of_threads, "number_of_threads", internal::defaults::number_of_threads);
   auto observer = internal::parameter_or(
       np, tags::observer, Deformable_simplicial_complexes::Reconstruction_observer_3());
   Deformable_simplicial_complexes::Reconstruction_report_3<Complex> unwanted;
   auto report = internal::parameter_or(np, tags::report, std::ref(unwanted));
 
   const auto given = internal::collect_points(points, np);
-  const internal::Sampled_surface_3 surface(given.points, given.normals);
+  const internal::Sampled_surface_3 surface(given.points, given.normals, threads);
   const internal::Cloud_shell_3 shell(surface);
   Complex complex = internal::complex_of_shell<Complex>(shell);
-  internal::Reconstructor_3<Complex> reconstructor(complex, surface, shell.edge(), tolerance);
+  internal::Reconstructor_3<Complex> reconstructor(complex, surface, shell.edge(), tolerance,
+                                                   threads);
   report.get() = reconstructor.run(steps, internal::unwrap(observer));
   return complex;
 }

@@ -125,6 +125,11 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   reconstruct->add_option("--steps", reconstruct_options.steps, "Number of steps at the most")
       ->check(CLI::Range(1, INT_MAX))
       ->capture_default_str();
+  reconstruct
+      ->add_option("--threads", reconstruct_options.threads,
+                   "Number of threads; the result is the same")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
   reconstruct->add_option("--output", reconstruct_options.folder,
                           "Folder for the steps, to be shown with ParaView");
   reconstruct->add_option("--report", reconstruct_options.report,

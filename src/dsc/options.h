@@ -175,8 +175,9 @@ struct Reconstruct_options
   std::string output;     ///< surface or tetrahedra
   double tolerance = .03; ///< in spacings of the points
   unsigned steps = 80;    ///< at the most
-  std::string folder;     ///< for the steps; empty for none
-  std::string report;     ///< file; empty for none
+  unsigned threads = 1;
+  std::string folder; ///< for the steps; empty for none
+  std::string report; ///< file; empty for none
   bool quiet = false;
 };
 

@@ -89,6 +89,14 @@ Json json_of(const Reconstruction_report& report, const Complex& complex) {
           {"noise", report.noise},
           {"steps", report.number_of_steps},
           {"is_complete", report.is_complete},
+          {"split", report.changes.split},
+          {"collapsed", report.changes.collapsed},
+          {"flipped", report.changes.flipped},
+          {"smoothed", report.changes.smoothed},
+          {"inserted", report.changes.inserted},
+          {"relabeled", report.relabeled},
+          {"topology_changes", report.topology_changes},
+          {"held_back", report.held_back},
           {"root_mean_square", report.root_mean_square},
           {"maximum_distance", report.maximum_distance},
           {"unfit_points", report.unfit_points},
@@ -135,6 +143,7 @@ int execute(const Reconstruct_options& options) {
                   .normal_map(CGAL::Second_of_pair_property_map<Point_and_normal_3>())
                   .fit_tolerance(options.tolerance)
                   .number_of_iterations(options.steps)
+                  .number_of_threads(options.threads)
                   .observer(observe)
                   .report(std::ref(report))));
   progress.clear();

@@ -5,6 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_RECONSTRUCTION_REPORT_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_RECONSTRUCTION_REPORT_3_H
 
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -31,6 +33,10 @@ template <class Complex> struct Reconstruction_report_3
   std::size_t number_of_steps = 0;       ///< of the interface
   bool is_complete = false;              ///< whether it came to rest; if not, it was interrupted or
                                          ///< there were not enough steps
+  Improvement_report changes;            ///< of the mesh, in all steps together
+  std::size_t relabeled = 0;             ///< cells that changed their side, in all steps
+  std::size_t topology_changes = 0;      ///< of the interface, in all steps
+  std::size_t held_back = 0;             ///< how often a vertex did not arrive where a step sent it
   double root_mean_square = 0;           ///< of the distances of points from the interface
   double maximum_distance = 0;           ///< of a point from the interface
   std::vector<std::size_t> unfit_points; ///< those farther than a spacing and four times the noise,

@@ -134,6 +134,40 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
+is thrown when points bound no solid, so that none can be reconstructed from them.
+*/
+class Invalid_points_error : public Error
+{
+public:
+  /// what is wrong with the points
+  enum class Reason {
+    not_finite,   ///< coordinates are not finite numbers
+    out_of_range, ///< the extent of the points is not between 1e-30 and 1e30
+    too_few,      ///< fewer than four points differ
+    flat,         ///< all points lie in a plane
+    open          ///< what the points enclose is nothing, or too thin beside their distances
+  };
+
+  /// constructs the error; the arguments are returned by the functions below.
+  Invalid_points_error(Reason reason, const std::string& message,
+                       std::vector<std::size_t> points = {})
+      : Error(message), m_reason(reason), m_points(std::move(points)) {}
+
+  /// returns what is wrong.
+  Reason reason() const { return m_reason; }
+
+  /// returns the indices of the offending points among those that were given, increasing; none if
+  /// no point is worse than the others.
+  const std::vector<std::size_t>& points() const { return m_points; }
+
+private:
+  Reason m_reason;
+  std::vector<std::size_t> m_points;
+};
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
 is thrown when interface vertices are sent to places that no position can be computed for, such as
 points with coordinates that are not finite. Nothing has been moved then.
 */

@@ -6,32 +6,12 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_FILL_TORUS_H
 
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
-#include <CGAL/Deformable_simplicial_complexes/fit_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/fill_grid.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/torus_grid.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
-
-#include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
-
-// The complex, empty before, of the cells of a grid with labels that a function tells.
-template <class Complex, class LabelAt, class NamedParameters>
-Complex fill_grid(Complex result, const Grid<Complex::dimension>& grid, const LabelAt& label_at,
-                  const NamedParameters& np) {
-  std::vector<typename Complex::Point> points;
-  for (const auto& p : grid.points)
-    points.push_back(result.exact(point_at<Complex>(p)));
-  result.assign(points, grid.cells, std::vector<typename Complex::Label>(grid.cells.size(), 0));
-  for (auto c : result.cells())
-    result.relabel(c, label_at(result.domain().canonical(barycenter(result, c))));
-  result.measure_interface_edges();
-  fit_interface(result, label_at, np);
-  result.measure_interface_edges();
-  result.take_component_events();
-  return result;
-}
 
 // What make_deformable_simplicial_complex_2 and _3 do on a torus.
 template <class Complex, class LabelAt, class NamedParameters>

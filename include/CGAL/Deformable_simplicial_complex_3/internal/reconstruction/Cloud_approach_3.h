@@ -39,18 +39,24 @@ public:
                    const Cloud_planes_3& planes) {
     std::vector<Corner> corners(positions.size());
     is_at_free.assign(positions.size(), 0);
-    for (std::size_t f = 0; f < triangles.size(); ++f) {
+    const For_each_index& for_each = surface.cloud().for_each();
+    std::vector<double> steps(triangles.size(), 0);
+    for_each(triangles.size(), [&](std::size_t f) {
       const auto& t = triangles[f];
       const Vector across = cross_product(t[1] - t[0], t[2] - t[0]);
       const double twice_area = std::sqrt(across.squared_length());
-      is_free.push_back(0);
+      if (twice_area > 0 && !planes[f].touches)
+        steps[f] =
+            free_step(surface, CGAL::centroid(t), across / twice_area, std::sqrt(twice_area));
+    });
+    for (std::size_t f = 0; f < triangles.size(); ++f) {
+      const auto& t = triangles[f];
+      const Vector across = cross_product(t[1] - t[0], t[2] - t[0]);
+      const double twice_area = std::sqrt(across.squared_length()), step = steps[f];
+      is_free.push_back(step > 0);
       if (!(twice_area > 0))
         continue;
       const Vector normal = across / twice_area;
-      const double step =
-          planes[f].touches ? 0
-                            : free_step(surface, CGAL::centroid(t), normal, std::sqrt(twice_area));
-      is_free.back() = step > 0;
       for (int k = 0; k < 3; ++k) {
         const Vector a = t[k + 1] - t[k], b = t[k + 2] - t[k];
         const double angle = std::atan2(twice_area, a * b);
@@ -65,12 +71,13 @@ public:
           c.add_push(angle, -step * normal);
       }
     }
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-      ways.push_back(corners[v].way());
+    ways.resize(positions.size());
+    for_each(positions.size(), [&](std::size_t v) {
+      ways[v] = corners[v].way();
       if (is_at_free[v] != 0 && !surface.is_inside(positions[v]))
         for (int i = 0; i < halvings && surface.is_inside(positions[v] + ways[v]); ++i)
           ways[v] = i + 1 < halvings ? ways[v] / 2 : Vector(0, 0, 0);
-    }
+    });
   }
 
 private:

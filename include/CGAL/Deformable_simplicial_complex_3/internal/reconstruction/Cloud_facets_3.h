@@ -46,12 +46,16 @@ public:
     if (m_triangles.empty())
       return;
     Tree tree(m_triangles.begin(), m_triangles.end());
+    tree.build(); // now, not by the first question of a thread
     tree.accelerate_distance_queries();
-    for (const Point& p : surface.cloud().points()) {
-      const auto found = tree.closest_point_and_primitive(p);
-      m_feet.push_back(found.first);
-      m_nearest.push_back(std::size_t(found.second - m_triangles.begin()));
-    }
+    const Point_cloud_3& cloud = surface.cloud();
+    m_feet.resize(cloud.size());
+    m_nearest.resize(cloud.size());
+    cloud.for_each()(cloud.size(), [&](std::size_t i) {
+      const auto found = tree.closest_point_and_primitive(cloud.points()[i]);
+      m_feet[i] = found.first;
+      m_nearest[i] = std::size_t(found.second - m_triangles.begin());
+    });
   }
 
   // The root of the mean square of distances of points.
@@ -100,15 +104,15 @@ public:
       m_distances[i] = std::sqrt((triangles.foot(i) - points[i]).squared_length());
       m_facets[triangles.nearest(i)].points.push_back(i);
     }
-    for (std::size_t f = 0; f < m_facets.size(); ++f) {
+    surface.cloud().for_each()(m_facets.size(), [&](std::size_t f) {
       const Cloud_kernel::Triangle_3& t = triangles[f];
       const auto across = cross_product(t[1] - t[0], t[2] - t[0]);
       const double twice_area = std::sqrt(across.squared_length());
       if (!(twice_area > 0))
-        continue;
+        return;
       choose_points(m_facets[f], t, across / twice_area, std::sqrt(twice_area));
       choose_plane(m_facets[f], across / twice_area);
-    }
+    });
   }
 
   const Cloud_facet_3& operator[](std::size_t f) const { return m_facets[f]; }

@@ -9,7 +9,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Own_operations_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/control_detail.h>
-#include <CGAL/Deformable_simplicial_complexes/fill_torus.h>
+#include <CGAL/Deformable_simplicial_complexes/fill_grid.h>
 #include <CGAL/Deformable_simplicial_complexes/manifold_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 

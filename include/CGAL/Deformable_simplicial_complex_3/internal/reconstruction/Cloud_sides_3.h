@@ -69,10 +69,25 @@ public:
       }
   }
 
-  // Takes a walk from where the last question was.
-  bool is_inside(const Point& p) const {
-    m_last = m_delaunay.locate(p, m_last);
-    return m_is_inside[m_last->info()] != 0;
+  // Takes a walk from a point of the cloud. What is on the border of a cell is inside if all cells
+  // there are.
+  bool is_inside(const Point& p, std::size_t near) const {
+    typename Delaunay::Locate_type type;
+    int i, j;
+    const Cell_handle c = m_delaunay.locate(p, type, i, j, m_vertices[near]);
+    if (type == Delaunay::VERTEX)
+      return is_inside_around(c->vertex(i));
+    if (type == Delaunay::FACET)
+      return is_inside(c) && is_inside(c->neighbor(i));
+    if (type != Delaunay::EDGE)
+      return is_inside(c);
+    auto around = m_delaunay.incident_cells(c, i, j);
+    const auto first = around;
+    do
+      if (!is_inside(Cell_handle(around)))
+        return false;
+    while (++around != first);
+    return true;
   }
   bool encloses_anything() const {
     return std::find(m_is_inside.begin(), m_is_inside.end(), 1) != m_is_inside.end();
@@ -85,6 +100,7 @@ public:
   void keep(const std::vector<char>& is_kept) {
     keep_marked(m_outward, is_kept);
     keep_marked(m_room, is_kept);
+    keep_marked(m_vertices, is_kept);
   }
 
 private:
@@ -98,6 +114,7 @@ private:
   using Cell_handle = Delaunay::Cell_handle;
   using Poles = std::array<Ball_index, 2>;
   static constexpr Ball_index outside = 0, none = static_cast<Ball_index>(-1);
+  static constexpr std::size_t box_corner = static_cast<std::size_t>(-1);
 
   struct Ball // that is empty and circumscribes a cell
   {
@@ -125,7 +142,13 @@ private:
                  (2 * std::sqrt(a.squared_radius * b.squared_radius)));
   }
   static bool has_both(const Poles& p) { return p[0] != none && p[1] != none; }
-  bool is_of_box(Vertex_handle v) const { return v->info() == m_outward.size(); }
+  bool is_of_box(Vertex_handle v) const { return v->info() == box_corner; }
+  bool is_inside(Cell_handle c) const { return m_is_inside[c->info()] != 0; }
+  bool is_inside_around(Vertex_handle v) const {
+    std::vector<Cell_handle> star;
+    m_delaunay.incident_cells_threadsafe(v, std::back_inserter(star));
+    return std::all_of(star.begin(), star.end(), [&](Cell_handle c) { return is_inside(c); });
+  }
 
   // With the corners of a box around all, where outside begins.
   template <class Points> void triangulate(const Points& points) {
@@ -141,8 +164,12 @@ private:
     for (double x : {box.xmin() - margin, box.xmax() + margin})
       for (double y : {box.ymin() - margin, box.ymax() + margin})
         for (double z : {box.zmin() - margin, box.zmax() + margin})
-          vertices.emplace_back(Point(x, y, z), points.size());
+          vertices.emplace_back(Point(x, y, z), box_corner);
     m_delaunay.insert(vertices.begin(), vertices.end());
+    m_vertices.resize(points.size());
+    for (auto v : m_delaunay.finite_vertex_handles())
+      if (!is_of_box(v))
+        m_vertices[v->info()] = v;
   }
 
   // Those of the finite cells, numbered from 1.
@@ -255,8 +282,8 @@ private:
   }
 
   Delaunay m_delaunay;
-  mutable Cell_handle m_last;
-  std::vector<char> m_is_inside; // by balls
+  std::vector<Vertex_handle> m_vertices; // of points
+  std::vector<char> m_is_inside;         // by balls
   std::vector<Vector> m_outward;
   std::vector<double> m_room;
 };

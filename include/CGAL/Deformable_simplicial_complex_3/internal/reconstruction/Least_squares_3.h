@@ -31,9 +31,11 @@ public:
   Least_squares_3(const Sampled_surface_3& surface, const Facets& facets,
                   const std::vector<Point>& positions, const Cloud_triangles_3& triangles)
       : m_facets(facets), m_right(Eigen::VectorXd::Zero(3 * Eigen::Index(positions.size()))),
-        m_weights(positions.size(), 0) {
+        m_weights(positions.size(), 0), m_neighbors(positions.size()),
+        m_to_middle(positions.size(), NULL_VECTOR) {
     add_points(surface, triangles);
-    add_smoothness(surface, positions);
+    find_loose(surface, positions);
+    add_smoothness();
     for (Eigen::Index i = 0; i < m_right.size(); ++i)
       m_entries.emplace_back(i, i, stiffness);
   }
@@ -49,6 +51,16 @@ public:
     std::vector<Vector> result;
     for (Eigen::Index i = 0; i < solution.size(); i += 3)
       result.emplace_back(solution[i], solution[i + 1], solution[i + 2]);
+    return result;
+  }
+
+  // The ways of the vertices that few points hold, and that are far from all, to the middle of
+  // their neighbors: they are the tips of fins over creases, or close holes.
+  std::vector<Vector> ways_of_loose() const {
+    std::vector<Vector> result = m_to_middle;
+    for (std::size_t v = 0; v < result.size(); ++v)
+      if (m_is_far[v] == 0)
+        result[v] = NULL_VECTOR;
     return result;
   }
 
@@ -109,33 +121,36 @@ private:
       }
   }
 
-  void add_smoothness(const Sampled_surface_3& surface, const std::vector<Point>& positions) {
+  // Loose vertices, with few points or far from those that they have, and their neighbors.
+  void find_loose(const Sampled_surface_3& surface, const std::vector<Point>& positions) {
     static constexpr double few = .3, some = 3; // weights of points
     static constexpr double far = 1.4;          // spacings: from points, beyond an edge
     std::vector<char> is_loose;
-    for (std::size_t v = 0; v < positions.size(); ++v)
-      is_loose.push_back(m_weights[v] < few ||
-                         (m_weights[v] < some && surface.cloud().distance(positions[v]) >
-                                                     far * surface.cloud().spacing()));
-    std::vector<std::vector<std::size_t>> neighbors(positions.size());
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+      m_is_far.push_back(m_weights[v] < some &&
+                         surface.cloud().distance(positions[v]) > far * surface.cloud().spacing());
+      is_loose.push_back(m_is_far[v] != 0 || m_weights[v] < few);
+    }
     for (const auto& f : m_facets)
       for (std::size_t k = 0; k < 3; ++k)
         if (is_loose[f.vertices[k]] != 0)
-          neighbors[f.vertices[k]].push_back(f.vertices[(k + 1) % 3]);
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-      if (neighbors[v].empty())
+          m_neighbors[f.vertices[k]].push_back(f.vertices[(k + 1) % 3]);
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      for (std::size_t n : m_neighbors[v])
+        m_to_middle[v] += (positions[n] - positions[v]) / double(m_neighbors[v].size());
+  }
+
+  void add_smoothness() {
+    for (std::size_t v = 0; v < m_neighbors.size(); ++v) {
+      if (m_neighbors[v].empty())
         continue;
-      const double part = 1 / double(neighbors[v].size());
-      Vector way(0, 0, 0); // to the middle
-      for (std::size_t n : neighbors[v])
-        way += part * (positions[n] - positions[v]);
       std::vector<std::pair<std::size_t, double>> terms = {{v, 1}};
-      for (std::size_t n : neighbors[v])
-        terms.emplace_back(n, -part);
+      for (std::size_t n : m_neighbors[v])
+        terms.emplace_back(n, -1 / double(m_neighbors[v].size()));
       for (const auto& [i, a] : terms)
         for (int u = 0; u < 3; ++u) {
           const Eigen::Index at = 3 * Eigen::Index(i) + u;
-          m_right[at] += smoothness * a * way[u];
+          m_right[at] += smoothness * a * m_to_middle[v][u];
           for (const auto& [j, b] : terms)
             m_entries.emplace_back(at, 3 * Eigen::Index(j) + u, smoothness * a * b);
         }
@@ -145,7 +160,10 @@ private:
   const Facets& m_facets;
   std::vector<Eigen::Triplet<double>> m_entries;
   Eigen::VectorXd m_right;
-  std::vector<double> m_weights; // of the points of vertices
+  std::vector<double> m_weights;                     // of the points of vertices
+  std::vector<char> m_is_far;                        // from points, with few of its own
+  std::vector<std::vector<std::size_t>> m_neighbors; // of loose vertices only
+  std::vector<Vector> m_to_middle;                   // of them
 };
 
 } // namespace internal

@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/local_fits_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Kd_tree.h>
@@ -49,13 +50,12 @@ public:
   using Vector = Cloud_kernel::Vector_3;
 
   // Of equal points, that with the greatest vector counts, if there are any vectors; 0 is the
-  // least. Throws Error if coordinates are not finite, or too large or small, or the points lie in
-  // a plane.
-  Point_cloud_3(const std::vector<Point>& points, const std::vector<Vector>& vectors) {
-    for (std::size_t i = 0; i < points.size(); ++i)
-      for (int axis = 0; axis < 3; ++axis)
-        if (!std::isfinite(points[i][axis]))
-          throw Error("the coordinates of point " + std::to_string(i) + " are not finite");
+  // least. Throws Invalid_points_error if coordinates are not finite, or too large or small, or the
+  // points lie in a plane.
+  Point_cloud_3(const std::vector<Point>& points, const std::vector<Vector>& vectors,
+                unsigned number_of_threads)
+      : m_for_each(number_of_threads) {
+    require_finite(points);
     m_indices.resize(points.size());
     std::iota(m_indices.begin(), m_indices.end(), std::size_t(0));
     std::stable_sort(m_indices.begin(), m_indices.end(), [&](std::size_t i, std::size_t j) {
@@ -86,7 +86,10 @@ public:
   // Of points that were left out, as they were far from others.
   std::size_t number_of_strays() const { return m_strays; }
 
-  // Leaves out the others. Throws Error if what is left lies in a plane.
+  // For what is asked for each of many points or facets.
+  const For_each_index& for_each() const { return m_for_each; }
+
+  // Leaves out the others. Throws Invalid_points_error if what is left lies in a plane.
   void keep(const std::vector<char>& is_kept) {
     const auto number = std::size_t(std::count(is_kept.begin(), is_kept.end(), 1));
     if (number == size())
@@ -126,6 +129,7 @@ private:
   using Search = Orthogonal_k_neighbor_search<Traits>;
   using Tree = Search::Tree;
   using Distance = Search::Distance;
+  using Reason = Invalid_points_error::Reason;
   static constexpr unsigned ring = 6; // neighbors of a point of a surface
 
   static bool less(const Vector& a, const Vector& b) {
@@ -135,19 +139,36 @@ private:
 
   Map map() const { return make_property_map(m_points); }
 
+  static void require_finite(const std::vector<Point>& points) {
+    std::vector<std::size_t> wrong;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (!std::isfinite(points[i].x()) || !std::isfinite(points[i].y()) ||
+          !std::isfinite(points[i].z()))
+        wrong.push_back(i);
+    if (!wrong.empty())
+      throw Invalid_points_error(Reason::not_finite,
+                                 "the coordinates of point " + std::to_string(wrong.front()) +
+                                     " are not finite: leave it out",
+                                 wrong);
+  }
+
   void require_extent() const {
     static constexpr std::size_t least = 4;
     static constexpr double thinnest = 1e-9; // of the extent
     if (m_points.size() < least)
-      throw Error(m_strays == 0 ? "there are fewer than four different points: they bound no solid"
-                                : "fewer than four points are near others: they bound no solid");
+      throw Invalid_points_error(
+          Reason::too_few, m_strays == 0
+                               ? "there are fewer than four different points: they bound no solid"
+                               : "fewer than four points are near others: they bound no solid");
     static constexpr double smallest = 1e-30, largest = 1e30; // extents of complexes
     Bbox_3 box;
     for (const Point& p : m_points)
       box += p.bbox();
     const double side = (std::max)({box.x_span(), box.y_span(), box.z_span()});
     if (!(side >= smallest && side <= largest))
-      throw Error("the extent of the points is not between 1e-30 and 1e30: scale them");
+      throw Invalid_points_error(
+          Reason::out_of_range,
+          "the extent of the points is not between 1e-30 and 1e30: scale them");
     const Fitted_plane_3 plane = fit_plane(m_points);
     double thickness = 0, extent = 0;
     for (const Point& p : m_points) {
@@ -155,7 +176,7 @@ private:
       extent = (std::max)(extent, std::sqrt((p - plane.center).squared_length()));
     }
     if (!(thickness > thinnest * extent))
-      throw Error("all points lie in a plane: they bound no solid");
+      throw Invalid_points_error(Reason::flat, "all points lie in a plane: they bound no solid");
   }
 
   // The tree of the points.
@@ -167,21 +188,23 @@ private:
   }
 
   void measure() {
-    for (const Point& p : m_points)
-      m_reaches.push_back(std::sqrt((m_points[nearest(p, ring + 1).back()] - p).squared_length()));
+    m_reaches.resize(size());
+    m_for_each(size(), [&](std::size_t i) {
+      const Point& p = m_points[i];
+      m_reaches[i] = std::sqrt((m_points[nearest(p, ring + 1).back()] - p).squared_length());
+    });
     m_spacing = mean_distance();
   }
 
   // Of points from their neighbors.
   double mean_distance() const {
-    double sum = 0;
-    std::size_t number = 0;
-    for (const Point& p : m_points) {
-      const auto near = nearest(p, ring + 1); // itself among them
-      for (std::size_t k = 1; k < near.size(); ++k, ++number)
-        sum += std::sqrt((m_points[near[k]] - p).squared_length());
-    }
-    return sum / double(number);
+    std::vector<double> sums(size(), 0);
+    m_for_each(size(), [&](std::size_t i) {
+      for (std::size_t k : nearest(m_points[i], ring + 1)) // itself among them
+        sums[i] += std::sqrt((m_points[k] - m_points[i]).squared_length());
+    });
+    const double number = double((std::min)(std::size_t(ring), size() - 1));
+    return std::accumulate(sums.begin(), sums.end(), 0.) / (number * double(size()));
   }
 
   // A point is isolated if it is farther from its neighbors than most of those around are from
@@ -189,22 +212,23 @@ private:
   void drop_isolated() {
     static constexpr double far = 3;       // reaches of those around: their median
     static constexpr unsigned around = 32; // more than outliers have among themselves
-    std::vector<char> is_kept;
-    std::vector<double> medians;
-    for (std::size_t i = 0; i < size(); ++i) {
+    std::vector<char> is_kept(size());
+    std::vector<double> medians(size());
+    m_for_each(size(), [&](std::size_t i) {
       std::vector<double> reaches;
       for (std::size_t k : nearest(m_points[i], around))
         reaches.push_back(m_reaches[k]);
       const auto middle = reaches.begin() + std::ptrdiff_t(reaches.size() / 2);
       std::nth_element(reaches.begin(), middle, reaches.end());
-      is_kept.push_back(m_reaches[i] <= far * *middle);
-      medians.push_back(*middle);
-    }
+      is_kept[i] = m_reaches[i] <= far * *middle;
+      medians[i] = *middle;
+    });
     for (std::size_t i = 0; i < size(); ++i)
       m_reaches[i] = (std::min)(m_reaches[i], medians[i]);
     keep(is_kept);
   }
 
+  For_each_index m_for_each;
   std::vector<Point> m_points;
   std::vector<std::size_t> m_indices; // among the points that were given
   std::size_t m_duplicates = 0, m_strays = 0;

@@ -13,6 +13,8 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Least_squares_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/remeshing/Interface_improver_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
@@ -40,26 +42,25 @@ public:
   using Vector = Sampled_surface_3::Vector;
 
   // The longest edges to begin with; the tolerance in spacings.
-  Reconstructor_3(Complex& complex, const Sampled_surface_3& surface, double edge, double tolerance)
+  Reconstructor_3(Complex& complex, const Sampled_surface_3& surface, double edge, double tolerance,
+                  unsigned number_of_threads)
       : m_complex(complex), m_surface(surface), m_sizes(surface, edge, tolerance),
-        m_tolerance(tolerance * surface.cloud().spacing()) {}
+        m_tolerance(tolerance * surface.cloud().spacing()), m_threads(number_of_threads) {}
 
-  // Steps until it comes to rest, as long as the observer agrees.
+  // Steps until it comes to rest, as long as the observer agrees. To be called once.
   template <class Observer>
   Reconstruction_report_3<Complex> run(unsigned steps, Observer& observer) {
-    static constexpr int last_fits = 2; // by when vertices stay where they are
-    Reconstruction_report_3<Complex> report;
-    bool goes_on = observer(std::as_const(m_complex), report.number_of_steps);
-    while (goes_on && !report.is_complete && report.number_of_steps < steps) {
-      report.is_complete = !advance();
-      for (int i = 0; i < last_fits && report.is_complete; ++i)
-        fit();
-      goes_on = observer(std::as_const(m_complex), ++report.number_of_steps);
+    bool goes_on = observer(std::as_const(m_complex), m_report.number_of_steps);
+    while (goes_on && !m_report.is_complete && m_report.number_of_steps < steps) {
+      m_report.is_complete = !advance();
+      if (m_report.is_complete)
+        finish();
+      goes_on = observer(std::as_const(m_complex), ++m_report.number_of_steps);
     }
     m_complex.measure_interface_edges();
     m_complex.take_component_events();
-    measure(report);
-    return report;
+    measure();
+    return m_report;
   }
 
 private:
@@ -75,7 +76,7 @@ private:
     const auto free = std::count(approach.is_free.begin(), approach.is_free.end(), 1);
     const bool fits = double(free) < many * double(front.triangles.size());
     if (fits) {
-      const std::vector<Vector> best = best_ways(front);
+      const std::vector<Vector> best = fit(front).ways();
       for (std::size_t v = 0; v < ways.size(); ++v)
         if (approach.is_at_free[v] == 0)
           ways[v] = best[v];
@@ -90,10 +91,15 @@ private:
     return !has_settled();
   }
 
-  // Moves all vertices once more, without other changes.
-  void fit() {
-    const Front front(m_complex, m_surface);
-    deform(front, best_ways(front));
+  // Moves vertices once more, without other changes.
+  void finish() {
+    static constexpr int fits = 2;   // by when vertices stay where they are
+    static constexpr int rounds = 4; // fins are hardly ever wider than two edges
+    for (int i = 0; i < fits + rounds; ++i) {
+      const Front front(m_complex, m_surface);
+      const auto best = fit(front);
+      deform(front, i < fits ? best.ways() : best.ways_of_loose());
+    }
   }
 
   using Snapshot = Interface_snapshot<Complex>;
@@ -108,14 +114,16 @@ private:
         : snapshot(complex), positions(cloud_points(snapshot.positions(complex))),
           triangles(surface, snapshot.facets(), positions) {
       if (positions.empty())
-        throw Error("nothing is left of the solid: it is too thin for the distances of its points");
+        throw Invalid_points_error(
+            Invalid_points_error::Reason::open,
+            "nothing is left of the solid: it is too thin for the distances of its points");
     }
 
     const auto& facets() const { return snapshot.facets(); }
   };
 
-  std::vector<Vector> best_ways(const Front& front) const {
-    return Least_squares_3(m_surface, front.facets(), front.positions, front.triangles).ways();
+  auto fit(const Front& front) const {
+    return Least_squares_3(m_surface, front.facets(), front.positions, front.triangles);
   }
 
   // How a vertex was to move last by the facets around it.
@@ -167,17 +175,25 @@ private:
       const Point q = front.positions[v] + ways[v];
       destinations.emplace_back(q.x(), q.y(), q.z());
     }
-    deform_interface_to(m_complex, front.snapshot, destinations,
-                        parameters::manifold_interface(true));
+    const Deformation_report<Complex> report =
+        deform_interface_to(m_complex, front.snapshot, destinations,
+                            parameters::manifold_interface(true).number_of_threads(m_threads));
+    m_report.changes =
+        m_report.changes + Improvement_report{report.split, report.collapsed, report.flipped,
+                                              report.smoothed, report.inserted};
+    m_report.relabeled += report.relabeled;
+    m_report.topology_changes += report.events.size();
+    m_report.held_back += report.unfinished.size();
   }
 
   void improve() {
     static constexpr double longest = 1.5, shortest = .4; // of what is asked for
     static constexpr double crease = 40;                  // degrees
-    improve_interface(m_complex, parameters::size_field(std::cref(m_sizes))
-                                     .interface_split_length(longest)
-                                     .interface_collapse_length(shortest)
-                                     .feature_angle(crease));
+    m_report.changes =
+        m_report.changes + improve_interface(m_complex, parameters::size_field(std::cref(m_sizes))
+                                                            .interface_split_length(longest)
+                                                            .interface_collapse_length(shortest)
+                                                            .feature_angle(crease));
   }
 
   // Whether points come no nearer, or are much nearer than they have to be.
@@ -193,8 +209,9 @@ private:
             m_residuals[n - 1] <= enough * m_tolerance);
   }
 
-  void measure(Reconstruction_report_3<Complex>& report) const {
+  void measure() {
     static constexpr double unfit = 4; // noises
+    Reconstruction_report_3<Complex>& report = m_report;
     const Point_cloud_3& cloud = m_surface.cloud();
     report.number_of_points = cloud.size();
     report.number_of_duplicates = cloud.number_of_duplicates();
@@ -223,6 +240,8 @@ private:
   const Sampled_surface_3& m_surface;
   Cloud_sizes_3 m_sizes;
   double m_tolerance;
+  unsigned m_threads;
+  Reconstruction_report_3<Complex> m_report;
   std::map<std::size_t, Motion> m_motions; // by the time stamps of vertices
   // After the approach, in each step.
   std::vector<double> m_residuals; // of points

@@ -32,10 +32,11 @@ public:
   using Point = Point_cloud_3::Point;
   using Vector = Point_cloud_3::Vector;
 
-  // Normals, if there are any, of any length and sign, in the order of the points. Throws Error if
-  // the points bound no solid.
-  explicit Sampled_surface_3(const std::vector<Point>& points, const std::vector<Vector>& normals)
-      : m_cloud(points, normals) {
+  // Normals, if there are any, of any length and sign, in the order of the points. Throws
+  // Invalid_points_error if the points bound no solid.
+  Sampled_surface_3(const std::vector<Point>& points, const std::vector<Vector>& normals,
+                    unsigned number_of_threads)
+      : m_cloud(points, normals, number_of_threads) {
     static constexpr double noisy = .25; // spacings: of layers, sides are decided by their middles
     m_sides = std::make_unique<Cloud_sides_3>(m_cloud.points());
     fit();
@@ -47,7 +48,8 @@ public:
       fit();
     }
     if (!m_sides->encloses_anything())
-      throw Error("the points enclose nothing: they bound no solid");
+      throw Invalid_points_error(Invalid_points_error::Reason::open,
+                                 "the points enclose nothing: they bound no solid");
     drop_strays();
     measure_rooms();
     for (std::size_t i = 0; i < m_cloud.size(); ++i) {
@@ -59,7 +61,9 @@ public:
   }
 
   const Point_cloud_3& cloud() const { return m_cloud; }
-  bool is_inside(const Point& p) const { return m_sides->is_inside({p.x(), p.y(), p.z()}); }
+  bool is_inside(const Point& p) const {
+    return m_sides->is_inside({p.x(), p.y(), p.z()}, m_cloud.nearest(p));
+  }
 
   // Of unit length; where planes meet, that of the neighbors on one side.
   const Vector& normal(std::size_t i) const { return m_normals[i]; }
@@ -114,16 +118,16 @@ private:
   // A point of a surface has poles on both of its sides, or a neighbor that has.
   void drop_strays() {
     static constexpr unsigned around = 6;
-    std::vector<char> is_kept;
-    for (std::size_t i = 0; i < m_cloud.size(); ++i) {
+    std::vector<char> is_kept(m_cloud.size());
+    m_cloud.for_each()(m_cloud.size(), [&](std::size_t i) {
       const Point& p = m_cloud.points()[i];
-      is_kept.push_back(is_oriented(i));
+      is_kept[i] = is_oriented(i);
       if (!is_oriented(i))
         for (std::size_t k : m_cloud.nearest(p, around + 1))
           if (is_oriented(k) && std::sqrt((m_cloud.points()[k] - p).squared_length()) <
                                     reach_of_points * m_cloud.reach(k))
-            is_kept.back() = 1;
-    }
+            is_kept[i] = 1;
+    });
     m_cloud.keep(is_kept);
     m_sides->keep(is_kept);
     keep_marked(m_normals, is_kept);
@@ -135,18 +139,17 @@ private:
     // Neighbors: two rings, almost; of thin parts those on one side, if they determine a quadric.
     static constexpr unsigned around = 16, least = 6;
     const std::vector<Point>& points = m_cloud.points();
-    std::vector<std::vector<std::size_t>> neighbors;
-    std::vector<Fitted_plane_3> planes;
-    m_normals.clear();
-    m_residuals.clear();
-    m_curvatures.clear();
-    for (const Point& p : points) {
-      neighbors.push_back(m_cloud.nearest(p, around + 1)); // itself among them
-      const std::size_t i = planes.size();
+    std::vector<std::vector<std::size_t>> neighbors(points.size());
+    std::vector<Fitted_plane_3> planes(points.size());
+    m_normals.resize(points.size());
+    m_residuals.resize(points.size());
+    m_curvatures.resize(points.size());
+    m_cloud.for_each()(points.size(), [&](std::size_t i) {
+      neighbors[i] = m_cloud.nearest(points[i], around + 1); // itself among them
       const auto is_on_other_side = [&](std::size_t k) {
         return m_sides->outward(k) * m_sides->outward(i) < 0;
       };
-      auto& indices = neighbors.back();
+      auto& indices = neighbors[i];
       const auto end = std::stable_partition(indices.begin(), indices.end(),
                                              [&](std::size_t k) { return !is_on_other_side(k); });
       if (end - indices.begin() > least)
@@ -154,40 +157,40 @@ private:
       std::vector<Point> near;
       for (std::size_t k : indices)
         near.push_back(points[k]);
-      planes.push_back(fit_plane(near));
-      const Fitted_quadric_3 quadric = fit_quadric(near, planes.back());
-      m_normals.push_back(quadric.normal);
-      m_residuals.push_back(quadric.residual);
-      m_curvatures.push_back(quadric.curvature);
-    }
+      planes[i] = fit_plane(near);
+      const Fitted_quadric_3 quadric = fit_quadric(near, planes[i]);
+      m_normals[i] = quadric.normal;
+      m_residuals[i] = quadric.residual;
+      m_curvatures[i] = quadric.curvature;
+    });
     std::vector<double> residuals = m_residuals;
     const auto middle = residuals.begin() + std::ptrdiff_t(residuals.size() / 2);
     std::nth_element(residuals.begin(), middle, residuals.end());
     m_noise = *middle;
     static constexpr double rounding = 1e-12; // spacings
     static constexpr double in_plane = 2;     // residuals
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (is_rough(i)) {
-        std::size_t best = i;
-        for (std::size_t k : neighbors[i])
-          if (planes[k].residual < planes[best].residual &&
-              std::abs(planes[k].height(points[i])) <=
-                  in_plane * planes[k].residual + rounding * m_cloud.spacing())
-            best = k;
-        m_normals[i] = planes[best].normal;
-      }
+    m_cloud.for_each()(points.size(), [&](std::size_t i) {
+      if (!is_rough(i))
+        return;
+      std::size_t best = i;
+      for (std::size_t k : neighbors[i])
+        if (planes[k].residual < planes[best].residual &&
+            std::abs(planes[k].height(points[i])) <=
+                in_plane * planes[k].residual + rounding * m_cloud.spacing())
+          best = k;
+      m_normals[i] = planes[best].normal;
+    });
   }
 
   // Of the points of a layer of noise, only some have large balls.
   void measure_rooms() {
     static constexpr unsigned around = 8;
-    for (std::size_t i = 0; i < m_cloud.size(); ++i) {
-      double room = 0;
+    m_rooms.assign(m_cloud.size(), 0);
+    m_cloud.for_each()(m_cloud.size(), [&](std::size_t i) {
       for (std::size_t k : m_cloud.nearest(m_cloud.points()[i], around))
         if (is_oriented(k) && m_sides->outward(k) * m_sides->outward(i) >= 0)
-          room = (std::max)(room, m_sides->room(k));
-      m_rooms.push_back(room);
-    }
+          m_rooms[i] = (std::max)(m_rooms[i], m_sides->room(k));
+    });
   }
 
   Point_cloud_3 m_cloud;
