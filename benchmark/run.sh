@@ -2,12 +2,12 @@
 # Builds the benchmarks, runs them on the meshes of CGAL, and writes tables and raw results into
 # BUILD_DIR/benchmark-results. See README.md for what is measured.
 # Usage: benchmark/run.sh [BUILD_DIR [motion] [breathing] [topology] [improvement] [memory] [operations]
-#                                   [flows] [surfaces] [abuse] [meshes]]
+#                                   [flows] [surfaces] [points] [abuse] [meshes]]
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
 build=$(realpath --canonicalize-missing "${1:-$source/build}")
 parts=("${@:2}")
-[ ${#parts[@]} -gt 0 ] || parts=(motion breathing topology flows surfaces improvement memory operations abuse meshes)
+[ ${#parts[@]} -gt 0 ] || parts=(motion breathing topology flows surfaces points improvement memory operations abuse meshes)
 mesh_seconds=${MESH_SECONDS:-600} # the time limit of one mesh in `meshes`
 
 programs=$build/benchmark
@@ -161,6 +161,43 @@ measure_surfaces() {
   done
 }
 
+measure_points() {
+  local table=$results/reconstruction.md reconstruction=$programs/reconstruction cloud seed width
+  local points=$build/data/points_3
+  begin_table "$table" cloud method triangles "Euler characteristic" "open edges" \
+    "points to surface, rms (sp)" maximum "surface to truth, rms (sp)" maximum "creases, rms (sp)" \
+    "volume (%)" "what the report tells" "processor (s)" "elapsed (s)" MiB
+  add_row "$table" "$reconstruction" "$points/kitten.xyz" --peers
+  for cloud in tunnel noise; do
+    for seed in 1 2 3 4 5; do
+      add_row "$table" "$reconstruction" "$cloud" --seed "$seed" --peers
+    done
+  done
+  add_row "$table" "$reconstruction" "$meshes/fandisk.off" --points 30000 --peers
+  add_row "$table" "$reconstruction" "$meshes/elephant.off" --peers
+  add_row "$table" "$reconstruction" spheres --peers
+  add_row "$table" "$reconstruction" nested --peers
+  for width in 14 7 5 3.5; do
+    add_row "$table" "$reconstruction" narrow --width "$width"
+  done
+  add_row "$table" "$reconstruction" plate --width 2
+  for width in 3 8 20; do
+    add_row "$table" "$reconstruction" hole --width "$width"
+  done
+  add_row "$table" "$reconstruction" outliers --peers
+  add_row "$table" "$reconstruction" "$points/oni.pwn"
+  add_row "$table" "$reconstruction" "$points/hippo1.ply"
+
+  table=$results/reconstruction_sizes.md
+  begin_table "$table" cloud method triangles "Euler characteristic" "open edges" \
+    "points to surface, rms (sp)" maximum "surface to truth, rms (sp)" maximum "creases, rms (sp)" \
+    "volume (%)" "what the report tells" "processor (s)" "elapsed (s)" MiB
+  add_row "$table" "$reconstruction" tunnel --points 100000
+  add_row "$table" "$reconstruction" tunnel --points 100000 --threads 2
+  add_row "$table" "$reconstruction" tunnel --points 1000000
+  add_row "$table" "$reconstruction" tunnel --points 1000000 --threads 2
+}
+
 measure_memory() {
   begin_table "$results/memory.md" input tetrahedra cells vertices other "all" resident
   add_row "$results/memory.md" "$programs/memory_benchmark" "$meshes/bunny00.off" \
@@ -216,7 +253,7 @@ measure_meshes() {
   cmake -S "$source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release
 cmake --build "$build" --target benchmarks --parallel "$(nproc)"
 mkdir -p "$results"
-tar --extract --gzip --file /usr/share/doc/libcgal-dev/data.tar.gz --directory "$build" data/meshes
+tar --extract --gzip --file /usr/share/doc/libcgal-dev/data.tar.gz --directory "$build" data/meshes data/points_3
 {
   grep --max-count=1 'model name' /proc/cpuinfo || uname -m
   "${CXX:-c++}" --version | head -n 1

@@ -24,6 +24,7 @@ namespace Deformable_simplicial_complexes {
 
 /// \ingroup PkgDeformableSimplicialComplex3Ref
 /// The observer of a reconstruction that does nothing.
+/// \cgalModels `ReconstructionObserver_3`
 struct Reconstruction_observer_3
 {
   /// Asked before the first step and after each one; false ends the reconstruction.
@@ -86,7 +87,7 @@ lists.
   \cgalParamNBegin{observer}
     \cgalParamDescription{`observer(complex, step)` is asked before the first step and after each one;
                           if it returns false, the reconstruction ends with what there is}
-    \cgalParamType{function object, by value or `std::reference_wrapper`}
+    \cgalParamType{model of `ReconstructionObserver_3`, by value or `std::reference_wrapper`}
     \cgalParamDefault{`Reconstruction_observer_3`}
   \cgalParamNEnd
   \cgalParamNBegin{report}

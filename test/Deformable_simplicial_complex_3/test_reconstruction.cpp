@@ -14,7 +14,10 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
@@ -33,6 +36,7 @@ using Vector = Kernel::Vector_3;
 using Report = CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Complex>;
 using CGAL::Deformable_simplicial_complexes::Error;
 using CGAL::Deformable_simplicial_complexes::File_error;
+using CGAL::Deformable_simplicial_complexes::Invalid_points_error;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 void append_sphere(std::vector<Point>& points, std::size_t n, const Point& center, double radius) {
@@ -154,11 +158,13 @@ TEST(Reconstruction, leaves_strays_and_duplicates_out) {
   points.insert(points.end(), points.begin(), points.begin() + 100);
   points.emplace_back(1e6, 0, 0);
   points.emplace_back(0, 0, .1);
+  points.emplace_back(0, 0, 1.15); // three spacings off
+  points.emplace_back(0, -.85, 0);
   const Result ball(points);
   EXPECT_EQ(ball.euler_characteristic(), 2);
   EXPECT_NEAR(ball.complex.volume(1), 4 * CGAL_PI / 3, .01);
   EXPECT_EQ(ball.report.number_of_duplicates, 100);
-  EXPECT_EQ(ball.report.number_of_strays, 2);
+  EXPECT_EQ(ball.report.number_of_strays, 4);
   EXPECT_EQ(ball.report.number_of_points, 2000);
   EXPECT_LT(ball.report.spacing, .1);
 }
@@ -219,6 +225,17 @@ TEST(Reconstruction, does_not_depend_on_the_order_of_points) {
   EXPECT_EQ(positions(first.complex), positions(third.complex));
 }
 
+TEST(Reconstruction, does_not_depend_on_threads) {
+  std::vector<Point> points = box(4000, .4);
+  points.emplace_back(0, 0, .6); // an outlier
+  const auto reconstruct = [&](unsigned threads) {
+    return CGAL::reconstruct_point_set_3<Complex>(points, parameters::number_of_threads(threads));
+  };
+  const Complex one = reconstruct(1), two = reconstruct(2);
+  EXPECT_EQ(positions(one), positions(two));
+  EXPECT_EQ(one.number_of_cells(), two.number_of_cells());
+}
+
 TEST(Reconstruction, takes_tiny_and_huge_coordinates) {
   for (double scale : {1e-20, 1e20}) {
     std::vector<Point> points = sphere(800);
@@ -269,33 +286,121 @@ TEST(Reconstruction, can_be_watched_and_ended) {
 }
 
 TEST(Reconstruction, refuses_what_bounds_no_solid) {
-  const auto reconstruct = [](const std::vector<Point>& points) {
-    CGAL::reconstruct_point_set_3<Complex>(points);
+  using Reason = Invalid_points_error::Reason;
+  const auto expect = [](const std::vector<Point>& points, Reason reason,
+                         const std::vector<std::size_t>& wrong = {}) {
+    try {
+      CGAL::reconstruct_point_set_3<Complex>(points);
+      ADD_FAILURE() << "not refused";
+    } catch (const Invalid_points_error& error) {
+      EXPECT_EQ(error.reason(), reason) << error.what();
+      EXPECT_EQ(error.points(), wrong);
+    }
   };
-  EXPECT_THROW(reconstruct({}), Error);
-  EXPECT_THROW(reconstruct({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), Error);
-  EXPECT_THROW(reconstruct(std::vector<Point>(10, Point(1, 2, 3))), Error);
+  expect({}, Reason::too_few);
+  expect({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Reason::too_few);
+  expect(std::vector<Point>(10, Point(1, 2, 3)), Reason::too_few);
   std::vector<Point> plane, line;
   for (int i = 0; i < 100; ++i) {
     plane.emplace_back(i % 10, i / 10, 3);
     line.emplace_back(i, 2 * i, 3 * i);
   }
-  EXPECT_THROW(reconstruct(plane), Error);
-  EXPECT_THROW(reconstruct(line), Error);
+  expect(plane, Reason::flat);
+  expect(line, Reason::flat);
   std::vector<Point> with_nan = sphere(100);
   with_nan[17] = Point(0, std::numeric_limits<double>::quiet_NaN(), 0);
-  try {
-    reconstruct(with_nan);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("17"), std::string::npos);
-  }
+  with_nan[5] = Point(0, 0, std::numeric_limits<double>::infinity());
+  expect(with_nan, Reason::not_finite, {5, 17});
   std::vector<Point> huge = sphere(100);
   for (Point& p : huge)
     p = CGAL::ORIGIN + 1e200 * (p - CGAL::ORIGIN);
-  EXPECT_THROW(reconstruct(huge), Error);
+  expect(huge, Reason::out_of_range);
   EXPECT_THROW(CGAL::reconstruct_point_set_3<Complex>(sphere(100), parameters::fit_tolerance(0.)),
                Error);
+}
+
+// Points, keys, maps and observers that offer what is required, and nothing else.
+namespace archetypes {
+
+struct Coordinates
+{
+  std::array<double, 3> values;
+  double x() const { return values[0]; }
+  double y() const { return values[1]; }
+  double z() const { return values[2]; }
+};
+
+class Key
+{
+public:
+  explicit Key(std::size_t i) : m_index(i) {}
+
+private:
+  friend struct Point_map;
+  std::size_t m_index;
+};
+
+struct Point_map
+{
+  using key_type = Key;
+  using value_type = Coordinates;
+  using reference = Coordinates;
+  using category = boost::readable_property_map_tag;
+
+  const std::vector<Point>* points;
+
+  friend Coordinates get(const Point_map& map, const Key& key) {
+    const Point& p = (*map.points)[key.m_index];
+    return {{p.x(), p.y(), p.z()}};
+  }
+};
+
+// What a range-based loop needs.
+class Keys
+{
+public:
+  explicit Keys(std::size_t n) {
+    for (std::size_t i = 0; i < n; ++i)
+      m_keys.emplace_back(i);
+  }
+  const Key* begin() const { return m_keys.data(); }
+  const Key* end() const { return m_keys.data() + m_keys.size(); }
+
+private:
+  std::vector<Key> m_keys;
+};
+
+class Observer
+{
+public:
+  Observer(const Observer&) = delete; // held by reference
+  Observer& operator=(const Observer&) = delete;
+  explicit Observer(std::size_t& steps) : m_steps(steps) {}
+  bool operator()(const Complex&, std::size_t step) {
+    m_steps = step;
+    return true;
+  }
+
+private:
+  std::size_t& m_steps;
+};
+
+} // namespace archetypes
+
+TEST(Reconstruction, needs_no_more_than_concepts_require) {
+  const std::vector<Point> points = sphere(500);
+  const archetypes::Point_map map{&points};
+  std::size_t steps = 0;
+  archetypes::Observer observer(steps);
+  Report report;
+  const Complex complex = CGAL::reconstruct_point_set_3<Complex>(archetypes::Keys(points.size()),
+                                                                 parameters::point_map(map)
+                                                                     .normal_map(map)
+                                                                     .observer(std::ref(observer))
+                                                                     .report(std::ref(report)));
+  EXPECT_EQ(complex.euler_characteristic(1), 2);
+  EXPECT_EQ(steps, report.number_of_steps);
+  EXPECT_GT(report.changes.smoothed, 0);
 }
 
 // Few points, points on a lattice and on common spheres: a closed surface or a refusal.

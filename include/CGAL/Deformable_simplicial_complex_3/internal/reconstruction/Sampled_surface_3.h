@@ -37,20 +37,14 @@ public:
   Sampled_surface_3(const std::vector<Point>& points, const std::vector<Vector>& normals,
                     unsigned number_of_threads)
       : m_cloud(points, normals, number_of_threads) {
-    static constexpr double noisy = .25; // spacings: of layers, sides are decided by their middles
-    m_sides = std::make_unique<Cloud_sides_3>(m_cloud.points());
-    fit();
-    const double layer = m_noise / (noisy * m_cloud.spacing());
-    if (layer > 1 && m_cloud.size() > few * neighbors_to_smooth(layer)) {
-      auto sides = std::make_unique<Cloud_sides_3>(smoothed(layer));
-      if (sides->encloses_anything())
-        m_sides.swap(sides);
-      fit();
+    find_sides();
+    if (drop_strays()) { // which had their say on what is inside
+      find_sides();
+      drop_strays();
     }
     if (!m_sides->encloses_anything())
       throw Invalid_points_error(Invalid_points_error::Reason::open,
                                  "the points enclose nothing: they bound no solid");
-    drop_strays();
     measure_rooms();
     for (std::size_t i = 0; i < m_cloud.size(); ++i) {
       if (!normals.empty())
@@ -115,24 +109,41 @@ private:
     return points;
   }
 
-  // A point of a surface has poles on both of its sides, or a neighbor that has.
-  void drop_strays() {
+  void find_sides() {
+    static constexpr double noisy = .25; // spacings: of layers, sides are decided by their middles
+    m_sides = std::make_unique<Cloud_sides_3>(m_cloud.points());
+    fit();
+    const double layer = m_noise / (noisy * m_cloud.spacing());
+    if (layer > 1 && m_cloud.size() > few * neighbors_to_smooth(layer)) {
+      auto sides = std::make_unique<Cloud_sides_3>(smoothed(layer));
+      if (sides->encloses_anything())
+        m_sides.swap(sides);
+      fit();
+    }
+  }
+
+  // A point of a surface has poles on both of its sides, or a neighbor that has, and is near one of
+  // the planes around. Returns whether there were others.
+  bool drop_strays() {
     static constexpr unsigned around = 6;
     std::vector<char> is_kept(m_cloud.size());
     m_cloud.for_each()(m_cloud.size(), [&](std::size_t i) {
       const Point& p = m_cloud.points()[i];
-      is_kept[i] = is_oriented(i);
-      if (!is_oriented(i))
+      is_kept[i] = is_oriented(i) && m_is_off[i] == 0;
+      if (!is_oriented(i) && m_is_off[i] == 0)
         for (std::size_t k : m_cloud.nearest(p, around + 1))
           if (is_oriented(k) && std::sqrt((m_cloud.points()[k] - p).squared_length()) <
                                     reach_of_points * m_cloud.reach(k))
             is_kept[i] = 1;
     });
+    if (std::find(is_kept.begin(), is_kept.end(), 0) == is_kept.end())
+      return false;
     m_cloud.keep(is_kept);
     m_sides->keep(is_kept);
     keep_marked(m_normals, is_kept);
     keep_marked(m_residuals, is_kept);
     keep_marked(m_curvatures, is_kept);
+    return true;
   }
 
   void fit() {
@@ -169,7 +180,13 @@ private:
     m_noise = *middle;
     static constexpr double rounding = 1e-12; // spacings
     static constexpr double in_plane = 2;     // residuals
+    static constexpr double off_plane = 3;    // residuals, and more than a spacing
+    m_is_off.resize(points.size());
     m_cloud.for_each()(points.size(), [&](std::size_t i) {
+      m_is_off[i] = std::all_of(neighbors[i].begin(), neighbors[i].end(), [&](std::size_t k) {
+        return std::abs(planes[k].height(points[i])) >
+               (std::max)(m_cloud.spacing(), off_plane * planes[k].residual);
+      });
       if (!is_rough(i))
         return;
       std::size_t best = i;
@@ -197,6 +214,7 @@ private:
   std::unique_ptr<Cloud_sides_3> m_sides;
   std::vector<Vector> m_normals;
   std::vector<double> m_residuals, m_curvatures, m_rooms;
+  std::vector<char> m_is_off; // by what no plane around explains; before strays are dropped
   double m_noise = 0;
 };
 
