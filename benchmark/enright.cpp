@@ -9,12 +9,8 @@
 #include "interface_at_start.h"
 #include "measures.h"
 
-#include <CGAL/Curvature_size_field_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Integration_scheme.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/control_detail_3.h>
-#include <CGAL/improve_interface_3.h>
+#include <CGAL/advect_adaptively_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/restore_volumes_3.h>
 #include <CGAL/velocity_fields_3.h>
@@ -29,7 +25,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
-#include <functional>
 #include <iostream>
 #include <map>
 #include <string>
@@ -39,11 +34,8 @@ namespace dsc_benchmark {
 namespace {
 
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
-using CGAL::Deformable_simplicial_complexes::Integration_scheme;
 
-// The flow stretches triangles and presses tetrahedra flat, and brings them back: the interface is
-// to change only where it must, so that angles may be almost any.
-constexpr double quality_threshold = .1, minimum_angle = .1, minimum_facet_angle = 0;
+using Defaults = CGAL::Deformable_simplicial_complexes::internal::defaults::Adaptive_advection<3>;
 
 constexpr double radius = .15;
 const Point center(.35, .35, .35);
@@ -56,9 +48,8 @@ struct Run
   double period = 1;
   double end = 2;
   double dt = .01;
-  double tolerance =
-      0; // of the interface from the smooth surface, in mean edges; 0: stays as it is
-  std::size_t interval = 4; // steps between improvements of interface and mesh
+  double tolerance = Defaults::interface_tolerance;  // in mean edges; 0: stays as it is
+  unsigned interval = Defaults::adaptation_interval; // steps
   bool restores_volume = false;
 };
 
@@ -130,29 +121,16 @@ int flow(const Run& run) {
   bool is_valid = true;
   for (std::size_t i = 0; i < steps; ++i) {
     const double begin = processor_seconds();
-    if (run.tolerance > 0 && i % run.interval == 0) {
-      const CGAL::Curvature_size_field_3 size(complex, run.tolerance * edge, .2 * edge, edge);
-      CGAL::improve_interface(complex, parameters::size_field(std::cref(size))
-                                           .aggressiveness(0.)
-                                           .interface_split_length(1.5)
-                                           .interface_collapse_length(.5)
-                                           .curved_splits(true)
-                                           .feature_angle(180.)
-                                           .quality_threshold(0.));
-    }
-    if (run.tolerance == 0 || i % run.interval == 0)
-      CGAL::control_detail(complex, parameters::collapse_length(2.));
-    const auto report = CGAL::advect_interface(complex, velocity, double(i) * run.dt, run.dt,
-                                               parameters::scheme(Integration_scheme::rk4)
-                                                   .quality_threshold(quality_threshold)
-                                                   .minimum_angle(minimum_angle)
-                                                   .minimum_facet_angle(minimum_facet_angle));
+    const auto report = CGAL::advect_adaptively(
+        complex, velocity, double(i) * run.dt, run.dt,
+        parameters::interface_tolerance(run.tolerance).adaptation_interval(run.interval));
     bool is_complete = report.complete;
     if (run.restores_volume && i % run.interval == 0)
-      is_complete = CGAL::restore_volumes(complex, std::map<int, double>{{1, volume}},
-                                          parameters::quality_threshold(quality_threshold))
-                        .complete &&
-                    is_complete;
+      is_complete =
+          CGAL::restore_volumes(complex, std::map<int, double>{{1, volume}},
+                                parameters::quality_threshold(Defaults::quality_threshold))
+              .complete &&
+          is_complete;
     seconds += processor_seconds() - begin;
     incomplete += !is_complete;
     most_triangles = (std::max)(most_triangles, complex.interface_facets().size());
@@ -205,11 +183,13 @@ int main(int argc, char** argv) {
   app.add_option("--end", run.end, "the time of the end")->check(CLI::PositiveNumber);
   app.add_option("--dt", run.dt, "the length of a step")->check(CLI::PositiveNumber);
   app.add_option("--tolerance", run.tolerance,
-                 "improve the interface to stay so near to a smooth surface, in mean edges")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--interval", run.interval, "improve interface and mesh every so many steps")
-      ->check(CLI::PositiveNumber);
-  app.add_flag("--restore-volume", run.restores_volume, "as often as that");
+                 "by which the interface is adapted, in mean edges; 0 for not at all")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--interval", run.interval, "adapt interface and mesh every so many steps")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_flag("--restore-volume", run.restores_volume, "restore the volume as often as that");
   CLI11_PARSE(app, argc, argv);
   try {
     return dsc_benchmark::flow(run);

@@ -1,17 +1,13 @@
 // A disk in a single vortex, pulled to a long thread and brought back: how long it gets, how well
 // its area is kept, and how much of it is not where it was. Usage: single_vortex [PERIOD [SEGMENTS
 // [DT]]]
-#include <CGAL/Curvature_size_field_2.h>
-#include <CGAL/advect_interface_2.h>
-#include <CGAL/control_detail_2.h>
-#include <CGAL/improve_interface_2.h>
+#include <CGAL/advect_adaptively_2.h>
 #include <CGAL/make_deformable_simplicial_complex_2.h>
 #include <CGAL/velocity_fields_2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <functional>
 #include <iostream>
 #include <vector>
 
@@ -58,20 +54,10 @@ int main(int argc, char** argv) {
   Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
       {disk}, parameters::enclosing_box(CGAL::Bbox_2(0, 0, 1, 1)));
 
-  const double edge = dsc.mean_interface_edge(), area = dsc.area(1), first_length = length(dsc);
+  const double area = dsc.area(1), first_length = length(dsc);
   double worst = 0;
   for (int i = 0; i < steps; ++i) {
-    const CGAL::Curvature_size_field_2 size(dsc, .005 * edge, .2 * edge, 4 * edge, .5, 60);
-    CGAL::improve_interface(dsc, parameters::size_field(std::cref(size))
-                                     .aggressiveness(0.)
-                                     .curved_splits(true)
-                                     .interface_split_length(1.5)
-                                     .interface_collapse_length(.5)
-                                     .swept_volume(.01));
-    CGAL::control_detail(dsc, parameters::collapse_length(2.));
-    CGAL::advect_interface(
-        dsc, CGAL::Single_vortex_velocity_2(period), i * dt, dt,
-        parameters::quality_threshold(.1).minimum_angle(.1).minimum_facet_angle(0.));
+    CGAL::advect_adaptively(dsc, CGAL::Single_vortex_velocity_2(period), i * dt, dt);
     worst = (std::max)(worst, std::abs(dsc.area(1) / area - 1));
     if (2 * (i + 1) == steps)
       std::cout << "halfway " << length(dsc) / first_length << " times as long, in "

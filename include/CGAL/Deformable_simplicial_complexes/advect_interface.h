@@ -11,8 +11,39 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/interface_paths.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+
+#include <vector>
 
 namespace CGAL {
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Where the vertices of a snapshot go in a step, by the named parameters of advect_interface().
+template <class Complex, class Velocity, class NamedParameters>
+std::vector<typename Complex::Approximate_point>
+destinations_of_step(const Complex& dsc, const Interface_snapshot<Complex>& interface_,
+                     const Velocity& velocity, double t, double dt, const NamedParameters& np) {
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const Integration_scheme scheme =
+      choose_parameter(get_parameter(np, internal_np::scheme), Integration_scheme::rk2);
+  const double tolerance = choose_parameter(get_parameter(np, internal_np::integration_tolerance),
+                                            defaults::integration_tolerance);
+  if (!(tolerance > 0))
+    throw Error("the tolerance of the integration is out of range: use more than 0");
+  if (scheme == Integration_scheme::adaptive && !(dsc.mean_interface_edge() > 0) &&
+      !interface_.vertices.empty())
+    throw Error(
+        "there is no unit for the tolerance of the integration: the complex was built without an "
+        "interface; use another scheme");
+  return find_destinations(interface_, interface_.positions(dsc), velocity, t, dt, scheme,
+                           tolerance * dsc.mean_interface_edge());
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
 
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
@@ -69,25 +100,8 @@ Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& veloc
                                              const NamedParameters& np = NamedParameters()) {
   namespace tags = Deformable_simplicial_complexes::internal_np;
   namespace internal = Deformable_simplicial_complexes::internal;
-  using Deformable_simplicial_complexes::Integration_scheme;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  const Integration_scheme scheme =
-      choose_parameter(get_parameter(np, tags::scheme), Integration_scheme::rk2);
-  const double tolerance = choose_parameter(get_parameter(np, tags::integration_tolerance),
-                                            internal::defaults::integration_tolerance);
-  if (!(tolerance > 0))
-    throw Deformable_simplicial_complexes::Error(
-        "the tolerance of the integration is out of range: use more than 0");
   const Deformable_simplicial_complexes::Interface_snapshot<Complex> interface_(dsc);
-  if (scheme == Integration_scheme::adaptive && !(dsc.mean_interface_edge() > 0) &&
-      !interface_.vertices.empty())
-    throw Deformable_simplicial_complexes::Error(
-        "there is no unit for the tolerance of the integration: the complex was built without an "
-        "interface; use another scheme");
-  const auto destinations =
-      internal::find_destinations(interface_, interface_.positions(dsc), velocity, t, dt, scheme,
-                                  tolerance * dsc.mean_interface_edge());
+  const auto destinations = internal::destinations_of_step(dsc, interface_, velocity, t, dt, np);
   constexpr bool has_flow = !parameters::is_default_parameter<NamedParameters, tags::flow_t>::value;
   if constexpr (internal::is_flow_of_space<Complex, Velocity> && !has_flow) {
     auto flow = [&](const typename Complex::Approximate_point& p) {

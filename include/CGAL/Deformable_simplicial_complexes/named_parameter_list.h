@@ -11,6 +11,8 @@ CGAL_add_named_parameter(relabeling_threshold_t, relabeling_threshold, relabelin
 CGAL_add_named_parameter(maximum_number_of_passes_t, maximum_number_of_passes, maximum_number_of_passes)
 CGAL_add_named_parameter(scheme_t, scheme, scheme)
 CGAL_add_named_parameter(integration_tolerance_t, integration_tolerance, integration_tolerance)
+CGAL_add_named_parameter(interface_tolerance_t, interface_tolerance, interface_tolerance)
+CGAL_add_named_parameter(adaptation_interval_t, adaptation_interval, adaptation_interval)
 CGAL_add_named_parameter(number_of_threads_t, number_of_threads, number_of_threads)
 CGAL_add_named_parameter(flow_t, flow, flow)
 CGAL_add_named_parameter(minimum_angle_t, minimum_angle, minimum_angle)

@@ -57,6 +57,27 @@ inline constexpr unsigned number_of_threads = 1;
 // interface; far below what a straight edge leaves of a curve.
 inline constexpr double integration_tolerance = 1e-4;
 
+// What advect_adaptively() asks for, in long runs of flows that stretch an interface and may bring it
+// back.
+template <int dimension> struct Adaptive_advection
+{
+  // interface_tolerance: of the distance between edges and the smooth surface, in mean edges of the
+  // interface: at which the volume of a sheet of a few triangles' thickness stays within 0.02 %.
+  // Curves have few segments, which may be ten times as exact for nothing.
+  static constexpr double interface_tolerance = dimension == 2 ? .005 : .04;
+  // adaptation_interval: in steps; the cost of one is then about that of motion.
+  static constexpr unsigned adaptation_interval = 4;
+  // feature_angle: below a cube, above the rims of thin sheets, in degrees.
+  static constexpr double feature_angle = 85;
+  // quality_threshold: thin sheets leave no room for more.
+  static constexpr double quality_threshold = .1;
+  // minimum_angle and minimum_facet_angle: what is pressed flat may become thick again, in degrees.
+  static constexpr double minimum_angle = .1, minimum_facet_angle = 0;
+  // collapse_length: of edges off the interface, in mean edges of the interface: the mesh stays as
+  // fine as a step or two need.
+  static constexpr double collapse_length = 2;
+};
+
 // volume_tolerance: of the volume that is wanted; what Newton's method reaches in two steps or
 // three.
 inline constexpr double volume_tolerance = 1e-10;

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_ADAPT_INTERFACE_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_ADAPT_INTERFACE_H
+
+#include <CGAL/Deformable_simplicial_complexes/Curvature_size_field.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// How close an interface is to stay to what is smooth, and what of it is sharp.
+struct Adaptation_options
+{
+  double tolerance;     // of the distance between edges and surface, in mean edges
+  double feature_angle; // between the normals of facets that meet in a sharp edge, in degrees
+};
+
+// By which sizes an interface is adapted, and when.
+template <int dimension> struct Adaptation_rule
+{
+  // Bounds on sizes, in mean edges of the input. Rims of thin sheets would ask for ever smaller
+  // ones. Facets carry the motion of a surface also where it is flat; curves have few of them, and
+  // a thread is long.
+  static constexpr double shortest = .2, longest = dimension == 2 ? 4 : 1;
+  // Between neighbors, by the length of the edge between them: facets keep their angles.
+  static constexpr double gradation = .5;
+  // An edge is split and collapsed by these units of its size. They are a factor of three apart, so
+  // that halves are not collapsed again.
+  static constexpr double split = 1.5, collapse = .5;
+  // In squares or cubes of the size: a curve feels each collapse, a surface has thousands.
+  static constexpr double swept_volume = dimension == 2 ? .01 : .1;
+
+  // An interface is worn if more than these parts of its edges would be split, where flat parts may
+  // have edges of `longest_if_flat`, as what is stretched without being bent is as good as before;
+  // or would be collapsed. A few do no harm, and all that is changed has another volume than it
+  // had.
+  static constexpr double many_long_ones = .015, many_short_ones = .003;
+  static constexpr double longest_if_flat = 3 * longest;
+};
+
+template <class Complex>
+Curvature_size_field<Complex::dimension>
+adapted_sizes(const Complex& dsc, const Adaptation_options& options, double longest) {
+  using Rule = Adaptation_rule<Complex::dimension>;
+  const double edge = dsc.mean_interface_edge();
+  return {dsc,
+          options.tolerance * edge,
+          Rule::shortest * edge,
+          longest * edge,
+          Rule::gradation,
+          options.feature_angle};
+}
+
+// Calls a function with the ends of the edges of facets, in space twice for each edge.
+template <class Facets, class Function>
+void for_each_edge_of(const Facets& facets, const Function& function) {
+  for (const auto& facet : facets)
+    for (std::size_t i = 0; i < facet.vertices.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        function(facet.vertices[i], facet.vertices[j]);
+}
+
+// Whether a motion changes lengths: not if it is rigid.
+template <class Complex, class Points>
+bool is_stretched(const Interface_snapshot<Complex>& interface_, const Points& from,
+                  const Points& to) {
+  // Of the square of a length: far above rounding and what a step of Runge and Kutta leaves of a
+  // rotation, far below what a step does that leads anywhere.
+  static constexpr double rigid = 1e-6;
+  bool result = false;
+  for_each_edge_of(interface_.facets(), [&](std::size_t a, std::size_t b) {
+    const auto squared_length = [&](const Points& p) {
+      return (interface_.domain.near(p[a], p[b]) - p[a]).squared_length();
+    };
+    const double before = squared_length(from);
+    result = result || std::abs(squared_length(to) - before) > rigid * before;
+  });
+  return result;
+}
+
+// Whether edges are far longer than the curvature allows, or too many are short.
+template <class Complex>
+bool is_worn(const Complex& dsc, const Interface_snapshot<Complex>& interface_,
+             const Adaptation_options& options) {
+  using Rule = Adaptation_rule<Complex::dimension>;
+  const auto sizes = adapted_sizes(dsc, options, Rule::longest),
+             sizes_if_flat = adapted_sizes(dsc, options, Rule::longest_if_flat);
+  const Edge_unit<Complex> size(std::cref(sizes), 0), size_if_flat(std::cref(sizes_if_flat), 0);
+  std::size_t edges = 0, short_ones = 0, long_ones = 0;
+  for_each_edge_of(interface_.facets(), [&](std::size_t a, std::size_t b) {
+    const auto v = interface_.vertices[a], w = interface_.vertices[b];
+    ++edges;
+    short_ones += length_in_units(dsc, v, w, size) < Rule::collapse;
+    long_ones += length_in_units(dsc, v, w, size_if_flat) > Rule::split;
+  });
+  return double(long_ones) > Rule::many_long_ones * double(edges) ||
+         double(short_ones) > Rule::many_short_ones * double(edges);
+}
+
+// Splits on the smooth surface, and collapses; no vertex is moved that does not have to.
+template <class Complex, class Visitor>
+Improvement_report adapt_interface(Complex& dsc, const Adaptation_options& options,
+                                   const Visitor& visitor) {
+  using Rule = Adaptation_rule<Complex::dimension>;
+  const auto sizes = adapted_sizes(dsc, options, Rule::longest);
+  return CGAL::improve_interface(dsc, parameters::size_field(std::cref(sizes))
+                                          .interface_split_length(Rule::split)
+                                          .interface_collapse_length(Rule::collapse)
+                                          .swept_volume(Rule::swept_volume)
+                                          .curved_splits(true)
+                                          .aggressiveness(0.)
+                                          .feature_angle(options.feature_angle)
+                                          .quality_threshold(0.) // cells are left to the motion
+                                          .visitor(visitor));
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_ADAPT_INTERFACE_H
