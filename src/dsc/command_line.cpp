@@ -136,6 +136,10 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
                           "JSON file with distances, parts, and what fits nothing");
   reconstruct->add_flag("--quiet", reconstruct_options.quiet, "Print nothing but errors");
 
+  if (argc < 2) {
+    std::cout << app.help();
+    return std::nullopt;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

@@ -44,6 +44,7 @@ public:
     complete("--period", before.period, asked.period);
     complete("--dt", before.dt, asked.dt);
     complete("--scheme", before.scheme, asked.scheme);
+    complete("--tolerance", before.tolerance, asked.tolerance);
   }
 
   void complete(const Curvature_flow& before, Curvature_flow& asked) {

@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "errors.h"
 #include "files.h"
+#include "progress_line.h"
 #include "report_json.h"
 #include "surface_expressions.h"
 
@@ -163,17 +164,29 @@ int draw_ball(const Cut_locus_options& options, const Surface& surface, double s
   return 0;
 }
 
+double step_of(const Cut_locus_options& options, double spacing, double scale) {
+  return options.step > 0 ? options.step : spacing / 2 * scale;
+}
+
 template <class Surface>
-int find_cut_locus(const Cut_locus_options& options, const Surface& surface, double spacing,
-                   double step) {
-  const CGAL::Cut_locus_2 locus = surface.cut_locus(spacing, step);
+int find_cut_locus(const Cut_locus_options& options, const Surface& surface, double spacing) {
+  // A short cut locus may slip through a mesh that happens to lie symmetrically about it.
+  static constexpr int attempts = 3;
+  static constexpr double finer = .75; // no simple ratio to what lies symmetrically
+  Waiting_line waiting("looking for the cut locus", options.quiet);
+  CGAL::Cut_locus_2 locus = surface.cut_locus(spacing, step_of(options, spacing, surface.scale()));
+  for (int i = 1; i < attempts && locus.vertices.empty() && options.spacing == 0; ++i) {
+    spacing *= finer;
+    locus = surface.cut_locus(spacing, step_of(options, spacing, surface.scale()));
+  }
+  waiting.clear();
   if (locus.vertices.empty())
     throw std::runtime_error("no cut locus was found: use a smaller --spacing, or another chart");
   if (!options.output.empty())
     surface.draw(locus, options.output);
   if (!options.report.empty()) {
     Json json = json_of(locus, surface);
-    json["parameters"] = parameters(options, spacing, step);
+    json["parameters"] = parameters(options, spacing, step_of(options, spacing, surface.scale()));
     write_json(options.report, json);
   }
   if (!options.quiet) {
@@ -191,9 +204,9 @@ int find_cut_locus(const Cut_locus_options& options, const Surface& surface, dou
 
 template <class Surface> int run(const Cut_locus_options& options, const Surface& surface) {
   const double spacing = options.spacing > 0 ? options.spacing : surface.default_spacing();
-  const double step = options.step > 0 ? options.step : spacing / 2 * surface.scale();
-  return options.radius > 0 ? draw_ball(options, surface, spacing, step)
-                            : find_cut_locus(options, surface, spacing, step);
+  return options.radius > 0
+             ? draw_ball(options, surface, spacing, step_of(options, spacing, surface.scale()))
+             : find_cut_locus(options, surface, spacing);
 }
 
 template <class Metric> int run_on_torus(const Cut_locus_options& options, const Metric& metric) {

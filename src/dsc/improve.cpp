@@ -5,10 +5,12 @@
 #include "commands.h"
 #include "errors.h"
 #include "files.h"
+#include "progress_line.h"
 #include "report_json.h"
 #include "tracked_complex_3.h"
 
 #include <cstdio>
+#include <string>
 
 namespace dsc {
 namespace {
@@ -47,7 +49,9 @@ int execute(const Improve_options& options) {
 
   const auto complex = Tracked_complex_3::from_mesh(options.input);
   const Statistics before = complex->statistics();
+  Waiting_line waiting("improving " + std::to_string(before.cells) + " tetrahedra", options.quiet);
   const Improvement_outcome outcome = complex->improve(options);
+  waiting.clear();
   const Statistics after = complex->statistics();
   complex->write(options.output);
   if (!options.report.empty())

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -38,7 +39,8 @@ Json json_of(const Advection& advection) {
           {"velocity", value_or_null(advection.expressions)},
           {"period", value_or_null(advection.period)},
           {"dt", advection.dt},
-          {"scheme", scheme->first}};
+          {"scheme", scheme->first},
+          {"tolerance", advection.tolerance ? Json(*advection.tolerance) : Json()}};
 }
 
 Json json_of(const Curvature_flow& flow) {
@@ -68,9 +70,15 @@ Motion motion_from_json(const Json& json) {
   const auto field = std::find(commands_of_fields.begin(), commands_of_fields.end(), command);
   if (field == commands_of_fields.end())
     throw std::out_of_range("unknown command " + command);
-  return Advection{static_cast<Advection::Field>(field - commands_of_fields.begin()),
-                   value_of<std::string>(json.at("velocity")), value_of<double>(json.at("period")),
-                   json.at("dt"), integration_schemes().at(json.at("scheme"))};
+  Advection advection{static_cast<Advection::Field>(field - commands_of_fields.begin()),
+                      value_of<std::string>(json.at("velocity")),
+                      value_of<double>(json.at("period")),
+                      json.at("dt"),
+                      integration_schemes().at(json.at("scheme")),
+                      std::nullopt};
+  if (const Json& tolerance = json.at("tolerance"); !tolerance.is_null())
+    advection.tolerance = tolerance.get<double>();
+  return advection;
 }
 
 } // namespace dsc

@@ -119,6 +119,13 @@ double parse_positive(const std::string& text, const std::string& option) {
   return number;
 }
 
+double parse_tolerance(const std::string& text) {
+  const double number = parse_number(text, "--tolerance", "0.04");
+  if (!(number >= 0))
+    throw Usage_error("--tolerance is negative; choose a number above 0, or 0");
+  return number;
+}
+
 double parse_aggressiveness(const std::string& text) {
   const std::string option = "--aggressiveness";
   const double number = parse_number(text, option, "0.025");

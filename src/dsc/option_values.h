@@ -38,6 +38,9 @@ Distance parse_distance(const std::string& text);
 
 double parse_positive(const std::string& text, const std::string& option);
 
+/// Not negative.
+double parse_tolerance(const std::string& text);
+
 /// In [0, 1).
 double parse_aggressiveness(const std::string& text);
 

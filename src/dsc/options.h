@@ -51,6 +51,7 @@ struct Advection
   double period;           ///< T of the factor cos(pi t / T); 0 for no such factor
   double dt;               ///< per step
   CGAL::Deformable_simplicial_complexes::Integration_scheme scheme;
+  std::optional<double> tolerance; ///< of the interface, in mean edges; the library's if not set
 };
 
 /// Move by the mean curvature.
@@ -121,8 +122,8 @@ struct Run_options
   std::string resume;                          ///< a checkpoint
   std::optional<std::array<double, 6>> domain; ///< of the input's coordinates: least, largest ones
   unsigned steps = 10;                         ///< to do in this run
-  unsigned threads = 1;
-  std::string output; ///< folder; empty for no files
+  unsigned threads = 1;                        ///< to use
+  std::string output;                          ///< folder; empty for no files
   unsigned every = 1;
   std::string report; ///< file; empty for none
   bool quiet = false;

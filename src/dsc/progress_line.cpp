@@ -24,10 +24,12 @@ std::string duration(double seconds) {
   return text;
 }
 
+bool shows_lines() { return isatty(STDERR_FILENO) == 1; }
+
 } // namespace
 
 Progress_line::Progress_line(unsigned steps, bool quiet)
-    : m_steps(steps), m_enabled(!quiet && isatty(STDERR_FILENO) == 1),
+    : m_steps(steps), m_enabled(!quiet && shows_lines()),
       m_start(std::chrono::steady_clock::now()) {}
 
 void Progress_line::show(unsigned done) {
@@ -47,6 +49,33 @@ void Progress_line::clear() {
   if (m_shown)
     std::fputs("\r\033[K", stderr);
   m_shown = false;
+}
+
+Waiting_line::Waiting_line(const std::string& what, bool quiet) {
+  if (!quiet && shows_lines())
+    m_thread = std::thread([this, what] { show_each_second(what); });
+}
+
+void Waiting_line::show_each_second(const std::string& what) {
+  std::unique_lock<std::mutex> lock(m_mutex);
+  for (int seconds = 1;; ++seconds) {
+    if (m_cleared.wait_for(lock, std::chrono::seconds(1), [this] { return m_is_clear; }))
+      break;
+    std::fprintf(stderr, "\r\033[K%s, %s", what.c_str(), duration(seconds).c_str());
+    std::fflush(stderr);
+  }
+  std::fputs("\r\033[K", stderr);
+}
+
+void Waiting_line::clear() {
+  if (!m_thread.joinable())
+    return;
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_is_clear = true;
+  }
+  m_cleared.notify_one();
+  m_thread.join();
 }
 
 } // namespace dsc

@@ -9,9 +9,11 @@
 #include "option_values.h"
 #include "velocity_expressions.h"
 
+#include <algorithm>
 #include <array>
 #include <climits>
 #include <optional>
+#include <thread>
 
 namespace dsc {
 namespace {
@@ -26,9 +28,16 @@ constexpr std::array<double, 6> unit_square = {0, 0, 0, 1, 1, 0},
 
 constexpr double default_dt = .01, default_dt_of_zalesak = 1;
 
+constexpr int most_threads = 1024;
+
+unsigned number_of_cores() { // 0 if unknown
+  return std::clamp(std::thread::hardware_concurrency(), 1u, unsigned(most_threads));
+}
+
 } // namespace
 
 Run_commands::Run_commands(CLI::App& app) {
+  m_options.threads = number_of_cores();
   m_rotate = add_command(app, "rotate", "Turn the interface about the domain's centre");
   m_rotate->add_option("--axis", m_axis,
                        "Direction of the axis, like 0,0,1; required for a new run in space");
@@ -117,9 +126,10 @@ CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
                    "How much that may smooth the interface, from 0 for not at all to less than 1; "
                    "0.025 if not given")
       ->needs(improves);
-  command->add_option("--threads", m_options.threads, "Number of threads; the result is the same")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  command
+      ->add_option("--threads", m_options.threads,
+                   "Number of threads, all cores if not given; the result is the same")
+      ->check(CLI::Range(1, most_threads));
   CLI::Option* output =
       command->add_option("--output", m_options.output,
                           "Folder for ParaView files and a checkpoint, created if need be");
@@ -144,14 +154,21 @@ void Run_commands::add_flow_options(CLI::App& command) {
   command.add_option("--scheme", m_scheme, "How velocities are integrated")
       ->check(CLI::IsMember(&integration_schemes()))
       ->capture_default_str();
+  command.add_option("--tolerance", m_tolerance,
+                     "How far edges may lie from the smooth interface where it gets too coarse for "
+                     "its curvature, in mean edges of the input; 0.04 in space and 0.005 in the "
+                     "plane if not given; with 0, the interface changes only where it must");
 }
 
 Advection Run_commands::advection(Advection::Field field, const std::set<std::string>& given,
                                   double default_period) const {
-  return {field, m_expressions,
+  return {field,
+          m_expressions,
           given.count("--period") > 0 ? parse_positive(m_period, "--period") : default_period,
           given.count("--dt") > 0 ? parse_positive(m_dt, "--dt") : default_dt,
-          integration_schemes().at(m_scheme)};
+          integration_schemes().at(m_scheme),
+          given.count("--tolerance") > 0 ? std::make_optional(parse_tolerance(m_tolerance))
+                                         : std::nullopt};
 }
 
 /// What is not given is as by default or, where there is no default, of no meaning.

@@ -37,7 +37,7 @@ private:
   CLI::App *m_rotate, *m_offset, *m_enright, *m_vortex, *m_advect, *m_mean_curvature, *m_zalesak;
   Run_options m_options;
   // As they were written.
-  std::string m_axis, m_angle, m_distance, m_expressions, m_period, m_dt, m_domain,
+  std::string m_axis, m_angle, m_distance, m_expressions, m_period, m_dt, m_tolerance, m_domain,
       m_aggressiveness, m_edge;
   std::string m_scheme = "rk4";
   bool m_moves_faces = false, m_fits = false, m_keeps_volumes = false, m_is_planar = false;

@@ -7,6 +7,7 @@
 #include "velocity_expressions.h"
 
 #include <CGAL/Curvature_size_field_2.h>
+#include <CGAL/advect_adaptively_2.h>
 #include <CGAL/advect_interface_2.h>
 #include <CGAL/control_detail_2.h>
 #include <CGAL/curve_shortening_flow_2.h>
@@ -58,6 +59,7 @@ struct Step
   Complex& complex;
   double time;
   unsigned threads;
+  bool improves_interface; // before the motion
 
   using Report = CGAL::Deformation_report<Complex>;
 
@@ -104,17 +106,15 @@ struct Step
   }
 
 private:
-  // A field stretches segments and presses triangles flat, and may bring them back: the interface
-  // is to change only where it must.
+  // An interface that is improved in each step needs room in each step, but no other changes.
   template <class Field> Report follow(const Field& field, const Advection& advection) const {
-    static constexpr double quality_threshold = .1, minimum_angle = .1, minimum_facet_angle = 0;
-    make_room();
-    return CGAL::advect_interface(complex, field, time, advection.dt,
-                                  parameters::number_of_threads(threads)
-                                      .scheme(advection.scheme)
-                                      .quality_threshold(quality_threshold)
-                                      .minimum_angle(minimum_angle)
-                                      .minimum_facet_angle(minimum_facet_angle));
+    const auto np = parameters::number_of_threads(threads).scheme(advection.scheme);
+    const auto step = [&](const auto& all) {
+      return CGAL::advect_adaptively(complex, field, time, advection.dt, all);
+    };
+    if (improves_interface)
+      return step(np.interface_tolerance(0.).adaptation_interval(1));
+    return advection.tolerance ? step(np.interface_tolerance(*advection.tolerance)) : step(np);
   }
 
   // These motions stretch the interface, and the mesh around it has to follow.
@@ -152,7 +152,8 @@ Step_outcome Tracked_complex_2::advance(const Step_options& options, double time
   const auto start = Clock::now();
   if (options.improves_interface)
     improve_interface(complex, options.aggressiveness);
-  const auto report = std::visit(Step{complex, time, threads}, options.motion);
+  const auto report =
+      std::visit(Step{complex, time, threads, options.improves_interface}, options.motion);
   return step_outcome(seconds_since(start), report);
 }
 
