@@ -117,13 +117,14 @@ measure_flows() {
     "mean distance to the sphere" \
     "area in the middle / at the start" seconds "sweeps per step"
   for n in 16 32; do
-    add_row "$table" "$enright" sphere -n "$n"
+    add_row "$table" "$enright" sphere -n "$n" --end 1
+    add_row "$table" "$enright" sphere -n "$n" --tolerance 0
   done
   for n in 6000 20480; do
-    add_row "$table" "$enright" "$meshes/armadillo.off" --triangles "$n"
+    add_row "$table" "$enright" "$meshes/armadillo.off" --triangles "$n" --tolerance 0
   done
   for n in 8 16 32; do
-    add_row "$table" "$enright" sphere -n "$n" --period 3 --end 3 --tolerance .05
+    add_row "$table" "$enright" sphere -n "$n" --period 3 --end 3
   done
   for n in 8 16 32; do
     add_row "$table" "$enright" sphere -n "$n" --period 3 --end 3 --tolerance .1 --restore-volume

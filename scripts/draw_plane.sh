@@ -47,7 +47,7 @@ picture offset/picture_000000.svg offset_before
 picture offset/picture_000008.svg offset
 run zalesak zalesak --dt 15.7 --steps 15 --every 15
 picture zalesak/picture_000015.svg zalesak
-run vortex vortex --plane --improve-interface --steps 400 --every 400
+run vortex vortex --plane --steps 400 --every 400
 picture vortex/picture_000400.svg vortex
 "$foam" 100 .014 60 foam.svg
 picture foam.svg foam

@@ -51,9 +51,8 @@ tar --extract --gzip --file "$data" --strip-components=2 \
 
 flow enright 5 enright --steps 100 --every 5
 flow enright_armadillo 3 enright armadillo.off --fit --triangles 6000 --steps 100 --every 5
-flow enright_period_3 5 enright --triangles 1280 --period 3 --steps 300 --improve-interface \
-  --aggressiveness 0 --every 15
-flow vortex 5 vortex --triangles 1280 --steps 800 --improve-interface --aggressiveness 0 --every 20
+flow enright_period_3 5 enright --triangles 1280 --period 3 --steps 300 --every 15
+flow vortex 5 vortex --triangles 1280 --steps 800 --every 20
 
 flow offset_cube_outwards 4 offset cube.off --triangles 3000 --distance 0.025 --move-faces \
   --steps 18 --improve-interface

@@ -81,10 +81,9 @@ flow draws them, as it may bring them back: the defaults of some parameters are 
 \cgalNamedParamsEnd
 
 \return the report of `advect_interface()`; its numbers of operations count those that adapted, too.
-\throws Deformable_simplicial_complexes::Error if a parameter is out of its range, or there is an
-        interface, but no `dsc.mean_interface_edge()`; the complex is then unchanged.
-\throws Deformable_simplicial_complexes::Invalid_destination_error if a velocity is not finite; the
-        complex is then valid, and may have been adapted.
+\throws Deformable_simplicial_complexes::Error if a parameter of the first three is out of its range, or
+        there is an interface, but no `dsc.mean_interface_edge()`; the complex is then unchanged.
+        What `advect_interface()` throws leaves the interface as it was or adapted.
 
 As `advect_interface()`; where a step adapts, n log n in the size of the interface more, and a pass
 over the cells.
