@@ -99,6 +99,7 @@ struct Run_start
                                    ///< surface
   std::size_t segments = 0;        ///< of all curves together, at least; 0 keeps them as they are
   Figure figure = Figure::none;    ///< without any input in the plane
+  bool repairs = false;            ///< surfaces that bound no solid
   double edge = 0; ///< about how long interface edges are to be, of images and inequalities; 0 for
                    ///< the default of each
 };

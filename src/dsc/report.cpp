@@ -14,6 +14,7 @@ Json parameters_json(const Run_options& options, const Run_start& start) {
   json["steps"] = options.steps;
   json["triangles"] = value_or_null(start.triangles);
   json["segments"] = value_or_null(start.segments);
+  json["repair"] = start.repairs;
   json["fit"] = start.ball && !start.inputs.empty();
   json["domain"] = options.domain ? Json(*options.domain) : Json();
   json["improve_interface"] = options.step.improves_interface;
@@ -26,12 +27,31 @@ Json parameters_json(const Run_options& options, const Run_start& start) {
   return json;
 }
 
+Json repairs_json(const Repairs& repairs) {
+  Json json = Json::array();
+  for (const auto& r : repairs)
+    json.push_back(
+        {{"merged_points", r.merged_points},
+         {"degenerate_triangles", r.degenerate_triangles},
+         {"repeated_triangles", r.repeated_triangles},
+         {"stitched_points", r.stitched_points},
+         {"filled_holes", r.filled_holes},
+         {"crossing_pairs", r.crossing_pairs},
+         {"wrap", r.is_wrapped ? Json({{"alpha", r.alpha}, {"offset", r.offset}}) : Json()},
+         {"mean_edge", r.mean_edge},
+         {"distance_from_input", r.distance_from_input},
+         {"distance_to_input", r.distance_to_input}});
+  return json;
+}
+
 } // namespace
 
-Report::Report(const Run_options& options, const Run_start& start, double sweep_seconds)
+Report::Report(const Run_options& options, const Run_start& start, const Repairs& repairs,
+               double sweep_seconds)
     : m_path(options.report), m_sweep_seconds(sweep_seconds),
       m_json({{"input", start.inputs},
               {"parameters", parameters_json(options, start)},
+              {"repairs", repairs_json(repairs)},
               {"sweep_seconds", sweep_seconds},
               {"steps", Json::array()}}) {}
 

@@ -10,6 +10,7 @@
 #include "report_json.h"
 #include "run_position.h"
 #include "statistics.h"
+#include "surface.h"
 
 #include <chrono>
 #include <string>
@@ -21,7 +22,8 @@ namespace dsc {
 class Report
 {
 public:
-  Report(const Run_options& options, const Run_start& start, double sweep_seconds);
+  Report(const Run_options& options, const Run_start& start, const Repairs& repairs,
+         double sweep_seconds);
 
   /// Adds the state after a step, and writes the file unless that was done a moment ago.
   /// \throws std::runtime_error if that fails

@@ -33,16 +33,22 @@ namespace {
 
 constexpr int exit_code_of_interrupt = 130; // what shells use for SIGINT
 
+void print_repairs(const std::vector<std::string>& inputs, const Repairs& repairs) {
+  for (std::size_t i = 0; i < repairs.size(); ++i)
+    std::printf("dsc: %s: %s\n", inputs[i].c_str(), what_was_repaired(repairs[i]).c_str());
+}
+
 void print_changes(const Run_position& position, const std::string& changes) {
   std::printf("dsc: goes on from step %u with %s\n", position.step, changes.c_str());
 }
 
 /// Builds or reads the complex; a run that is resumed goes on as before where `options` do not say
 /// how.
-std::unique_ptr<Tracked_complex> start(Run_options& options, Run_position& position) {
+std::unique_ptr<Tracked_complex> start(Run_options& options, Run_position& position,
+                                       Repairs& repairs) {
   if (options.resume.empty()) {
     position.start = options.start;
-    return start_complex(options);
+    return start_complex(options, repairs);
   }
   std::string metadata;
   auto complex = track_checkpoint(options.resume, metadata);
@@ -126,7 +132,10 @@ int execute(const Run_options& asked) {
   }
 
   Run_position position;
-  const std::unique_ptr<Tracked_complex> tracked = start(options, position);
+  Repairs repairs;
+  const std::unique_ptr<Tracked_complex> tracked = start(options, position, repairs);
+  if (!options.quiet)
+    print_repairs(options.start.inputs, repairs);
   Tracked_complex& complex = *tracked;
   if (folder && !options.resume.empty())
     folder->keep_until(position.time);
@@ -136,7 +145,7 @@ int execute(const Run_options& asked) {
     throw Input_error("a step is too short for the time " + std::to_string(position.time) +
                       " of the run; choose a longer --dt");
   const std::optional<Start_distance> from_start = start_distance(options, position);
-  Report report(options, position.start, complex.sweep_seconds());
+  Report report(options, position.start, repairs, complex.sweep_seconds());
   Statistics statistics = complex.statistics();
   report.add(position, Step_outcome(), statistics);
   const auto write_files = [&] {

@@ -118,6 +118,11 @@ CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
                    "About how long interface edges are to be, of inequalities and images of "
                    "voxels; a fortieth of the domain, or 2.5 voxels, if not given")
       ->excludes(resume);
+  command
+      ->add_flag("--repair", m_options.start.repairs,
+                 "Make surfaces bound solids that do not: merge points, close holes, remove "
+                 "crossings or, where that is not enough, wrap them")
+      ->excludes(resume);
   CLI::Option* improves =
       command->add_flag("--improve-interface", m_options.step.improves_interface,
                         "Improve the triangles of the interface before each step");
@@ -201,7 +206,7 @@ void Run_commands::require_dimension(const Run_options& options, bool is_planar)
     throw Usage_error("dsc enright deforms surfaces; in the plane, use dsc vortex");
   if (!is_planar && *m_zalesak)
     throw Usage_error("dsc zalesak turns curves in the plane; for surfaces, use dsc rotate");
-  for (const char* name : {"--axis", "--move-faces", "--fit", "--triangles"})
+  for (const char* name : {"--axis", "--move-faces", "--fit", "--triangles", "--repair"})
     if (is_planar && is_given(name))
       throw Usage_error(std::string(name) + " has no meaning in the plane; leave it out");
   for (const char* name : {"--segments", "--plane"})
@@ -225,7 +230,7 @@ void Run_commands::require_kind(const Run_options& options, bool is_planar) cons
         throw Usage_error(input + " cannot be mixed with other kinds of INPUT");
     return;
   }
-  for (const char* name : {"--triangles", "--fit"})
+  for (const char* name : {"--triangles", "--fit", "--repair"})
     if (is_given(name))
       throw Usage_error(std::string(name) + " has a meaning for surfaces only; leave it out");
   if (kind == Input_kind::inequalities) {
@@ -266,6 +271,8 @@ Run_options Run_commands::options() const {
     throw Usage_error("there is no INPUT; name at least one surface, or a checkpoint by --resume");
   if (!has_input && m_fits)
     throw Usage_error("--fit has nothing to fit; name at least one INPUT");
+  if (!has_input && options.start.repairs)
+    throw Usage_error("--repair has nothing to repair; name at least one INPUT");
   for (const std::string& input : options.start.inputs)
     if (is_planar)
       require_extension(input, {"wkt", "poly", "pgm", "png"});

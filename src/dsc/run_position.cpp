@@ -18,6 +18,7 @@ std::string to_metadata(const Run_position& position, const Step_options& step) 
   parameters["aggressiveness"] = step.aggressiveness ? Json(*step.aggressiveness) : Json();
   parameters["triangles"] = position.start.triangles;
   parameters["segments"] = position.start.segments;
+  parameters["repair"] = position.start.repairs;
   parameters["figure"] = static_cast<int>(position.start.figure);
   if (const std::optional<Ball>& ball = position.start.ball)
     parameters["ball"] = {{"center", ball->center}, {"radius", ball->radius}};
@@ -39,6 +40,7 @@ std::optional<Saved_run> from_metadata(const std::string& metadata) {
     const Json& parameters = json.at("parameters");
     position.start.triangles = parameters.at("triangles");
     position.start.segments = parameters.at("segments");
+    position.start.repairs = parameters.value("repair", false); // older ones do not say it
     position.start.figure = static_cast<Figure>(parameters.at("figure").get<int>());
     if (parameters.contains("ball")) {
       const Json& ball = parameters.at("ball");

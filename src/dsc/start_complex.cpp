@@ -88,7 +88,7 @@ std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path, const
 
 } // namespace
 
-std::unique_ptr<Tracked_complex> start_complex(const Run_options& options) {
+std::unique_ptr<Tracked_complex> start_complex(const Run_options& options, Repairs& repairs) {
   const Run_start& start = options.start;
   if (dimension_of(start) == 2)
     return track_figure(start, options.domain);
@@ -105,7 +105,7 @@ std::unique_ptr<Tracked_complex> start_complex(const Run_options& options) {
   std::vector<std::string> names = start.inputs;
   if (names.empty())
     names = {"the ball"};
-  return track_surfaces(start_surfaces(start), names, options.domain);
+  return track_surfaces(start_surfaces(start, &repairs), names, options.domain);
 }
 
 } // namespace dsc

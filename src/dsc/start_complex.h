@@ -6,6 +6,7 @@
 #define DSC_START_COMPLEX_H
 
 #include "options.h"
+#include "surface.h"
 #include "tracked_complex.h"
 
 #include <array>
@@ -16,8 +17,9 @@
 namespace dsc {
 
 /// The complex that a run starts from, of any kind of inputs in space or in the plane.
+/// \param repairs what was done to surfaces is written there
 /// \throws std::runtime_error if an input cannot be read, or makes no complex
-std::unique_ptr<Tracked_complex> start_complex(const Run_options& options);
+std::unique_ptr<Tracked_complex> start_complex(const Run_options& options, Repairs& repairs);
 
 /// The complex of a labelled image (.inr, .inr.gz).
 /// \param edge about how long interface edges are to be, in the unit of the image; 0 for the default

@@ -85,10 +85,15 @@ void fit(std::vector<Surface>& surfaces, const Ball& ball) {
 
 } // namespace
 
-std::vector<Surface> start_surfaces(const Run_start& start) {
+std::vector<Surface> start_surfaces(const Run_start& start, Repairs* repairs) {
   if (start.inputs.empty())
     return {sphere(*start.ball, start.triangles > 0 ? start.triangles : triangles_of_balls)};
   std::vector<Surface> surfaces = read_surfaces(start.inputs);
+  if (start.repairs) {
+    const Repairs done = repair(surfaces, start.inputs);
+    if (repairs)
+      *repairs = done;
+  }
   if (start.triangles > 0)
     resample(surfaces, start.inputs, start.triangles);
   if (start.ball)

@@ -8,6 +8,7 @@
 #include "options.h"
 
 #include <CGAL/Deformable_simplicial_complex_3/Labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/Surface_repair_report_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -24,9 +25,21 @@ using Surface = CGAL::Labelled_surface_3<Surface_point>;
 /// \throws std::runtime_error if one cannot be read
 std::vector<Surface> read_surfaces(const std::vector<std::string>& paths);
 
+/// What was done to each surface of a run; none if surfaces are not to be repaired.
+using Repairs = std::vector<CGAL::Surface_repair_report_3>;
+
+/// Makes surfaces bound solids.
+/// \param names of the surfaces, for messages
+/// \throws Input_error if one cannot be repaired
+Repairs repair(std::vector<Surface>& surfaces, const std::vector<std::string>& names);
+
+/// In one line.
+std::string what_was_repaired(const CGAL::Surface_repair_report_3& report);
+
 /// The surfaces that a run starts from: those of its files or, without any, its ball.
-/// \throws std::runtime_error if one cannot be read or resampled
-std::vector<Surface> start_surfaces(const Run_start& start);
+/// \param repairs what was done to them is written there, unless it is null
+/// \throws std::runtime_error if one cannot be read, repaired or resampled
+std::vector<Surface> start_surfaces(const Run_start& start, Repairs* repairs = nullptr);
 
 /// Decimates or refines surfaces to about `triangles` triangles in total, all by the same factor.
 /// Refining keeps the shape; decimating collapses the edges that matter least.

@@ -349,10 +349,11 @@ struct Point_map
 
   const std::vector<Point>* points;
 
-  friend Coordinates get(const Point_map& map, const Key& key) {
-    const Point& p = (*map.points)[key.m_index];
+  Coordinates at(const Key& key) const {
+    const Point& p = (*points)[key.m_index];
     return {{p.x(), p.y(), p.z()}};
   }
+  friend Coordinates get(const Point_map& map, const Key& key) { return map.at(key); }
 };
 
 // What a range-based loop needs.

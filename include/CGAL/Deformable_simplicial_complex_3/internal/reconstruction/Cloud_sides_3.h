@@ -6,7 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_CLOUD_SIDES_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Point_cloud_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Signed_union_find.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Signed_union_find.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>

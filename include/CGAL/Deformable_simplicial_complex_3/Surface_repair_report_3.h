@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_SURFACE_REPAIR_REPORT_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_SURFACE_REPAIR_REPORT_3_H
+
+#include <cstddef>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+tells what `repair_surface_3()` has done to a surface: nothing, if all of its numbers are 0.
+*/
+struct Surface_repair_report_3
+{
+  std::size_t merged_points = 0;        ///< points that equal others or are in no triangle
+  std::size_t degenerate_triangles = 0; ///< triangles without area that were removed
+  std::size_t repeated_triangles = 0;   ///< triangles removed since others have the same corners
+  std::size_t stitched_points = 0;      ///< points of borders that were near others and became one
+  std::size_t filled_holes = 0;         ///< holes that were closed
+  std::size_t crossing_pairs = 0; ///< pairs of triangles that crossed before they were removed
+  bool is_wrapped = false;        ///< whether all was replaced by an alpha wrap
+  double alpha = 0;               ///< of the wrap, in the unit of the coordinates
+  double offset = 0;              ///< of the wrap, in the unit of the coordinates
+  double mean_edge = 0;           ///< of the triangles of the input, in that unit
+  double distance_from_input = 0; ///< from the farthest sample of the input to the result
+  double distance_to_input = 0;   ///< from the farthest sample of the result to the input
+
+  /// returns whether the surface bounded a solid before.
+  bool was_sound() const {
+    return merged_points + degenerate_triangles + repeated_triangles + stitched_points +
+                   filled_holes + crossing_pairs ==
+               0 &&
+           !is_wrapped;
+  }
+
+  /// returns the Hausdorff distance to the input, as far as samples tell: the larger one of both.
+  double distance() const {
+    return distance_from_input > distance_to_input ? distance_from_input : distance_to_input;
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_SURFACE_REPAIR_REPORT_3_H
