@@ -2,12 +2,12 @@
 # Builds the benchmarks, runs them on the meshes of CGAL, and writes tables and raw results into
 # BUILD_DIR/benchmark-results. See README.md for what is measured.
 # Usage: benchmark/run.sh [BUILD_DIR [motion] [breathing] [topology] [improvement] [memory] [operations]
-#                                   [flows] [surfaces] [points] [abuse] [meshes]]
+#                                   [flows] [surfaces] [points] [abuse] [meshes] [repair]]
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
 build=$(realpath --canonicalize-missing "${1:-$source/build}")
 parts=("${@:2}")
-[ ${#parts[@]} -gt 0 ] || parts=(motion breathing topology flows surfaces points improvement memory operations abuse meshes)
+[ ${#parts[@]} -gt 0 ] || parts=(motion breathing topology flows surfaces points improvement memory operations abuse meshes repair)
 mesh_seconds=${MESH_SECONDS:-600} # the time limit of one mesh in `meshes`
 
 programs=$build/benchmark
@@ -249,10 +249,18 @@ measure_meshes() {
   } >>"$table"
 }
 
+# Those that are refused otherwise.
+measure_repair() {
+  local table=$results/repaired.md
+  begin_table "$table" file "points merged" "flat triangles" "repeated triangles" "points stitched" \
+    "holes filled" "crossing pairs" wrapped "input to result (mean edges)" "result to input" triangles outcome
+  "$source/benchmark/repaired.py" "$build/dsc" "$mesh_seconds" "$meshes"/*.{off,ply,stl} >>"$table"
+}
+
 "$source/scripts/install_dependencies.sh"
 [ -f "$build/CMakeCache.txt" ] ||
   cmake -S "$source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release
-cmake --build "$build" --target benchmarks --parallel "$(nproc)"
+cmake --build "$build" --target benchmarks dsc --parallel "$(nproc)"
 mkdir -p "$results"
 tar --extract --gzip --file /usr/share/doc/libcgal-dev/data.tar.gz --directory "$build" data/meshes data/points_3
 {

@@ -102,6 +102,31 @@ TEST_F(Inputs, may_be_images_of_voxels) {
   EXPECT_NEAR(result.at(4), 54, 1e-6);
 }
 
+// A box with one triangle twice, and some of its corners apart from the others.
+TEST_F(Inputs, may_be_surfaces_to_be_repaired) {
+  const std::string text = program::box(0, 0, 0, 1, 1, 1);
+  write("box.off", text);
+  write("broken.off", "OFF\n8 13 0\n" + text.substr(text.find('\n', 4) + 1) + "3 0 2 3\n");
+  const std::string box = path("box.off").string(), broken = path("broken.off").string();
+  expect_refusal(broken, 1, "odd number of facets");
+  EXPECT_NEAR(volumes(broken + " --repair").at(1), 1, 1e-9);
+  const Json report = Json::parse(contents(path("report.json")));
+  EXPECT_TRUE(report["parameters"]["repair"]);
+  ASSERT_EQ(report["repairs"].size(), 1u);
+  EXPECT_EQ(report["repairs"][0]["repeated_triangles"], 1);
+  EXPECT_EQ(report["repairs"][0]["distance_to_input"], 0);
+
+  const Outcome outcome = run("rotate " + broken + " --repair --axis 0,0,1 --angle 5 --steps 1");
+  EXPECT_NE(outcome.out.find("1 repeated triangles removed; moved by at most 0"), std::string::npos)
+      << outcome.out;
+  const Outcome sound = run("rotate " + box + " --repair --axis 0,0,1 --angle 5 --steps 1");
+  EXPECT_NE(sound.out.find("nothing is repaired"), std::string::npos) << sound.out;
+
+  write("sheet.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  expect_refusal(path("sheet.off").string() + " --repair", 1, "cannot be repaired");
+  expect_refusal("'x<1' --repair --domain -2,-2,-2,2,2,2", 2, "--repair");
+}
+
 TEST_F(Inputs, that_make_no_sense_are_refused) {
   write("cube.mesh", cube);
   write("cut.inr", inr(6, "").substr(0, 100));

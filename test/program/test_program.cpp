@@ -43,11 +43,17 @@ protected:
   }
 };
 
+TEST_F(Program, says_what_it_can_do_without_arguments) {
+  const Outcome outcome = run("");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out, run("--help").out);
+  EXPECT_NE(outcome.out.find("reconstruct"), std::string::npos) << outcome.out;
+}
+
 TEST_F(Program, refuses_wrong_usage) {
   const std::string rotate = "rotate cube.off --axis 0,0,1 --angle 5 ";
   for (const std::string& arguments :
-       std::vector<std::string>{"",
-                                "turn",
+       std::vector<std::string>{"turn",
                                 "rotate cube.off",
                                 "rotate cube.off --axis 0,0,0 --angle 5",
                                 "rotate cube.off --axis 0,0 --angle 5",
@@ -279,8 +285,8 @@ TEST_F(Program, tracks_and_resamples_parts_that_touch) {
   for (const auto& [name, volume] : volumes) {
     SCOPED_TRACE(name);
     const std::string run = " --axis 1,2,3 --angle 1 --steps 1 --report " + std::string(name);
-    const auto check = [&, name = name, volume = volume](const char* report_name,
-                                                         double triangles, double tolerance) {
+    const auto check = [&, name = name, volume = volume](const char* report_name, double triangles,
+                                                         double tolerance) {
       const Json step = report(name + std::string(report_name)).at("steps")[0];
       EXPECT_NEAR(step.at("interface_triangles").get<double>(), triangles, tolerance);
       EXPECT_NEAR(label_of(step, 1).at("volume").get<double>(), volume, 1e-6);

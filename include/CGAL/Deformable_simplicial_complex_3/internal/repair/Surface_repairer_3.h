@@ -33,6 +33,7 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -135,7 +136,7 @@ private:
         length += std::sqrt(
             squared_distance(mesh.point(source(side, mesh)), mesh.point(target(side, mesh))));
       if (length > m_options.largest_hole * diagonal())
-        throw *flaw();
+        refuse_sheet(length / diagonal());
     }
     for (Halfedge h : holes) {
       if (!is_border(h, mesh))
@@ -145,6 +146,16 @@ private:
       m_report.filled_holes += !faces.empty();
     }
     take(mesh);
+  }
+
+  [[noreturn]] void refuse_sheet(double diagonals) const {
+    const Invalid_surface_error error = *flaw();
+    throw Invalid_surface_error(
+        error.reason(),
+        "surface 0 bounds nothing: a border is " + std::to_string(diagonals) +
+            " diagonals of the bounding box long, and is filled up to " +
+            std::to_string(m_options.largest_hole) + ", see the parameter largest_hole",
+        0, error.facets(), error.vertices());
   }
 
   // Triangles that cross are removed with their neighborhood, and the holes are filled.
