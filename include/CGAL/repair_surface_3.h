@@ -21,9 +21,11 @@ does. Steps that change more and more are done until that is so, and no more tha
 
 - equal points are merged, triangles without area removed, and of triangles with the same corners
 all but one, or all if they are a wall between parts that touch;
-- points of borders that are nearer to each other than a thousandth of the mean edge become one;
+- points of borders that are nearer to each other than a thousandth of the mean edge, and a tenth of
+  the edges there, become one;
 - holes are filled, unless their border is long: then the surface is a sheet that bounds nothing;
-- triangles that cross are removed together with their neighborhood, and the holes filled;
+- triangles that cross are removed together with their neighborhood, and the holes filled, if the
+  result is nowhere more than two mean edges from them;
 - all is replaced by an alpha wrap, which is closed whatever is wrong inside; voids are filled.
 
 CGAL's polygon mesh processing and alpha wrapping do the work.
@@ -37,13 +39,15 @@ CGAL's polygon mesh processing and alpha wrapping do the work.
 \cgalNamedParamsBegin
   \cgalParamNBegin{largest_hole}
     \cgalParamDescription{The longest border of holes that are filled, in diagonals of the bounding
-                          box, at least 0. The border of a sheet is at least two of them long.}
+                          box of the part that has it, at least 0. The border of a flat sheet is at
+                          least two of them long.}
     \cgalParamType{`double`}
     \cgalParamDefault{1.6}
   \cgalParamNEnd
   \cgalParamNBegin{wrap_alpha}
     \cgalParamDescription{The diameter of the ball that rolls around, in mean edges of the surface,
-                          at least 0; 0 for no wrap.}
+                          at least 0; 0 for no wrap. Not less than a thousandth of the diagonal of
+                          the bounding box is used.}
     \cgalParamType{`double`}
     \cgalParamDefault{1}
   \cgalParamNEnd
@@ -56,9 +60,10 @@ CGAL's polygon mesh processing and alpha wrapping do the work.
 
 \return what was done, and how far the surface is from what it was
 \throws Deformable_simplicial_complexes::Invalid_surface_error if coordinates are not finite, indices
-        are wrong, there are no triangles, or nothing helps: `open` means a hole that is too large.
+        are wrong, there are no triangles, or nothing helps; if `open`, a hole may be too large.
         The surface is unchanged then.
-\throws Deformable_simplicial_complexes::Error if a parameter is out of range
+\throws Deformable_simplicial_complexes::Error if a parameter is out of range, or the mean edge is less
+        than 1e-30 or the extent more than 1e30. The surface is unchanged then.
 
 n log n in the number of triangles, plus the square of the edges of holes, and the wrap.
 */

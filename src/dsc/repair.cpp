@@ -36,7 +36,7 @@ std::string what_was_repaired(const CGAL::Surface_repair_report_3& report) {
   add(report.repeated_triangles, "repeated triangles removed");
   add(report.stitched_points, "points of borders stitched");
   add(report.filled_holes, "holes filled");
-  add(report.crossing_pairs, "crossing pairs of triangles removed");
+  add(report.crossing_pairs, "crossing pairs of triangles");
   if (report.is_wrapped)
     text += (text.empty() ? "" : ", ") + std::string("wrapped");
   char distance[100];

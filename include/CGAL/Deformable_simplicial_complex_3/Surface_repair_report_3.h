@@ -18,16 +18,18 @@ struct Surface_repair_report_3
 {
   std::size_t merged_points = 0;        ///< points that equal others or are in no triangle
   std::size_t degenerate_triangles = 0; ///< triangles without area that were removed
-  std::size_t repeated_triangles = 0;   ///< triangles removed since others have the same corners
-  std::size_t stitched_points = 0;      ///< points of borders that were near others and became one
-  std::size_t filled_holes = 0;         ///< holes that were closed
-  std::size_t crossing_pairs = 0; ///< pairs of triangles that crossed before they were removed
-  bool is_wrapped = false;        ///< whether all was replaced by an alpha wrap
-  double alpha = 0;               ///< of the wrap, in the unit of the coordinates
-  double offset = 0;              ///< of the wrap, in the unit of the coordinates
-  double mean_edge = 0;           ///< of the triangles of the input, in that unit
-  double distance_from_input = 0; ///< from the farthest sample of the input to the result
-  double distance_to_input = 0;   ///< from the farthest sample of the result to the input
+  std::size_t repeated_triangles =
+      0;                           ///< triangles removed with or beside others of the same corners
+  std::size_t stitched_points = 0; ///< points of borders that were near others and became one
+  std::size_t filled_holes = 0;    ///< holes that were closed
+  std::size_t crossing_pairs = 0;  ///< pairs of triangles that crossed
+  bool is_wrapped = false;         ///< whether all was replaced by an alpha wrap
+  double alpha = 0;                ///< of the wrap, in the unit of the coordinates
+  double offset = 0;               ///< of the wrap, in the unit of the coordinates
+  double mean_edge = 0;            ///< of the triangles of the input, in that unit
+  double distance_from_input =
+      0; ///< from the farthest sample of the input, also of parts that were removed, to the result
+  double distance_to_input = 0; ///< from the farthest sample of the result to the input
 
   /// returns whether the surface bounded a solid before.
   bool was_sound() const {

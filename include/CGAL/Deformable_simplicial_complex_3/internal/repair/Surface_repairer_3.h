@@ -16,6 +16,7 @@
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -25,7 +26,9 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/alpha_wrap_3.h>
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
 #include <array>
@@ -33,6 +36,7 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,14 +55,15 @@ public:
   // Throws Invalid_surface_error if nothing helps.
   void run() {
     check_numbers(m_soup, 0);
-    m_report.mean_edge = mean_side(m_soup);
     if (!flaw())
       return;
+    m_report.mean_edge = mean_side(m_soup);
+    check_scale();
     using Step = void (Surface_repairer_3::*)();
     for (Step step :
          {&Surface_repairer_3::clean, &Surface_repairer_3::stitch, &Surface_repairer_3::fill_holes,
           &Surface_repairer_3::separate, &Surface_repairer_3::wrap}) {
-      (this->*step)();
+      attempt(step);
       if (!flaw()) {
         measure();
         return;
@@ -74,6 +79,30 @@ private:
   using Point = Predicates_kernel::Point_3;
   using Mesh = Surface_mesh<Point>;
   using Halfedge = Mesh::Halfedge_index;
+
+  // A step that CGAL cannot do is left out.
+  void attempt(void (Surface_repairer_3::*step)()) {
+    const Triangle_soup_3 soup = m_soup;
+    const Surface_repair_report_3 report = m_report;
+    try {
+      (this->*step)();
+      if (!m_soup.triangles.empty())
+        return;
+    } catch (const Failure_exception&) {
+    }
+    m_soup = soup;
+    m_report = report;
+  }
+
+  // Squares and reciprocals of lengths are numbers then.
+  void check_scale() const {
+    static constexpr double least = 1e-30, largest = 1e30; // mean edges
+    if (m_report.mean_edge == 0)
+      throw *flaw();
+    if (!(m_report.mean_edge >= least && diagonal(m_soup) <= largest))
+      throw Error("the surface is too small or too large to be repaired: scale it to edges of more "
+                  "than 1e-30 and an extent of less than 1e30");
+  }
 
   // What is wrong with the soup as it is.
   std::optional<Invalid_surface_error> flaw() const {
@@ -123,21 +152,21 @@ private:
   }
 
   void fill_holes() {
-    const std::vector<std::array<std::size_t, 2>> edges = open_edges();
-    if (edges.empty())
+    const std::set<std::array<Coordinates_3, 2>> open = open_edges();
+    if (open.empty())
       return;
     Mesh mesh = oriented_mesh();
-    std::vector<Halfedge> holes;
-    Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(holes));
-    for (Halfedge h : holes) {
+    std::vector<Halfedge> cycles, holes; // where the mesh was cut there is none
+    Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(cycles));
+    for (Halfedge h : cycles) {
       const auto around = halfedges_around_face(h, mesh);
-      double length = 0;
-      for (Halfedge side : around)
-        length += std::sqrt(
-            squared_distance(mesh.point(source(side, mesh)), mesh.point(target(side, mesh))));
-      if (length > m_options.largest_hole * diagonal())
-        refuse_sheet(length / diagonal());
+      if (std::any_of(around.begin(), around.end(), [&](Halfedge side) {
+            return open.count(edge(coordinates(mesh.point(source(side, mesh))),
+                                   coordinates(mesh.point(target(side, mesh))))) > 0;
+          }))
+        holes.push_back(h);
     }
+    refuse_sheets(mesh, holes);
     for (Halfedge h : holes) {
       if (!is_border(h, mesh))
         continue;
@@ -148,36 +177,59 @@ private:
     take(mesh);
   }
 
+  // Parts with a border that is too long beside their extent.
+  void refuse_sheets(Mesh& mesh, const std::vector<Halfedge>& holes) const {
+    const auto parts = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part", 0).first;
+    std::vector<Bbox_3> boxes(Polygon_mesh_processing::connected_components(mesh, parts));
+    for (const auto f : mesh.faces())
+      for (const auto v : vertices_around_face(mesh.halfedge(f), mesh))
+        boxes[parts[f]] += mesh.point(v).bbox();
+    for (Halfedge h : holes) {
+      double length = 0;
+      for (Halfedge side : halfedges_around_face(h, mesh))
+        length += std::sqrt(
+            squared_distance(mesh.point(source(side, mesh)), mesh.point(target(side, mesh))));
+      const double extent = diagonal(boxes[parts[mesh.face(mesh.opposite(h))]]);
+      if (length > m_options.largest_hole * extent)
+        refuse_sheet(length / extent);
+    }
+  }
+
   [[noreturn]] void refuse_sheet(double diagonals) const {
     const Invalid_surface_error error = *flaw();
     throw Invalid_surface_error(
         error.reason(),
         "surface 0 bounds nothing: a border is " + std::to_string(diagonals) +
-            " diagonals of the bounding box long, and is filled up to " +
+            " diagonals of the bounding box of its part long, and is filled up to " +
             std::to_string(m_options.largest_hole) + ", see the parameter largest_hole",
         0, error.facets(), error.vertices());
   }
 
-  // Triangles that cross are removed with their neighborhood, and the holes are filled.
+  // Triangles that cross are removed with their neighborhood, and the holes filled; all or nothing.
   void separate() {
+    static constexpr double farthest = 2; // mean edges: CGAL may give up whole parts
     m_report.crossing_pairs = crossings();
     if (m_report.crossing_pairs == 0)
       return;
+    const Triangle_soup_3 before = m_soup;
     Mesh mesh = oriented_mesh();
     Polygon_mesh_processing::experimental::remove_self_intersections(
         mesh, CGAL::parameters::preserve_genus(false));
     Polygon_mesh_processing::remove_degenerate_faces(mesh);
-    const Triangle_soup_3 before = m_soup;
     take(mesh);
-    if (m_soup.triangles.empty())
+    if (flaw() ||
+        distance_of_samples(before, m_soup, m_report.mean_edge) > farthest * m_report.mean_edge)
       m_soup = before;
   }
 
   void wrap() {
     if (m_options.alpha == 0)
       return;
-    m_report.alpha = m_options.alpha * m_report.mean_edge;
+    static constexpr double finest = 1e-3; // in diagonals: millions of triangles
+    m_report.alpha = (std::max)(m_options.alpha * m_report.mean_edge, finest * diagonal(m_soup));
     m_report.offset = m_options.offset * m_report.mean_edge;
+    if (!std::isfinite(m_report.alpha) || !std::isfinite(m_report.offset) || !(m_report.offset > 0))
+      throw Error("the alpha or the offset of the wrap is out of range: use about 1 and 0.1");
     std::vector<Point> points;
     for (const Coordinates_3& p : m_soup.points)
       points.push_back(exact_point(p));
@@ -204,23 +256,34 @@ private:
     return crossing_triangles(merged).size();
   }
 
-  std::vector<std::array<std::size_t, 2>> open_edges() const {
-    std::vector<std::array<std::size_t, 2>> result;
+  static std::array<Coordinates_3, 2> edge(const Coordinates_3& a, const Coordinates_3& b) {
+    return a < b ? std::array<Coordinates_3, 2>{a, b} : std::array<Coordinates_3, 2>{b, a};
+  }
+
+  // Edges of a single triangle.
+  std::set<std::array<Coordinates_3, 2>> open_edges() const {
+    std::set<std::array<Coordinates_3, 2>> result;
     const auto sides = sorted_sides(m_soup.triangles);
     for (auto side = sides.begin(); side != sides.end();) {
       const auto end = end_of_edge(side, sides.end());
-      if ((end - side) % 2 == 1)
-        result.push_back(side->vertices);
+      if (end - side == 1)
+        result.insert(edge(m_soup.points[side->vertices[0]], m_soup.points[side->vertices[1]]));
       side = end;
     }
     return result;
   }
 
-  double diagonal() const {
-    Bbox_3 box;
-    for (const Coordinates_3& p : m_input.points)
-      box += exact_point(p).bbox();
+  static double diagonal(const Bbox_3& box) {
     return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+  }
+
+  // Of the points that are in triangles.
+  static double diagonal(const Triangle_soup_3& soup) {
+    Bbox_3 box;
+    for (const Triangle_indices& t : soup.triangles)
+      for (std::size_t v : t)
+        box += exact_point(soup.points[v]).bbox();
+    return diagonal(box);
   }
 
   // Cut along edges with other than two triangles, and where triangles cannot be turned alike.
