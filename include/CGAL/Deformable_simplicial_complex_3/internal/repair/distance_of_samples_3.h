@@ -30,9 +30,10 @@ inline double distance_of_samples(const Triangle_soup_3& soup, const Triangle_so
   static constexpr double most_parts = 20; // of an edge: needles are long
   Triangles triangles;
   for (std::size_t t = 0; t < other.triangles.size(); ++t)
-    triangles.push_back(exact_triangle(other, t));
+    if (!exact_triangle(other, t).is_degenerate())
+      triangles.push_back(exact_triangle(other, t));
   AABB_tree<AABB_traits<Kernel, Primitive>> tree(triangles.cbegin(), triangles.cend());
-  tree.accelerate_distance_queries();
+  tree.do_not_accelerate_distance_queries(); // where many corners are equal, it recurses for ever
 
   double largest = 0;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
