@@ -10,7 +10,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -197,22 +196,6 @@ TEST(Surface_repair, wraps_solids_with_walls_inside) {
   const auto report = CGAL::repair_surface_3(surface);
   EXPECT_TRUE(report.is_wrapped);
   EXPECT_GT(volume(surface), .9);
-}
-
-// Their first corner is the same.
-TEST(Surface_repair, measures_beside_large_fans) {
-  Surface cone;
-  constexpr int sides = 20000;
-  for (int i = 0; i < sides; ++i) {
-    const auto rim = [](int k) {
-      const double angle = 2 * CGAL_PI * (k % sides) / sides;
-      return Point(std::cos(angle), std::sin(angle), 0);
-    };
-    add(cone, Point(0, 0, 1), rim(i), rim(i + 1));
-    if (i > 0)
-      add(cone, Point(0, 0, -1), rim(i + 1), rim(i));
-  }
-  EXPECT_EQ(CGAL::repair_surface_3(cone).filled_holes, 1u);
 }
 
 TEST(Surface_repair, ends_soon_if_there_are_many_points_as_triangles) {
