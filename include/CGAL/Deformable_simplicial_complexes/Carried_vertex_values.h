@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -55,6 +56,13 @@ public:
   /// \pre each finite vertex has a value when the mesh changes around it. Constant time.
   Carried_vertex_values(const Complex& complex, const VertexValueMap& values)
       : m_complex(complex), m_values(values) {}
+
+  /// The same for values that mean something in some cells only, such as those of a phase: linear
+  /// functions are those of these cells, where there are any around.
+  /// \param has_values `bool has_values(Cell_handle c)`, of a finite cell
+  Carried_vertex_values(const Complex& complex, const VertexValueMap& values,
+                        std::function<bool(Cell_handle)> has_values)
+      : m_complex(complex), m_values(values), m_has_values(std::move(has_values)) {}
 
   /// Not to be copied: pass it by `std::ref()`.
   Carried_vertex_values(const Carried_vertex_values&) = delete;
@@ -99,7 +107,7 @@ private:
     Coordinates best{};
     double deepest = 0;
     for (Cell_handle c : cells) {
-      if (m_complex.is_infinite(c))
+      if (m_complex.is_infinite(c) || (m_has_values && !m_has_values(c)))
         continue;
       Coordinates b;
       if (!find_barycentric_coordinates(c, p, b))
@@ -153,6 +161,7 @@ private:
 
   const Complex& m_complex;
   VertexValueMap m_values;
+  std::function<bool(Cell_handle)> m_has_values; // empty for all
   std::vector<std::pair<std::size_t, Value>> m_interpolated; // by vertex of the cavity
 };
 

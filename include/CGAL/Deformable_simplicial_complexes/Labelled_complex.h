@@ -314,6 +314,15 @@ public:
     return m_components.take_events();
   }
 
+  /// Which components of now have cells of which components of the last call, or cells that
+  /// replaced these: pairs of their numbers, then and now, sorted. Components are numbered anew when
+  /// some of them change; those without a pair come from none, or are gone. Linear if the topology
+  /// may have changed.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> take_component_lineage() {
+    update_components();
+    return m_components.take_lineage();
+  }
+
   /// @}
   /// \name Motion
   /// @{

@@ -41,6 +41,13 @@ split.
     \cgalParamType{function object, by value or `std::reference_wrapper`}
     \cgalParamDefault{`dsc.mean_interface_edge()` everywhere}
   \cgalParamNEnd
+  \cgalParamNBegin{where}
+    \cgalParamDescription{`bool where(Cell_handle c)`: in which cells edges are split and collapsed,
+                          such as those of some labels; an edge inside a label is that of all cells
+                          around it}
+    \cgalParamType{function object}
+    \cgalParamDefault{in all}
+  \cgalParamNEnd
   \cgalParamNBegin{split_length}
     \cgalParamDescription{longer edges inside a label are split, in units of the wanted length,
                           positive}
@@ -116,7 +123,9 @@ Improvement_report control_detail(Complex& dsc, const NamedParameters& np = Name
              short_unit = internal::shortest_wanted_length(dsc, np);
 
   internal::Detail_controller<Complex> controller(dsc, visitor.any(), thresholds, unit, short_unit);
-  controller.run(rounds);
+  controller.run(rounds, internal::parameter_or(np, tags::where, [](typename Complex::Cell_handle) {
+                   return true;
+                 }));
   return controller.report();
 }
 

@@ -43,6 +43,7 @@ public:
     m_components.clear();
     const std::vector<Origin> origins = number(complex, before, totals);
     compare(before, origins);
+    prolong_lineage(origins);
     m_is_known = true;
     count_known();
   }
@@ -53,6 +54,7 @@ public:
     m_is_known = false;
     update(complex, totals);
     m_events.clear();
+    begin_lineage();
   }
 
   // Gives the components the numbers that their cells once had, and the volumes of that time.
@@ -80,6 +82,7 @@ public:
       cells[i]->set_component(numbers[i]);
     }
     m_components = std::move(components);
+    begin_lineage();
     return true;
   }
 
@@ -107,6 +110,14 @@ public:
     return result;
   }
 
+  // Numbers at the last call and now, of components that have cells in common, sorted.
+  std::vector<std::pair<Number, Number>> take_lineage() {
+    std::vector<Origin> result;
+    result.swap(m_lineage);
+    begin_lineage();
+    return result;
+  }
+
 private:
   struct Component
   {
@@ -114,6 +125,24 @@ private:
     double volume;
   };
   using Origin = std::pair<Number, Number>;
+
+  void begin_lineage() {
+    m_lineage.clear();
+    for (Number i = 0; i < m_components.size(); ++i)
+      m_lineage.emplace_back(i, i);
+  }
+
+  // \pre the origins are sorted
+  void prolong_lineage(const std::vector<Origin>& origins) {
+    std::vector<Origin> result;
+    for (const auto& [then, before] : m_lineage)
+      for (auto o = std::lower_bound(origins.begin(), origins.end(), Origin(before, 0));
+           o != origins.end() && o->first == before; ++o)
+        result.emplace_back(then, o->second);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    m_lineage.swap(result);
+  }
 
   struct Count
   {
@@ -271,6 +300,7 @@ private:
 
   std::vector<Component> m_components; // as of the last update, by number
   std::vector<Component_event> m_events;
+  std::vector<Origin> m_lineage; // since it was taken
   bool m_is_known = true;
   mutable std::vector<Count> m_counts; // by label
   mutable bool m_is_counted = false;

@@ -35,6 +35,9 @@ public:
   // Of the function that is 1 at a corner.
   Vector gradient(int corner) const { return m_frame.normals[corner] / -m_frame.parallelotope; }
 
+  // By how much the measure changes when a corner moves. Also where the cell is flat.
+  Vector measure_gradient(int corner) const { return m_frame.normals[corner] / -factorial; }
+
   // The integral of the product of two gradients.
   double stiffness(int i, int j) const {
     return m_frame.normals[i] * m_frame.normals[j] / (factorial * m_frame.parallelotope);

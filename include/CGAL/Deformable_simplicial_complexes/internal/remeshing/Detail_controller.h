@@ -55,14 +55,14 @@ public:
 
   const Improvement_report& report() const { return m_report; }
 
-  // Works on all cells, then on those that arose from them, and so on.
-  void run(unsigned rounds) {
+  // Works on all cells where that is wanted, then on those that arose from them, and so on.
+  template <class Where> void run(unsigned rounds, const Where& where) {
     Work_list<Cell_handle> cells;
     for (Cell_handle c : m_complex.finite_cells())
       cells.push(c);
     work_in_rounds(m_complex, std::move(cells), rounds,
                    [&](Cell_handle c, Work_list<Cell_handle>& touched) {
-                     if (split(c) || collapse(c))
+                     if (where(c) && (split(c) || collapse(c)))
                        push_finite(m_complex, m_cavity.created(), touched);
                    });
   }

@@ -1,0 +1,274 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_SOLIDS_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_SOLIDS_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
+#include <CGAL/Side_of_triangle_mesh.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// A smooth part of the surface of a solid, as seen from a point: what liquids meet there.
+struct Wall_3
+{
+  using Vector = Simple_cartesian<double>::Vector_3; ///< any
+
+  double distance; ///< of the point, negative inside the solid
+  Vector normal;   ///< of unit length, out of the solid: the gradient of the distance
+  Vector velocity = Vector(0, 0, 0); ///< of the wall
+};
+
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// Which side of a surface is solid.
+enum class Solid_side {
+  inside, ///< liquids are around it
+  outside ///< liquids are in it
+};
+
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// Everything behind a plane. \cgalModels `Solid_3`
+class Plane_solid_3
+{
+public:
+  using Point = Simple_cartesian<double>::Point_3;   ///< of space
+  using Vector = Simple_cartesian<double>::Vector_3; ///< of space
+
+  /// The plane through `point`; liquids are where `normal` points.
+  /// \throws Error if the normal is zero or not finite
+  Plane_solid_3(const Point& point, const Vector& normal)
+      : m_point(point), m_normal(normal / std::sqrt(normal.squared_length())) {
+    if (!std::isfinite(m_normal.squared_length()))
+      throw Error("the normal of a plane is zero or not finite");
+  }
+
+  /// Appends the wall. Constant time.
+  void walls(const Point& p, double /*t*/, std::vector<Wall_3>& result) const {
+    result.push_back({(p - m_point) * m_normal, m_normal});
+  }
+
+private:
+  Point m_point;
+  Vector m_normal;
+};
+
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// A tank: everything outside of a box, with six walls, or fewer. \cgalModels `Solid_3`
+class Tank_solid_3
+{
+public:
+  using Point = Simple_cartesian<double>::Point_3;   ///< of space
+  using Vector = Simple_cartesian<double>::Vector_3; ///< of space
+
+  /// \param box what liquids are in
+  /// \param is_open whether there is no wall above, at its largest z
+  /// \throws Error if the box is empty
+  explicit Tank_solid_3(const Bbox_3& box, bool is_open = false) : m_box(box), m_is_open(is_open) {
+    for (int axis = 0; axis < 3; ++axis)
+      if (!(box.max(axis) > box.min(axis)))
+        throw Error("the box of a tank is empty");
+  }
+
+  /// Appends the walls. Constant time.
+  void walls(const Point& p, double /*t*/, std::vector<Wall_3>& result) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vector along(axis == 0, axis == 1, axis == 2);
+      result.push_back({p[axis] - m_box.min(axis), along});
+      if (axis < 2 || !m_is_open)
+        result.push_back({m_box.max(axis) - p[axis], -along});
+    }
+  }
+
+private:
+  Bbox_3 m_box;
+  bool m_is_open;
+};
+
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// A ball, or everything around one. \cgalModels `Solid_3`
+class Ball_solid_3
+{
+public:
+  using Point = Simple_cartesian<double>::Point_3;   ///< of space
+  using Vector = Simple_cartesian<double>::Vector_3; ///< of space
+
+  /// \throws Error if the radius is not positive
+  Ball_solid_3(const Point& center, double radius, Solid_side side)
+      : m_center(center), m_radius(radius), m_sign(side == Solid_side::inside ? 1 : -1) {
+    if (!(radius > 0) || !std::isfinite(radius))
+      throw Error("the radius of a solid is not positive and finite");
+  }
+
+  /// Appends the wall; none at the center. Constant time.
+  void walls(const Point& p, double /*t*/, std::vector<Wall_3>& result) const {
+    const Vector from_center = p - m_center;
+    const double r = std::sqrt(from_center.squared_length());
+    if (r > 0)
+      result.push_back({m_sign * (r - m_radius), m_sign / r * from_center});
+  }
+
+private:
+  Point m_center;
+  double m_radius, m_sign;
+};
+
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// A cylinder without ends, or everything around one. \cgalModels `Solid_3`
+class Cylinder_solid_3
+{
+public:
+  using Point = Simple_cartesian<double>::Point_3;   ///< of space
+  using Vector = Simple_cartesian<double>::Vector_3; ///< of space
+
+  /// \throws Error if the axis is zero or not finite, or the radius is not positive
+  Cylinder_solid_3(const Point& point, const Vector& axis, double radius, Solid_side side)
+      : m_point(point), m_axis(axis / std::sqrt(axis.squared_length())), m_radius(radius),
+        m_sign(side == Solid_side::inside ? 1 : -1) {
+    if (!std::isfinite(m_axis.squared_length()))
+      throw Error("the axis of a cylinder is zero or not finite");
+    if (!(radius > 0) || !std::isfinite(radius))
+      throw Error("the radius of a solid is not positive and finite");
+  }
+
+  /// Appends the wall; none on the axis. Constant time.
+  void walls(const Point& p, double /*t*/, std::vector<Wall_3>& result) const {
+    const Vector from = p - m_point, across = from - (from * m_axis) * m_axis;
+    const double r = std::sqrt(across.squared_length());
+    if (r > 0)
+      result.push_back({m_sign * (r - m_radius), m_sign / r * across});
+  }
+
+private:
+  Point m_point;
+  Vector m_axis;
+  double m_radius, m_sign;
+};
+
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// What a closed triangle mesh bounds, or everything around it. Copies share the mesh.
+/// \cgalModels `Solid_3`
+class Mesh_solid_3
+{
+public:
+  using Point = Simple_cartesian<double>::Point_3;   ///< of space
+  using Vector = Simple_cartesian<double>::Vector_3; ///< of space
+  using Mesh = Surface_mesh<Point>;                  ///< of triangles
+
+  /// \throws Error if the mesh is not closed, has no triangles or others. n log n.
+  Mesh_solid_3(Mesh mesh, Solid_side side)
+      : m_data(std::make_shared<Data>(std::move(mesh))),
+        m_sign(side == Solid_side::inside ? 1 : -1) {}
+
+  /// Appends the wall that is nearest. About log n.
+  void walls(const Point& p, double /*t*/, std::vector<Wall_3>& result) const {
+    const auto [nearest, face] = m_data->tree.closest_point_and_primitive(p);
+    const bool is_inside = m_data->side(p) == ON_BOUNDED_SIDE;
+    const Vector way = is_inside ? nearest - p : p - nearest;
+    const double distance = std::sqrt(way.squared_length());
+    // On the surface, or up to rounding, that of the triangle.
+    static constexpr double rounding = 1e-9;
+    const Vector normal = distance > rounding * m_data->extent
+                              ? way / distance
+                              : Polygon_mesh_processing::compute_face_normal(face, m_data->mesh);
+    result.push_back({m_sign * (is_inside ? -distance : distance), m_sign * normal});
+  }
+
+private:
+  using Kernel = Simple_cartesian<double>;
+  using Primitive = AABB_face_graph_triangle_primitive<Mesh>;
+  using Tree = AABB_tree<AABB_traits<Kernel, Primitive>>;
+
+  struct Data
+  {
+    Mesh mesh;
+    Tree tree;
+    Side_of_triangle_mesh<Mesh, Kernel> side;
+    double extent;
+
+    explicit Data(Mesh given)
+        : mesh(checked(std::move(given))), tree(faces(mesh).first, faces(mesh).second, mesh),
+          side(tree) {
+      tree.accelerate_distance_queries();
+      const Bbox_3 box = tree.bbox();
+      extent = (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+    }
+    static Mesh checked(Mesh mesh) {
+      if (mesh.number_of_faces() == 0 || !is_closed(mesh) || !is_triangle_mesh(mesh))
+        throw Error("the mesh of a solid is not closed, has no facets, or some that are no triangles");
+      return mesh;
+    }
+  };
+
+  std::shared_ptr<const Data> m_data;
+  double m_sign;
+};
+
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// A solid that turns and goes at constant rates. \cgalModels `Solid_3`
+/// \tparam Solid model of `Solid_3`: what it is at time 0
+template <class Solid> class Moving_solid_3
+{
+public:
+  using Point = Simple_cartesian<double>::Point_3;   ///< of space
+  using Vector = Simple_cartesian<double>::Vector_3; ///< of space
+
+  /// \param solid at time 0
+  /// \param velocity of `center`
+  /// \param center that it turns about, at time 0
+  /// \param angular_velocity along the axis, in radians; zero if it does not turn
+  Moving_solid_3(const Solid& solid, const Vector& velocity, const Point& center = Point(0, 0, 0),
+                 const Vector& angular_velocity = Vector(0, 0, 0))
+      : m_solid(solid), m_velocity(velocity), m_center(center), m_turn(angular_velocity) {}
+
+  /// Appends the walls at time t.
+  void walls(const Point& p, double t, std::vector<Wall_3>& result) const {
+    const std::size_t first = result.size();
+    const Vector from_center = p - (m_center + t * m_velocity);
+    m_solid.walls(m_center + turned(from_center, -t), t, result);
+    for (std::size_t i = first; i < result.size(); ++i) {
+      Wall_3& wall = result[i];
+      wall.normal = turned(wall.normal, t);
+      wall.velocity = turned(wall.velocity, t) + m_velocity +
+                      cross_product(m_turn, from_center - wall.distance * wall.normal);
+    }
+  }
+
+private:
+  // By Rodrigues' formula.
+  Vector turned(const Vector& v, double t) const {
+    const double rate = std::sqrt(m_turn.squared_length()), angle = rate * t;
+    if (!(rate > 0))
+      return v;
+    const Vector axis = m_turn / rate;
+    return std::cos(angle) * v + std::sin(angle) * cross_product(axis, v) +
+           (1 - std::cos(angle)) * (axis * v) * axis;
+  }
+
+  Solid m_solid;
+  Vector m_velocity;
+  Point m_center;
+  Vector m_turn;
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_SOLIDS_3_H

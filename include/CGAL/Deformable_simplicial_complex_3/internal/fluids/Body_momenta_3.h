@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_BODY_MOMENTA_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_BODY_MOMENTA_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_mesh_3.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Mass, momentum and angular momentum about the origin.
+struct Momentum_3
+{
+  double mass = 0;
+  Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = Eigen::Vector3d::Zero();
+};
+
+// Vertices and their masses, each vertex once.
+using Masses_3 = std::vector<std::pair<std::size_t, double>>;
+
+// Of the cells of each set, by a function from components to sets. A quarter of the mass of a cell
+// goes with each corner.
+template <class Mesh, class SetOf>
+std::vector<Masses_3> masses_of_sets(const Mesh& mesh, const Vectors_3& positions,
+                                     std::size_t number_of_sets, const SetOf& set_of) {
+  std::vector<Masses_3> result(number_of_sets);
+  for (const auto& cell : mesh.cells) {
+    const auto& v = cell.vertices;
+    const Eigen::Vector3d& o = positions[v[0]];
+    const double volume =
+        (positions[v[1]] - o).cross(positions[v[2]] - o).dot(positions[v[3]] - o) / 6;
+    for (auto i : v)
+      result[set_of(cell.component)].emplace_back(i, cell.liquid->density * volume / 4);
+  }
+  for (Masses_3& masses : result) {
+    std::stable_sort(masses.begin(), masses.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    Masses_3 sums;
+    for (const auto& [v, m] : masses)
+      if (!sums.empty() && sums.back().first == v)
+        sums.back().second += m;
+      else
+        sums.emplace_back(v, m);
+    masses.swap(sums);
+  }
+  return result;
+}
+
+inline Momentum_3 momentum(const Masses_3& masses, const Vectors_3& positions,
+                           const Vectors_3& velocities) {
+  Momentum_3 result;
+  for (const auto& [v, m] : masses) {
+    result.mass += m;
+    result.linear += m * velocities[v];
+    result.angular += m * positions[v].cross(velocities[v]);
+  }
+  return result;
+}
+
+// The motion as of a rigid body: its velocity at a point is linear + angular x (point - center).
+struct Rigid_velocity_3
+{
+  Eigen::Vector3d center = Eigen::Vector3d::Zero(), linear = Eigen::Vector3d::Zero(),
+                  angular = Eigen::Vector3d::Zero();
+
+  Eigen::Vector3d at(const Eigen::Vector3d& p) const { return linear + angular.cross(p - center); }
+};
+
+// That by which masses have a momentum.
+inline Rigid_velocity_3 rigid_velocity(const Masses_3& masses, const Vectors_3& positions,
+                                       const Momentum_3& momentum) {
+  Rigid_velocity_3 result;
+  double mass = 0;
+  for (const auto& [v, m] : masses) {
+    mass += m;
+    result.center += m * positions[v];
+  }
+  if (!(mass > 0))
+    return result;
+  result.center /= mass;
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  for (const auto& [v, m] : masses) {
+    const Eigen::Vector3d r = positions[v] - result.center;
+    inertia += m * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+  }
+  result.linear = momentum.linear / mass;
+  result.angular = inertia.completeOrthogonalDecomposition().solve(
+      momentum.angular - result.center.cross(momentum.linear));
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_BODY_MOMENTA_3_H

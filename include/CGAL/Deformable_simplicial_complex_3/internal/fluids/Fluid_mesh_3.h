@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_FLUID_MESH_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_FLUID_MESH_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Fluid_properties_3.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+using Vectors_3 = std::vector<Eigen::Vector3d>;
+
+template <class Point> Eigen::Vector3d eigen_vector(const Point& p) {
+  return {p[0], p[1], p[2]};
+}
+
+// The liquid part of a complex, numbered: vertices carry velocities; each of them carries a pressure
+// for each liquid around it, as pressures jump where liquids meet.
+template <class Complex> struct Fluid_mesh_3
+{
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Index = std::uint32_t;
+
+  struct Cell
+  {
+    std::array<Index, 4> vertices;
+    std::array<Index, 4> pressures;
+    const Liquid* liquid;
+    std::uint32_t component;
+  };
+
+  // Of the interface, with liquid on a side at least.
+  struct Facet
+  {
+    std::array<Index, 3> vertices; // counterclockwise seen from the front
+    double tension;                // energy of a unit of area
+    bool is_free;                  // between liquid and void
+  };
+
+  std::vector<Vertex_handle> vertices; // by time stamp
+  std::vector<Cell> cells;             // by time stamp
+  std::vector<Facet> facets;           // in the order of interface_facets()
+  std::vector<Index> vertex_of_pressure;
+  std::vector<char> is_on_interface; // by vertex
+
+  // n log n. \pre components are up to date
+  Fluid_mesh_3(const Complex& complex, const Fluid_properties_3& properties) {
+    const auto all_vertices = complex.vertices();
+    const auto all_cells = complex.cells();
+    static constexpr Index none = Index(-1);
+    for (Vertex_handle v : all_vertices)
+      v->set_scratch_index(none);
+    for (auto c : all_cells)
+      if (properties.liquid(c->label()))
+        for (int i = 0; i < 4; ++i)
+          c->vertex(i)->set_scratch_index(0);
+    for (Vertex_handle v : all_vertices)
+      if (v->scratch_index() != none) {
+        v->set_scratch_index(Index(vertices.size()));
+        vertices.push_back(v);
+        is_on_interface.push_back(v->is_interface());
+      }
+    add_cells(all_cells, properties);
+    for (const auto& f : complex.interface_facets()) {
+      const int behind = f.first->label(), in_front = f.first->neighbor(f.second)->label();
+      const bool is_behind = properties.liquid(behind), is_in_front = properties.liquid(in_front);
+      if (!is_behind && !is_in_front)
+        continue;
+      Facet facet{{}, properties.surface_tension(behind, in_front), is_behind != is_in_front};
+      const auto corners = complex.facet_vertices(f);
+      for (std::size_t i = 0; i < 3; ++i)
+        facet.vertices[i] = corners[i]->scratch_index();
+      facets.push_back(facet);
+    }
+  }
+
+  Vectors_3 positions(const Complex& complex) const {
+    Vectors_3 result;
+    for (Vertex_handle v : vertices)
+      result.push_back(eigen_vector(complex.position(v)));
+    return result;
+  }
+
+private:
+  template <class Cells> void add_cells(const Cells& all, const Fluid_properties_3& properties) {
+    std::map<int, std::vector<Index>> pressures; // by label and vertex, plus one
+    for (auto c : all) {
+      const Liquid* liquid = properties.liquid(c->label());
+      if (!liquid)
+        continue;
+      std::vector<Index>& of_label = pressures[c->label()];
+      of_label.resize(vertices.size(), 0);
+      Cell cell{{}, {}, liquid, c->component()};
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Index v = cell.vertices[i] = c->vertex(int(i))->scratch_index();
+        if (of_label[v] == 0) {
+          vertex_of_pressure.push_back(v);
+          of_label[v] = Index(vertex_of_pressure.size());
+        }
+        cell.pressures[i] = of_label[v] - 1;
+      }
+      cells.push_back(cell);
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_FLUID_MESH_3_H

@@ -1,0 +1,202 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_FLUID_STEP_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_FLUID_STEP_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Body_momenta_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_equations_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_mesh_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Vertex_constraints_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Wall_contacts_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Solves the equations of a step: velocities and pressures at positions about half-way, which follow
+// from the velocities, and contacts with walls, which follow from both.
+template <class Complex, class Solver> class Fluid_step_3
+{
+public:
+  using Mesh = Fluid_mesh_3<Complex>;
+  using Equations = Fluid_equations_3<Complex>;
+  using Contacts = Wall_contacts_3<Complex>;
+  using Vector = Eigen::VectorXd;
+
+  // Positions, velocities and accelerations of the vertices of the mesh at the time t.
+  Fluid_step_3(const Mesh& mesh, const Fluid_properties_3& properties,
+               const typename Contacts::Solids& solids, const Complex& complex, Solver& solver,
+               const typename Equations::Step& step, double t, const Vectors_3& positions,
+               const Vectors_3& velocities, const Vectors_3& accelerations)
+      : m_mesh(mesh), m_properties(properties), m_solids(solids), m_solver(solver), m_step(step),
+        m_end(t + step.dt), m_positions(positions), m_before(velocities),
+        m_accelerations(accelerations), m_equations(mesh, properties, step, positions),
+        m_contacts(mesh, solids, complex, positions, t) {
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      m_velocities.push_back(velocities[v] + step.theta * step.dt * accelerations[v]);
+    m_pressures = Vector::Zero(Eigen::Index(mesh.vertex_of_pressure.size()));
+  }
+
+  // \param knows_accelerations whether they are those of a step before. Otherwise they are found by
+  //        repetition.
+  void solve(unsigned geometries, bool knows_accelerations) {
+    static constexpr unsigned most = 40;
+    static constexpr double same = 1e-13;
+    for (unsigned k = 0; k < geometries; ++k) {
+      assemble();
+      if (k > 0 || knows_accelerations) {
+        solve_with_contacts();
+        continue;
+      }
+      double change = 1, size = 0;
+      for (unsigned i = 0; i < most && change > same * size; ++i) {
+        const Vectors_3 before = m_accelerations;
+        solve_with_contacts();
+        change = size = 0;
+        for (std::size_t v = 0; v < before.size(); ++v) {
+          change = (std::max)(change, (before[v] - m_accelerations[v]).norm());
+          size = (std::max)(size, m_accelerations[v].norm());
+        }
+      }
+    }
+  }
+
+  // Those by which vertices go.
+  const Vectors_3& velocities() const { return m_velocities; }
+  const Vector& pressures() const { return m_pressures; }
+  const Equations& equations() const { return m_equations; }
+  const Contacts& contacts() const { return m_contacts; }
+  const Vector& reactions() const { return m_reactions; }
+  unsigned iterations() const { return m_iterations; }
+  unsigned solutions() const { return m_solutions; }
+
+  Vectors_3 destinations() const { return at_time(m_step.dt); }
+
+  // Where the step ends.
+  Vectors_3 final_velocities() const {
+    Vectors_3 result = unstopped_velocities();
+    m_contacts.stop(result);
+    return result;
+  }
+
+  // What sets of masses have in the end: what they had, and what gravity and walls have given them.
+  // What vertices of a set exchange sums up to nothing.
+  Momentum_3 final_momentum(const Masses_3& masses) const {
+    Momentum_3 result = momentum(masses, m_positions, m_before);
+    const Vectors_3 half_way = at_time(m_step.dt / 2), end = at_time(m_step.dt),
+                    stopped = final_velocities(), unstopped = unstopped_velocities();
+    const Eigen::Vector3d gravity(m_properties.gravity().data());
+    for (const auto& [v, m] : masses) {
+      const double share = m / m_equations.masses()[v];
+      const Eigen::Vector3d pushed =
+          m_step.dt * (m * gravity + share * m_reactions.segment<3>(3 * Eigen::Index(v)));
+      const Eigen::Vector3d stop = m * (stopped[v] - unstopped[v]);
+      result.linear += pushed + stop;
+      result.angular += half_way[v].cross(pushed) + end[v].cross(stop);
+    }
+    return result;
+  }
+
+private:
+  Vectors_3 unstopped_velocities() const {
+    Vectors_3 result;
+    for (std::size_t v = 0; v < m_before.size(); ++v)
+      result.push_back(m_before[v] + (m_velocities[v] - m_before[v]) / m_step.theta);
+    return result;
+  }
+
+  Vectors_3 at_time(double t) const {
+    Vectors_3 result;
+    for (std::size_t v = 0; v < m_positions.size(); ++v)
+      result.push_back(m_positions[v] + t * m_velocities[v]);
+    return result;
+  }
+
+  void assemble() {
+    m_contacts.predict(destinations(), m_end, m_step.dt);
+    m_equations.assemble(at_time(m_step.dt / 2), [&](std::size_t f) {
+      const auto& facet = m_mesh.facets[f];
+      const std::size_t solid = m_contacts.solid_of(facet);
+      return solid == m_solids.size() ? facet.tension : -m_solids[solid].cosine * facet.tension;
+    });
+    m_is_factorized = false;
+  }
+
+  void solve_with_contacts() {
+    static constexpr unsigned rounds = 30;
+    unsigned round = 0;
+    do {
+      solve_with_constraints();
+    } while (m_contacts.revise(flat(m_velocities), m_reactions, round) && ++round < rounds &&
+             !(m_is_factorized = false));
+    for (std::size_t v = 0; v < m_velocities.size(); ++v)
+      m_accelerations[v] = (m_velocities[v] - m_before[v]) / (m_step.theta * m_step.dt);
+  }
+
+  void solve_with_constraints() {
+    const auto &a = m_equations.a(), &b = m_equations.b(), &c = m_equations.c();
+    if (!m_is_factorized) {
+      m_constraints = Vertex_constraints_3(m_positions.size());
+      for (std::size_t v = 0; v < m_positions.size(); ++v)
+        for (int axis = 0; axis < 3; ++axis)
+          if (Boundary_class::fixes(m_mesh.vertices[v]->boundary_class(), axis))
+            m_constraints.add(v, {Eigen::Vector3d::Unit(axis), 0});
+      m_contacts.constrain(m_constraints);
+      m_constraints.close();
+      const auto& base = m_constraints.base();
+      const Vector inertia = m_equations.inertia();
+      m_solver.factorize({base.transpose() * a * base, b * base, c,
+                          (base.transpose() * inertia.asDiagonal() * base).eval().diagonal(),
+                          m_equations.viscosity()});
+      m_is_factorized = true;
+    }
+    const auto& base = m_constraints.base();
+    const Vector& known = m_constraints.prescribed();
+    const Vector f = m_equations.forces(m_before),
+                 s = m_equations.stabilization(m_accelerations);
+    Vector free = base.transpose() * (flat(m_velocities) - known);
+    m_iterations += m_solver.solve(base.transpose() * (f - a * known), s - b * known, free,
+                                   m_pressures);
+    ++m_solutions;
+    const Vector v = known + base * free;
+    m_reactions = a * v - b.transpose() * m_pressures - f;
+    for (std::size_t i = 0; i < m_velocities.size(); ++i)
+      m_velocities[i] = v.segment<3>(3 * Eigen::Index(i));
+  }
+
+  static Vector flat(const Vectors_3& vectors) {
+    Vector result(3 * Eigen::Index(vectors.size()));
+    for (std::size_t i = 0; i < vectors.size(); ++i)
+      result.segment<3>(3 * Eigen::Index(i)) = vectors[i];
+    return result;
+  }
+
+  const Mesh& m_mesh;
+  const Fluid_properties_3& m_properties;
+  const typename Contacts::Solids& m_solids;
+  Solver& m_solver;
+  typename Equations::Step m_step;
+  double m_end;
+  Vectors_3 m_positions, m_before, m_accelerations, m_velocities;
+  Vector m_pressures, m_reactions;
+  Equations m_equations;
+  Contacts m_contacts;
+  Vertex_constraints_3 m_constraints{0};
+  bool m_is_factorized = false;
+  unsigned m_iterations = 0, m_solutions = 0;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_FLUID_STEP_3_H

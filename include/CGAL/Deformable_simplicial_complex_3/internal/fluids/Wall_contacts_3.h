@@ -1,0 +1,252 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_WALL_CONTACTS_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_WALL_CONTACTS_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Solids_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_mesh_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Vertex_constraints_3.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// A solid, and what liquids do at it.
+struct Any_solid_3
+{
+  using Point = Simple_cartesian<double>::Point_3;
+
+  std::function<void(const Point&, double, std::vector<Wall_3>&)> walls;
+  double cosine;  // of the contact angle
+  bool sticks;    // the liquid goes with the wall
+  bool separates; // it may leave the wall
+};
+
+// Where the surface of a liquid touches solids: vertices must not enter them, and only those that
+// would are held back. Which ones, is found by trying: see `revise()`.
+template <class Complex> class Wall_contacts_3
+{
+public:
+  using Mesh = Fluid_mesh_3<Complex>;
+  using Solids = std::vector<Any_solid_3>;
+
+  // At a time.
+  Wall_contacts_3(const Mesh& mesh, const Solids& solids, const Complex& complex,
+                  const Vectors_3& positions, double time)
+      : m_solids(solids), m_positions(positions), m_spacings(positions.size(), 0),
+        m_touched(positions.size()) {
+    if (solids.empty())
+      return;
+    for (const auto& facet : mesh.facets)
+      if (facet.is_free)
+        for (auto v : facet.vertices) {
+          const double spacing = mesh.vertices[v]->spacing();
+          m_spacings[v] = spacing > 0 ? spacing : complex.mean_interface_edge();
+        }
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      for_each_wall(v, positions[v], time, [&](std::size_t solid, std::size_t wall, const Wall_3& w) {
+        if (w.distance <= touching * m_spacings[v])
+          m_touched[v].emplace_back(solid, wall);
+      });
+  }
+
+  // What must hold for velocities by which vertices go for some time, the walls being those where
+  // they are expected to arrive. What touches a wall is held until `revise()` lets it go.
+  void predict(const Vectors_3& expected, double time, double dt) {
+    static constexpr double near = .5; // spacings: beyond, the next prediction will find it
+    const std::vector<Contact> before = std::move(m_contacts);
+    m_contacts.clear();
+    auto known = before.begin();
+    for (std::size_t v = 0; v < expected.size(); ++v)
+      for_each_wall(v, expected[v], time, [&](std::size_t solid, std::size_t wall, const Wall_3& w) {
+        const auto place = std::make_tuple(v, solid, wall);
+        known = std::lower_bound(known, before.end(), place,
+                                 [](const Contact& c, const auto& p) { return c.place() < p; });
+        const bool is_known = known != before.end() && known->place() == place;
+        const bool touches = is_touching(v, solid, wall);
+        if (w.distance > near * m_spacings[v] && !touches && !is_known)
+          return;
+        const Eigen::Vector3d normal = eigen_vector(w.normal);
+        m_contacts.push_back(
+            {v, solid, wall, normal,
+             (normal.dot(expected[v] - m_positions[v]) - w.distance) / dt, eigen_vector(w.velocity),
+             is_known ? known->is_active : touches || w.distance < 0});
+      });
+  }
+
+  void constrain(Vertex_constraints_3& constraints) const {
+    for (const Contact& c : m_contacts)
+      if (c.is_active) {
+        constraints.add(c.vertex, {c.normal, c.least});
+        if (m_solids[c.solid].sticks) {
+          const Eigen::Vector3d along = c.normal.unitOrthogonal();
+          for (const Eigen::Vector3d& d : {along, Eigen::Vector3d(c.normal.cross(along))})
+            constraints.add(c.vertex, {d, d.dot(c.wall_velocity)});
+        }
+      }
+  }
+
+  // Holds what would enter a wall, and lets go what a wall would have to pull. Returns whether
+  // there was any. After some rounds nothing is let go any more, so that they end.
+  bool revise(const Eigen::VectorXd& velocities, const Eigen::VectorXd& reactions, unsigned round) {
+    static constexpr unsigned rounds_of_release = 8;
+    static constexpr double rounding = 1e-9;
+    const double slowest = rounding * velocities.lpNorm<Eigen::Infinity>(),
+                 weakest = rounding * reactions.lpNorm<Eigen::Infinity>();
+    bool is_revised = false;
+    for (Contact& c : m_contacts) {
+      const Eigen::Index row = 3 * Eigen::Index(c.vertex);
+      const double excess = c.normal.dot(velocities.segment<3>(row)) - c.least;
+      if (!c.is_active ? excess < -slowest
+                       : round < rounds_of_release && m_solids[c.solid].separates &&
+                             push(c, reactions) < -weakest) {
+        c.is_active = !c.is_active;
+        is_revised = true;
+      }
+    }
+    return is_revised;
+  }
+
+  // The velocity of what is held is that of the wall, where the step ends.
+  void stop(Vectors_3& velocities) const {
+    for (const Contact& c : m_contacts)
+      if (c.is_active) {
+        Eigen::Vector3d& v = velocities[c.vertex];
+        v = m_solids[c.solid].sticks
+                ? c.wall_velocity
+                : Eigen::Vector3d(v - c.normal * c.normal.dot(v - c.wall_velocity));
+      }
+  }
+
+  // Moves vertices out of walls, and those that are held onto them.
+  void put_out(Vectors_3& positions, double time) const {
+    static constexpr int rounds = 4; // where walls meet
+    for (int k = 0; k < rounds; ++k)
+      for (std::size_t v = 0; v < positions.size(); ++v)
+        for_each_wall(v, positions[v], time, [&](std::size_t solid, std::size_t wall, const Wall_3& w) {
+          if (w.distance < 0 || is_held(v, solid, wall))
+            positions[v] -= w.distance * eigen_vector(w.normal);
+        });
+  }
+
+  // The solid that a facet lies on; none: the number of solids.
+  std::size_t solid_of(const typename Mesh::Facet& facet) const {
+    for (const auto& [solid, wall] : m_touched[facet.vertices[0]])
+      if (is_touching(facet.vertices[1], solid, wall) && is_touching(facet.vertices[2], solid, wall))
+        return solid;
+    return m_solids.size();
+  }
+
+  bool touches(std::size_t v) const { return !m_touched[v].empty(); }
+
+  bool is_held(std::size_t v) const {
+    const auto first = std::lower_bound(m_contacts.begin(), m_contacts.end(), v,
+                                        [](const Contact& c, std::size_t w) { return c.vertex < w; });
+    for (auto c = first; c != m_contacts.end() && c->vertex == v; ++c)
+      if (c->is_active)
+        return true;
+    return false;
+  }
+
+  std::size_t number_of_held() const {
+    return std::size_t(std::count_if(m_contacts.begin(), m_contacts.end(),
+                                     [](const Contact& c) { return c.is_active; }));
+  }
+
+  // Of liquids on each solid: the opposite of what holds vertices back.
+  Vectors_3 forces(const Eigen::VectorXd& reactions) const {
+    Vectors_3 result(m_solids.size(), Eigen::Vector3d::Zero());
+    for (const Contact& c : m_contacts)
+      if (c.is_active)
+        result[c.solid] -= push(c, reactions) * c.normal;
+    return result;
+  }
+
+private:
+  // How near a vertex is to a wall that it touches, in spacings of the interface: above what the
+  // improvement of a mesh moves vertices off a curved wall.
+  static constexpr double touching = 1e-3;
+
+  struct Contact
+  {
+    std::size_t vertex, solid, wall;
+    Eigen::Vector3d normal;
+    double least; // velocity along the normal
+    Eigen::Vector3d wall_velocity;
+    bool is_active;
+
+    std::tuple<std::size_t, std::size_t, std::size_t> place() const { return {vertex, solid, wall}; }
+  };
+
+  // Of vertices between liquid and void.
+  template <class Function>
+  void for_each_wall(std::size_t v, const Eigen::Vector3d& p, double time,
+                     const Function& function) const {
+    if (m_spacings[v] == 0)
+      return;
+    std::vector<Wall_3> walls;
+    for (std::size_t solid = 0; solid < m_solids.size(); ++solid) {
+      walls.clear();
+      m_solids[solid].walls(Any_solid_3::Point(p.x(), p.y(), p.z()), time, walls);
+      for (std::size_t wall = 0; wall < walls.size(); ++wall)
+        function(solid, wall, walls[wall]);
+    }
+  }
+
+  bool is_touching(std::size_t v, std::size_t solid, std::size_t wall) const {
+    return std::find(m_touched[v].begin(), m_touched[v].end(), std::make_pair(solid, wall)) !=
+           m_touched[v].end();
+  }
+
+  bool is_held(std::size_t v, std::size_t solid, std::size_t wall) const {
+    const auto place = std::make_tuple(v, solid, wall);
+    const auto c = std::lower_bound(m_contacts.begin(), m_contacts.end(), place,
+                                    [](const Contact& a, const auto& b) { return a.place() < b; });
+    return c != m_contacts.end() && c->place() == place && c->is_active;
+  }
+
+  // The part of a contact in what holds its vertex, where several do.
+  double push(const Contact& contact, const Eigen::VectorXd& reactions) const {
+    std::vector<Eigen::Vector3d> normals;
+    Eigen::Index own = 0;
+    const auto first =
+        std::lower_bound(m_contacts.begin(), m_contacts.end(), contact.vertex,
+                         [](const Contact& c, std::size_t v) { return c.vertex < v; });
+    for (auto c = first; c != m_contacts.end() && c->vertex == contact.vertex; ++c)
+      if (c->is_active) {
+        if (&*c == &contact)
+          own = Eigen::Index(normals.size());
+        normals.push_back(c->normal);
+      }
+    const Eigen::Vector3d r = reactions.segment<3>(3 * Eigen::Index(contact.vertex));
+    if (normals.size() == 1)
+      return r.dot(contact.normal);
+    Eigen::MatrixXd matrix(3, normals.size());
+    for (std::size_t i = 0; i < normals.size(); ++i)
+      matrix.col(Eigen::Index(i)) = normals[i];
+    return matrix.completeOrthogonalDecomposition().solve(r)(own);
+  }
+
+  const Solids& m_solids;
+  Vectors_3 m_positions;
+  std::vector<double> m_spacings; // by vertex; 0 for those that are not between liquid and void
+  std::vector<std::vector<std::pair<std::size_t, std::size_t>>> m_touched; // solids and walls
+  std::vector<Contact> m_contacts;                                        // by place
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_WALL_CONTACTS_3_H
