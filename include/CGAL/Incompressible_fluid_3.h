@@ -5,326 +5,341 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUID_3_H
 #define CGAL_INCOMPRESSIBLE_FLUID_3_H
 
+#include <CGAL/Curvature_size_field_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Fluid_properties_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Fluid_report_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Saddle_point_solver.h>
 #include <CGAL/Deformable_simplicial_complex_3/Solids_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Body_momenta_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Component_volumes_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Part_ledger_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_motion_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_step_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Part_interface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>
-#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/Volume_changer.h>
+#include <CGAL/control_detail_3.h>
+#include <CGAL/deform_interface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/improve_interface_3.h>
+#include <CGAL/improve_mesh_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/adapt_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
+namespace Deformable_simplicial_complexes {
 
-template <class Complex_, class Solver_ = Deformable_simplicial_complexes::Direct_saddle_point_solver>
-class Incompressible_fluid_3
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// What a liquid does at a solid.
+struct Wall_behavior
+{
+  /// in the liquid, between solid and surface, in degrees, in [0, 180]
+  double contact_angle = 90;
+  /// whether the liquid goes with the wall where it touches it, instead of sliding
+  bool sticks = false;
+  /// whether the liquid may leave the wall
+  bool separates = true;
+};
+
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// Everything that `Incompressible_fluid_3` adds to the state of its complex, as plain numbers.
+struct Fluid_state_3
+{
+  double time = 0;                           ///< now
+  std::uint64_t steps = 0;                   ///< done
+  std::uint32_t damped_steps = 0;            ///< to come
+  bool knows_accelerations = false;          ///< whether there was a step
+  std::vector<std::array<double, 6>> motion; ///< velocities and accelerations of finite vertices, by
+                                             ///< time stamp
+  std::vector<std::pair<std::uint32_t, double>> volumes; ///< that components are to have
+};
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Incompressible flow of any number of liquids with free surfaces, surface tension, viscosity and solids
+(section 4.4 of the paper; M. K. Misztal, R. Bridson, K. Erleben, J. A. Bærentzen, F. Anton,
+"Optimization-based fluid simulation on unstructured meshes", VRIPHYS 2010), by linear finite elements
+on the tetrahedra of a complex, which go with the flow.
+
+Labels are liquids or void, see `Fluid_properties_3`. A step solves for velocities and pressures at
+once, in the middle of the step, so that energy neither grows nor fades but for viscosity and what
+changes of the mesh take; surface tension is implicit and bounds no step. The volume of each connected
+part of a liquid stays what it was to rounding; parts that merge add theirs. So do momenta, but for
+what gravity and walls give. Where the liquids reach the boundary of the domain, they slide along it
+and do not leave it. The surface of a liquid never enters a solid with a vertex; it may touch and leave
+it.
+
+All is in the coordinates of the complex, in any units that fit together.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+\tparam Solver model of `SaddlePointSolver`
+*/
+template <class Complex, class Solver = Saddle_point_solver> class Incompressible_fluid
 {
 public:
-  using Complex = Complex_;
-  using Solver = Solver_;
-  using Vector = Simple_cartesian<double>::Vector_3;
-  using Point = Simple_cartesian<double>::Point_3;
-  using Vertex_handle = typename Complex::Vertex_handle;
-  using Properties = Deformable_simplicial_complexes::Fluid_properties_3;
-  using Report = Fluid_report_3<Complex>;
+  using Point = Simple_cartesian<double>::Point_3;                        ///< of space
+  using Vector = Simple_cartesian<double>::Vector_3;                      ///< of space
+  using Vertex_handle = typename Complex::Vertex_handle;                  ///< of the complex
+  using Properties = Fluid_properties_3; ///< of labels
+  using Balance = Fluid_balance_3;       ///< of all liquids
+  using Report = Fluid_report_3<Complex>; ///< of a step
+  using State = Fluid_state_3;           ///< to go on from
 
-  Incompressible_fluid_3(Complex& complex, const Properties& properties)
+  /// \name Creation
+  /// @{
+
+  /// A fluid at rest. Its volumes are those of now. The complex must outlive it, and be changed by it
+  /// only. \throws Error if there are no liquids. Linear.
+  Incompressible_fluid(Complex& complex, const Properties& properties)
       : m_complex(complex), m_properties(properties) {
+    if (properties.liquids().empty())
+      throw Error(
+          "there is no liquid: tell the density of a label at least");
     m_complex.take_component_lineage();
-    m_volumes.set_wanted(Volumes::measure(m_complex, m_properties));
+    m_ledger.set_volumes(Ledger::measure(m_complex, m_properties));
   }
 
+  /// Not to be copied.
+  Incompressible_fluid(const Incompressible_fluid&) = delete;
+  /// Not to be copied.
+  Incompressible_fluid& operator=(const Incompressible_fluid&) = delete;
+
+  /// Adds a solid, which is copied. \tparam Solid model of `Solid_3`
+  /// \throws Error if the contact angle is out of its range
   template <class Solid>
-  void add_solid(const Solid& solid, double contact_angle = 90, bool sticks = false,
-                 bool separates = true) {
+  void add_solid(const Solid& solid,
+                 const Wall_behavior& behavior = {}) {
+    if (!(behavior.contact_angle >= 0 && behavior.contact_angle <= 180))
+      throw Error(
+          "a contact angle is out of range: use 0 to 180 degrees");
     m_solids.push_back({[solid](const Point& p, double t, std::vector<Wall>& walls) {
                           solid.walls(p, t, walls);
                         },
-                        std::cos(contact_angle * CGAL_PI / 180), sticks, separates});
+                        std::cos(behavior.contact_angle * CGAL_PI / 180), behavior.sticks,
+                        behavior.separates});
   }
 
+  /// Sets the velocities of all vertices: `velocity_at(v)` is a `Vector`.
+  /// \throws Error if one is not finite; nothing is changed then
   template <class VelocityAt> void set_velocities(const VelocityAt& velocity_at) {
-    for (Vertex_handle v : m_complex.vertices())
-      m_motion.set(v, Deformable_simplicial_complexes::internal::eigen_vector(velocity_at(m_complex.position(v))),
-                   Eigen::Vector3d::Zero());
+    internal::Fluid_motion_3 motion;
+    for (Vertex_handle v : m_complex.vertices()) {
+      const Eigen::Vector3d velocity = internal::eigen_vector(velocity_at(v));
+      if (!velocity.allFinite())
+        throw Error("a velocity is not finite");
+      motion.set(v, velocity, Eigen::Vector3d::Zero());
+    }
+    m_motion = std::move(motion);
     m_knows_accelerations = false;
   }
 
-  double time() const { return m_time; }
+  /// @}
+  /// \name Access
+  /// @{
+
+  const Complex& complex() const { return m_complex; }          ///< what moves
+  const Properties& properties() const { return m_properties; } ///< of labels
+  double time() const { return m_time; }                        ///< 0 in the beginning
+  /// Of a vertex of a liquid.
   Vector velocity(Vertex_handle v) const { return vector(m_motion.velocity(v)); }
-
-  Report advance(double dt, double theta = .5, unsigned threads = 1) {
-    Report report;
-    report.dt = dt;
-    m_complex.update_components();
-    const Mesh mesh(m_complex, m_properties);
-    const Vectors positions = mesh.positions(m_complex);
-    Vectors velocities, accelerations;
-    for (Vertex_handle v : mesh.vertices) {
-      velocities.push_back(m_motion.velocity(v));
-      accelerations.push_back(m_motion.acceleration(v));
-    }
-    Deformable_simplicial_complexes::internal::Fluid_step_3<Complex, Solver> step(mesh, m_properties, m_solids, m_complex, m_solver,
-                                                 {dt, theta}, m_time, positions, velocities,
-                                                 accelerations);
-    step.solve(2, m_knows_accelerations);
-    m_knows_accelerations = true;
-    m_time += dt;
-
-    const Vectors after = step.final_velocities();
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-      m_motion.set(mesh.vertices[v], after[v], (after[v] - velocities[v]) / dt);
-    Vectors destinations = step.destinations();
-    step.contacts().put_out(destinations, m_time);
-    // Momenta are of parts that have to do with each other; which ones, is known afterwards.
-    const auto set_of_component = [](std::uint32_t component) { return std::size_t(component); };
-    const std::size_t number_of_components = count_components(mesh);
-    const auto bodies = Deformable_simplicial_complexes::internal::masses_of_sets(mesh, positions, number_of_components,
-                                                 set_of_component);
-    std::vector<Deformable_simplicial_complexes::internal::Momentum_3> before;
-    for (const auto& body : bodies)
-      before.push_back(step.final_momentum(body));
-
-    report.deformation = move(mesh, destinations, step.contacts(), threads);
-    const Deformable_simplicial_complexes::internal::Component_groups_3 groups(m_complex.take_component_lineage());
-    report.lost_volume = m_volumes.follow(groups, Volumes::measure(m_complex, m_properties));
-    report.volume_error = correct_volumes(threads);
-    report.correction = restore_momenta(groups, before);
-    report.iterations = step.iterations();
-    report.solutions = step.solutions();
-    report.held = step.contacts().number_of_held();
-    for (const auto& force : step.contacts().forces(step.reactions()))
-      report.forces_on_solids.push_back(vector(force));
-    for (std::size_t v = 0; v < after.size(); ++v)
-      report.change_of_velocity = (std::max)(report.change_of_velocity, (after[v] - velocities[v]).norm());
-    measure(report);
-    return report;
+  /// What all liquids have now. Linear.
+  Balance balance() const {
+    const Flow flow(*this);
+    return flow.balance(*this, flow.positions, flow.velocities, m_time);
   }
+  /// The volumes that the connected parts of liquids are to have, by `Complex::component()`.
+  const std::map<std::uint32_t, double>& volumes() const { return m_ledger.volumes(); }
 
-  // Energies, momentum and volumes of now.
-  void measure(Report& report) const {
-    const Mesh mesh(m_complex, m_properties);
-    const Vectors positions = mesh.positions(m_complex);
-    const Eigen::Vector3d gravity(m_properties.gravity().data());
-    const auto body = Deformable_simplicial_complexes::internal::masses_of_sets(mesh, positions, 1, [](std::uint32_t) { return 0; });
-    Vectors velocities;
-    for (Vertex_handle v : mesh.vertices)
-      velocities.push_back(m_motion.velocity(v));
-    const Deformable_simplicial_complexes::internal::Momentum_3 sum = Deformable_simplicial_complexes::internal::momentum(body[0], positions, velocities);
-    report.time = m_time;
-    report.momentum = vector(sum.linear);
-    report.angular_momentum = vector(sum.angular);
-    report.kinetic_energy = report.potential_energy = report.surface_energy = 0;
-    for (const auto& [v, m] : body[0]) {
-      report.kinetic_energy += m * velocities[v].squaredNorm() / 2;
-      report.potential_energy -= m * gravity.dot(positions[v]);
-      report.fastest = (std::max)(report.fastest, velocities[v].norm());
-    }
-    const Deformable_simplicial_complexes::internal::Wall_contacts_3<Complex> contacts(mesh, m_solids, m_complex, positions, m_time);
-    for (const auto& facet : mesh.facets) {
-      const std::size_t solid = contacts.solid_of(facet);
-      const auto& v = facet.vertices;
-      const double area = (positions[v[1]] - positions[v[0]]).cross(positions[v[2]] - positions[v[0]]).norm() / 2;
-      report.surface_energy += area * facet.tension *
-                               (solid == m_solids.size() ? 1 : -m_solids[solid].cosine);
-    }
-  }
+  /// How deep a vertex of a liquid's surface is in a solid, the most; 0 if none is. Linear.
+  double depth_in_solids() const;
+
+  /*!
+  The longest step in which no vertex of a liquid's surface goes farther than a part of the edges
+  there, and no edge inside gets longer or shorter by more than that part; infinite at rest. Linear.
+  \param part "CFL number"; .25 where liquids collide
+  */
+  double largest_step(double part = .25) const;
+
+  /// @}
+  /// \name Motion
+  /// @{
+
+  /*!
+  One step of time.
+
+  \param dt its length, positive.
+  \param np named parameters: `number_of_threads`, `quality_threshold`, `minimum_angle`,
+         `minimum_facet_angle`, `relabeling_threshold`, `topology_control` and `manifold_interface` of
+         `deform_interface()`, and
+
+  \cgalNamedParamsBegin
+    \cgalParamNBegin{implicitness}
+      \cgalParamDescription{when in the step forces are taken, in [0.5, 1]: 0.5, half-way, keeps
+                            energy, 1 loses most of what oscillates. In the four steps after a change of
+                            topology 0.6 at least.}
+      \cgalParamType{`double`} \cgalParamDefault{0.5}
+    \cgalParamNEnd
+    \cgalParamNBegin{interface_tolerance}
+      \cgalParamDescription{how far edges of the interface may lie from a smooth surface, in units of
+                            `mean_interface_edge()`: it is made finer and coarser if worn, as by
+                            `advect_adaptively()`; 0 leaves it as it is}
+      \cgalParamType{`double`} \cgalParamDefault{0.04}
+    \cgalParamNEnd
+    \cgalParamNBegin{adaptation_interval}
+      \cgalParamDescription{number of steps from one that adapts the mesh to the next, the first one
+                            being one; 0 never adapts it}
+      \cgalParamType{`unsigned int`} \cgalParamDefault{4}
+    \cgalParamNEnd
+  \cgalNamedParamsEnd
+
+  \return what it did.
+  \throws Error if a parameter is out of its range, with nothing
+          changed, or the equations cannot be solved, with the state of before the step but for
+          adaptation of the mesh. What `deform_interface()` throws leaves a valid complex.
+
+  Some dozens of iterations of a linear solver, almost linear in the number of vertices of liquids,
+  and the deformation.
+  */
+  template <class NamedParameters =
+                parameters::Default_named_parameters>
+  Report advance(double dt, const NamedParameters& np = NamedParameters());
+
+  /*!
+  Takes liquids to rest where forces balance: steps of full implicitness, velocities dropped after
+  each, without adaptation of the mesh. `time()` stays.
+  \param dt of a step: some times that of a wave over the liquid
+  \param steps at the most; fewer if vertices come to rest up to rounding
+  \param np the named parameters of `advance()`
+  \return the velocity, at the most, by which vertices still went in the last step
+  */
+  template <class NamedParameters =
+                parameters::Default_named_parameters>
+  double relax(double dt, unsigned steps, const NamedParameters& np = NamedParameters());
+
+  /// @}
+  /// \name Files
+  /// @{
+
+  /// What to put aside, besides `Complex::state()`, to go on to the same bits. n log n.
+  State state() const;
+
+  /// Goes on from what `state()` was, with the complex restored to its state of then.
+  /// \throws Error if it is none of the complex, or numbers are not
+  /// finite; nothing is changed then
+  void restore(const State& state);
+
+  /// @}
 
 private:
-  using Mesh = Deformable_simplicial_complexes::internal::Fluid_mesh_3<Complex>;
-  using Vectors = Deformable_simplicial_complexes::internal::Vectors_3;
-  using Volumes = Deformable_simplicial_complexes::internal::Component_volumes_3;
-  using Wall = Deformable_simplicial_complexes::Wall_3;
-  using Snapshot = Deformable_simplicial_complexes::Interface_snapshot<Complex>;
-  using Contacts = Deformable_simplicial_complexes::internal::Wall_contacts_3<Complex>;
+  using Mesh = internal::Fluid_mesh_3<Complex>;
+  using Vectors = internal::Vectors_3;
+  using Ledger = internal::Part_ledger_3;
+  using Wall = Wall_3;
+  using Part_interface = internal::Part_interface_3<Complex>;
+  using Contacts = internal::Wall_contacts_3<Complex>;
+  using Step = internal::Fluid_step_3<Complex, Solver>;
   using Approximate_point = typename Complex::Approximate_point;
+  using Motion_map = internal::Fluid_motion_3::Map<Complex>;
+  using Carrier = Carried_vertex_values<Complex, Motion_map>;
 
+  // The liquids as they are.
+  struct Flow
+  {
+    Mesh mesh;
+    Vectors positions, velocities, accelerations;
+
+    explicit Flow(const Incompressible_fluid& fluid)
+        : mesh(fluid.updated_complex(), fluid.m_properties),
+          positions(mesh.positions(fluid.m_complex)) {
+      for (Vertex_handle v : mesh.vertices) {
+        velocities.push_back(fluid.m_motion.velocity(v));
+        accelerations.push_back(fluid.m_motion.acceleration(v));
+      }
+    }
+
+    Balance balance(const Incompressible_fluid& fluid, const Vectors& at, const Vectors& with,
+                    double time) const {
+      const Contacts contacts(mesh, fluid.m_solids, fluid.m_complex, at, time);
+      return internal::balance(mesh, fluid.m_properties, at, with, [&](std::size_t f) {
+        return contacts.tension(mesh.facets[f]);
+      });
+    }
+  };
+
+  struct Options
+  {
+    double implicitness, interface_tolerance;
+    unsigned adaptation_interval;
+  };
+
+  using Clock = std::chrono::steady_clock;
+  static double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+  }
   static Vector vector(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-  static std::size_t count_components(const Mesh& mesh) {
-    std::size_t result = 0;
-    for (const auto& cell : mesh.cells)
-      result = (std::max)(result, std::size_t(cell.component) + 1);
-    return result;
-  }
-
-  // The interface, whose sides are connected parts of liquids instead of labels, -1 for void.
-  Snapshot interface_of_components() const {
-    Snapshot result(m_complex);
-    const auto facets = m_complex.interface_facets();
-    const auto part = [&](typename Complex::Cell_handle c) {
-      return m_properties.liquid(c->label()) ? int(c->component()) : -1;
-    };
-    for (std::size_t i = 0; i < facets.size(); ++i) {
-      result.triangles[i].behind = part(facets[i].first);
-      result.triangles[i].in_front = part(facets[i].first->neighbor(facets[i].second));
-    }
-    return result;
-  }
-
-  // Moves the interface so that parts have the volumes that they are to have, vertices at walls
-  // along them only.
-  template <class IsHeld>
-  void add_volumes(const Snapshot& interface_, const std::map<int, double>& missing,
-                   const IsHeld& is_held, std::vector<Approximate_point>& positions) const {
-    Deformable_simplicial_complexes::internal::Volume_changer<Complex> changer(interface_);
-    auto directions = changer.gradients(missing, positions);
-    std::vector<double> areas(positions.size(), 0);
-    for (const auto& facet : interface_.triangles) {
-      const auto &a = positions[facet.vertices[0]], &b = positions[facet.vertices[1]],
-                 &c = positions[facet.vertices[2]];
-      const double area = std::sqrt(cross_product(b - a, c - a).squared_length()) / 6;
-      for (std::size_t v : facet.vertices)
-        areas[v] += area;
-    }
-    for (std::size_t v = 0; v < positions.size(); ++v)
-      for (auto& [row, direction] : directions[v])
-        direction = is_held(v) || !(areas[v] > 0) ? typename Complex::Approximate_vector(0, 0, 0)
-                                                  : direction / areas[v];
-    changer.change_by(missing, directions, positions);
-  }
-
-  Deformation_report<Complex> move(const Mesh& mesh, const Vectors& destinations,
-                                   const Contacts& contacts, unsigned threads) {
-    const Snapshot interface_ = interface_of_components();
-    // The numbers of the mesh, of the interface's vertices and of others.
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-      mesh.vertices[v]->set_scratch_index(std::uint32_t(v));
-    const auto number = [&](Vertex_handle v) -> std::size_t {
-      const std::size_t i = v->scratch_index();
-      return i < mesh.vertices.size() && mesh.vertices[i] == v ? i : mesh.vertices.size();
-    };
-    std::vector<Approximate_point> targets;
-    std::vector<char> is_held;
-    for (Vertex_handle v : interface_.vertices) {
-      const std::size_t i = number(v);
-      if (i == mesh.vertices.size()) {
-        targets.push_back(m_complex.position(v));
-        is_held.push_back(false);
-      } else {
-        targets.push_back(point(destinations[i]));
-        is_held.push_back(contacts.is_held(i));
-      }
-    }
-    std::map<std::size_t, Approximate_point> flow;
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-      if (!mesh.is_on_interface[i])
-        flow.emplace(mesh.vertices[i]->time_stamp(), point(destinations[i]));
-    const Deformable_simplicial_complexes::internal::Volume_changer<Complex> changer(interface_);
-    const auto swept = changer.changes(interface_.positions(m_complex), targets);
-    std::map<int, double> missing;
-    const auto present = Volumes::measure(m_complex, m_properties);
-    for (const auto& [component, volume] : m_volumes.wanted()) {
-      const auto change = swept.find(int(component));
-      missing[int(component)] = volume - present.at(component) - (change == swept.end() ? 0 : change->second);
-    }
-    add_volumes(interface_, missing, [&](std::size_t v) { return is_held[v] != 0; }, targets);
-    Carrier carrier(m_complex, Map(m_motion), is_liquid());
-    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    return deform_interface_to(
-        m_complex, interface_, targets,
-        Deformable_simplicial_complexes::parameters::flow([&flow](Vertex_handle v) {
-          const auto found = flow.find(v->time_stamp());
-          return found == flow.end() ? Approximate_point(unknown, unknown, unknown) : found->second;
-        }).number_of_threads(threads).visitor(std::ref(carrier)));
-  }
-
-  // Again where the mesh was changed on the way. Returns the largest relative error of before.
-  double correct_volumes(unsigned threads) {
-    static constexpr double rounding = 1e-13;
-    static constexpr int rounds = 3;
-    double error = 0;
-    for (int k = 0; k < rounds; ++k) {
-      const auto present = Volumes::measure(m_complex, m_properties);
-      std::map<int, double> missing;
-      double worst = 0;
-      for (const auto& [component, volume] : m_volumes.wanted()) {
-        missing[int(component)] = volume - present.at(component);
-        worst = (std::max)(worst, std::abs(volume - present.at(component)) / volume);
-      }
-      if (k == 0)
-        error = worst;
-      if (worst <= rounding)
-        break;
-      const Mesh mesh(m_complex, m_properties);
-      const Contacts contacts(mesh, m_solids, m_complex, mesh.positions(m_complex), m_time);
-      std::map<std::size_t, char> touches;
-      for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-        if (contacts.touches(v))
-          touches[mesh.vertices[v]->time_stamp()] = true;
-      const Snapshot interface_ = interface_of_components();
-      auto targets = interface_.positions(m_complex);
-      add_volumes(interface_, missing,
-                  [&](std::size_t v) { return touches.count(interface_.vertices[v]->time_stamp()) > 0; },
-                  targets);
-      Carrier carrier(m_complex, Map(m_motion), is_liquid());
-      deform_interface_to(m_complex, interface_, targets,
-                          Deformable_simplicial_complexes::parameters::quality_threshold(0.).relabeling_threshold(0.)
-                              .minimum_angle(0.).minimum_facet_angle(0.).number_of_threads(threads)
-                              .visitor(std::ref(carrier)));
-      const Deformable_simplicial_complexes::internal::Component_groups_3 groups(m_complex.take_component_lineage());
-      m_volumes.follow(groups, Volumes::measure(m_complex, m_properties));
-    }
-    return error;
-  }
-
-  // Gives parts the momenta back that they had before the mesh was changed. Returns the largest
-  // change of a velocity.
-  double restore_momenta(const Deformable_simplicial_complexes::internal::Component_groups_3& groups,
-                         const std::vector<Deformable_simplicial_complexes::internal::Momentum_3>& before) {
-    std::vector<Deformable_simplicial_complexes::internal::Momentum_3> wanted(groups.size());
-    for (std::size_t component = 0; component < before.size(); ++component)
-      if (const auto group = groups.then(std::uint32_t(component))) {
-        wanted[*group].linear += before[component].linear;
-        wanted[*group].angular += before[component].angular;
-      }
-    const Mesh mesh(m_complex, m_properties);
-    const Vectors positions = mesh.positions(m_complex);
-    Vectors velocities;
-    for (Vertex_handle v : mesh.vertices)
-      velocities.push_back(m_motion.velocity(v));
-    const auto bodies =
-        Deformable_simplicial_complexes::internal::masses_of_sets(mesh, positions, groups.size(), [&](std::uint32_t component) {
-          return groups.now(component).value_or(0);
-        });
-    double result = 0;
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-      Deformable_simplicial_complexes::internal::Momentum_3 missing = Deformable_simplicial_complexes::internal::momentum(bodies[k], positions, velocities);
-      missing.linear = wanted[k].linear - missing.linear;
-      missing.angular = wanted[k].angular - missing.angular;
-      const auto correction = Deformable_simplicial_complexes::internal::rigid_velocity(bodies[k], positions, missing);
-      for (const auto& [v, m] : bodies[k]) {
-        const Eigen::Vector3d change = correction.at(positions[v]);
-        result = (std::max)(result, change.norm());
-        m_motion.set(mesh.vertices[v], velocities[v] + change, m_motion.acceleration(mesh.vertices[v]));
-      }
-    }
-    return result;
-  }
-
   static Approximate_point point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
-  using Map = Deformable_simplicial_complexes::internal::Fluid_motion_3::Map<Complex>;
-  using Carrier = Deformable_simplicial_complexes::Carried_vertex_values<Complex, Map>;
-
-  auto is_liquid() const {
-    return [this](typename Complex::Cell_handle c) { return m_properties.liquid(c->label()) != nullptr; };
+  // Numbers of components are caches of the complex.
+  const Complex& updated_complex() const {
+    m_complex.update_components();
+    return m_complex;
   }
+
+  Carrier carrier() {
+    return Carrier(m_complex, Motion_map(m_motion), [this](typename Complex::Cell_handle c) {
+      return m_properties.liquid(c->label()) != nullptr;
+    });
+  }
+
+  template <class NamedParameters> static Options options(const NamedParameters& np);
+  Improvement_report adapt(double tolerance);
+  void store(const Flow& flow, const Vectors& velocities, double dt);
+  template <class NamedParameters>
+  Deformation_report<Complex> move(const Mesh& mesh, const Contacts& contacts,
+                                   const Vectors& destinations, const NamedParameters& np);
+  template <class NamedParameters> double restore_volumes(const NamedParameters& np);
+  double follow_parts();
+  double restore_momenta();
+  std::vector<internal::Masses_3> masses_of_parts(const Flow& flow) const;
+
+  static constexpr std::uint32_t steps_after_change = 4; // of topology, until waves are smooth
+  static constexpr double implicitness_after_change = .6;
 
   Complex& m_complex;
   Properties m_properties;
   Solver m_solver;
-  std::vector<Deformable_simplicial_complexes::internal::Any_solid_3> m_solids;
-  Deformable_simplicial_complexes::internal::Fluid_motion_3 m_motion;
-  Volumes m_volumes;
+  typename Contacts::Solids m_solids;
+  internal::Fluid_motion_3 m_motion;
+  Ledger m_ledger; // of connected parts
   double m_time = 0;
+  std::uint64_t m_steps = 0;
+  std::uint32_t m_damped_steps = 0;
   bool m_knows_accelerations = false;
 };
 
+} // namespace Deformable_simplicial_complexes
+
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// Incompressible flow in a complex, see `Deformable_simplicial_complexes::Incompressible_fluid`.
+template <class Complex, class Solver = Deformable_simplicial_complexes::Saddle_point_solver>
+using Incompressible_fluid_3 = Deformable_simplicial_complexes::Incompressible_fluid<Complex, Solver>;
+
 } // namespace CGAL
+
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Incompressible_fluid_impl.h>
 
 #endif // CGAL_INCOMPRESSIBLE_FLUID_3_H

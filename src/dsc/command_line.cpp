@@ -14,6 +14,7 @@
 #include <climits>
 #include <iostream>
 #include <string>
+#include <thread>
 
 namespace dsc {
 namespace {
@@ -136,6 +137,31 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
                           "JSON file with distances, parts, and what fits nothing");
   reconstruct->add_flag("--quiet", reconstruct_options.quiet, "Print nothing but errors");
 
+  Fluid_options fluid_options;
+  std::string end;
+  fluid_options.threads = std::max(1U, std::thread::hardware_concurrency());
+  CLI::App* fluid = app.add_subcommand("fluid", "Compute the flow of liquids with free surfaces");
+  fluid->add_option("SCENE", fluid_options.scene, "Scene (.json), or the name of one: see --list");
+  fluid->add_flag("--list", fluid_options.lists, "Name the scenes that the program has");
+  fluid->add_flag("--print", fluid_options.prints, "Print the scene, to be edited");
+  fluid->add_option("--data", fluid_options.data, "Folder of the files that the scene names");
+  fluid->add_option("--end", end, "Time of the end; that of the scene if not given");
+  fluid->add_option("--steps", fluid_options.steps, "Number of steps at the most")
+      ->check(CLI::Range(1, INT_MAX));
+  fluid
+      ->add_option("--threads", fluid_options.threads,
+                   "Number of threads (default: all cores); the result is the same")
+      ->check(CLI::Range(1, 1024));
+  fluid->add_option("--output", fluid_options.output,
+                    "Folder for the steps, to be shown with ParaView, and the checkpoint");
+  fluid->add_option("--every", fluid_options.every, "Write each of so many steps")
+      ->check(CLI::Range(1, INT_MAX))
+      ->capture_default_str();
+  fluid->add_option("--resume", fluid_options.resume, "Go on from a checkpoint, to the same bits");
+  fluid->add_option("--report", fluid_options.report,
+                    "JSON file with energies, momenta, volumes and contacts of each step");
+  fluid->add_flag("--quiet", fluid_options.quiet, "Print nothing but errors");
+
   if (argc < 2) {
     std::cout << app.help();
     return std::nullopt;
@@ -189,6 +215,16 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
     require_extension(reconstruct_options.output, {"off", "obj", "ply", "stl", "vtu", "mesh"});
     reconstruct_options.tolerance = parse_positive(tolerance, "--tolerance");
     return reconstruct_options;
+  }
+  if (*fluid) {
+    if (fluid->count("--end") > 0)
+      fluid_options.end = parse_positive(end, "--end");
+    if (!fluid_options.lists && fluid_options.scene.empty() == fluid_options.resume.empty())
+      throw Usage_error("dsc fluid needs a SCENE or --resume, and not both; dsc fluid --list names "
+                        "scenes");
+    if (fluid_options.prints && fluid_options.scene.empty())
+      throw Usage_error("dsc fluid --print needs a SCENE");
+    return fluid_options;
   }
   return run_commands.options();
 }

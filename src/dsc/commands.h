@@ -17,6 +17,8 @@ int execute(const Convert_options& options);
 int execute(const Improve_options& options);
 int execute(const Cut_locus_options& options);
 int execute(const Reconstruct_options& options);
+/// Computes the flow of the liquids of a scene.
+int execute(const Fluid_options& options);
 
 } // namespace dsc
 

@@ -183,8 +183,25 @@ struct Reconstruct_options
   bool quiet = false;
 };
 
+/// What `dsc fluid` is asked to do.
+struct Fluid_options
+{
+  std::string scene;    ///< file, or name of one that the program has; empty if `resume` is set
+  std::string data;     ///< folder of the files that a scene names; empty for the present one
+  bool lists = false;   ///< all that the program has
+  bool prints = false;  ///< the scene
+  double end = 0;       ///< time; that of the scene if 0
+  unsigned steps = 0;   ///< at the most; 0 for any number
+  unsigned threads = 1; ///< to use
+  std::string output;   ///< folder; empty for no files
+  unsigned every = 1;
+  std::string resume; ///< a checkpoint
+  std::string report; ///< file; empty for none
+  bool quiet = false;
+};
+
 using Options = std::variant<Info_options, Run_options, Convert_options, Improve_options,
-                             Cut_locus_options, Reconstruct_options>;
+                             Cut_locus_options, Reconstruct_options, Fluid_options>;
 
 } // namespace dsc
 

@@ -28,8 +28,8 @@ bool shows_lines() { return isatty(STDERR_FILENO) == 1; }
 
 } // namespace
 
-Progress_line::Progress_line(unsigned steps, bool quiet)
-    : m_steps(steps), m_enabled(!quiet && shows_lines()),
+Progress_line::Progress_line(unsigned steps, bool quiet, const char* unit)
+    : m_steps(steps), m_unit(unit), m_enabled(!quiet && shows_lines()),
       m_start(std::chrono::steady_clock::now()) {}
 
 void Progress_line::show(unsigned done) {
@@ -40,7 +40,7 @@ void Progress_line::show(unsigned done) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - m_start;
     remaining = duration(elapsed.count() / done * (m_steps - done));
   }
-  std::fprintf(stderr, "\r\033[Kstep %u of %u, %s left", done, m_steps, remaining.c_str());
+  std::fprintf(stderr, "\r\033[K%s %u of %u, %s left", m_unit, done, m_steps, remaining.c_str());
   std::fflush(stderr);
   m_shown = true;
 }

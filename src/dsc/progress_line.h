@@ -18,7 +18,8 @@ namespace dsc {
 class Progress_line
 {
 public:
-  Progress_line(unsigned steps, bool quiet);
+  /// \param unit what steps are called
+  Progress_line(unsigned steps, bool quiet, const char* unit = "step");
   ~Progress_line() { clear(); }
   Progress_line(const Progress_line&) = delete;
   Progress_line& operator=(const Progress_line&) = delete;
@@ -31,6 +32,7 @@ public:
 
 private:
   unsigned m_steps;
+  const char* m_unit;
   bool m_enabled;
   bool m_shown = false;
   std::chrono::steady_clock::time_point m_start;

@@ -209,6 +209,41 @@ private:
   Incomplete_factorization m_of_velocities, m_of_pressures;
 };
 
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Solves small saddle point systems directly, others by iterations: whichever takes less time.
+
+\cgalModels `SaddlePointSolver`
+*/
+class Saddle_point_solver
+{
+public:
+  using System = Saddle_point_system; ///< what is solved
+  using Vector = System::Vector;      ///< unknowns
+
+  /// Takes a matrix. \throws Error if it is singular.
+  void factorize(System&& system) {
+    static constexpr Eigen::Index small = 2000; // unknowns, of 500 vertices: where both take as long
+    m_is_direct = system.a.rows() + system.c.rows() <= small;
+    if (m_is_direct)
+      m_direct.factorize(std::move(system));
+    else
+      m_iterative.factorize(std::move(system));
+  }
+
+  /// Solves for v and p, which hold a guess. Returns the number of iterations.
+  /// \throws Error if they do not converge
+  unsigned solve(const Vector& f, const Vector& s, Vector& v, Vector& p) const {
+    return m_is_direct ? m_direct.solve(f, s, v, p) : m_iterative.solve(f, s, v, p);
+  }
+
+private:
+  bool m_is_direct = true;
+  Direct_saddle_point_solver m_direct;
+  Iterative_saddle_point_solver m_iterative;
+};
+
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

@@ -5,12 +5,14 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_BODY_MOMENTA_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_BODY_MOMENTA_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/Fluid_report_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_mesh_3.h>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -28,6 +30,12 @@ struct Momentum_3
 // Vertices and their masses, each vertex once.
 using Masses_3 = std::vector<std::pair<std::size_t, double>>;
 
+template <class Cell> double volume(const Cell& cell, const Vectors_3& positions) {
+  const auto& v = cell.vertices;
+  const Eigen::Vector3d& o = positions[v[0]];
+  return (positions[v[1]] - o).cross(positions[v[2]] - o).dot(positions[v[3]] - o) / 6;
+}
+
 // Of the cells of each set, by a function from components to sets. A quarter of the mass of a cell
 // goes with each corner.
 template <class Mesh, class SetOf>
@@ -35,12 +43,9 @@ std::vector<Masses_3> masses_of_sets(const Mesh& mesh, const Vectors_3& position
                                      std::size_t number_of_sets, const SetOf& set_of) {
   std::vector<Masses_3> result(number_of_sets);
   for (const auto& cell : mesh.cells) {
-    const auto& v = cell.vertices;
-    const Eigen::Vector3d& o = positions[v[0]];
-    const double volume =
-        (positions[v[1]] - o).cross(positions[v[2]] - o).dot(positions[v[3]] - o) / 6;
-    for (auto i : v)
-      result[set_of(cell.component)].emplace_back(i, cell.liquid->density * volume / 4);
+    const double share = cell.liquid->density * volume(cell, positions) / 4;
+    for (auto v : cell.vertices)
+      result[set_of(cell.component)].emplace_back(v, share);
   }
   for (Masses_3& masses : result) {
     std::stable_sort(masses.begin(), masses.end(),
@@ -63,6 +68,35 @@ inline Momentum_3 momentum(const Masses_3& masses, const Vectors_3& positions,
     result.mass += m;
     result.linear += m * velocities[v];
     result.angular += m * positions[v].cross(velocities[v]);
+  }
+  return result;
+}
+
+// What all liquids have. The tensions of facets, as in `Fluid_equations_3`.
+template <class Mesh, class TensionOf>
+Fluid_balance_3 balance(const Mesh& mesh, const Fluid_properties_3& properties,
+                        const Vectors_3& positions, const Vectors_3& velocities,
+                        const TensionOf& tension_of) {
+  Fluid_balance_3 result;
+  const Masses_3 masses =
+      masses_of_sets(mesh, positions, 1, [](std::uint32_t) { return std::size_t(0); }).front();
+  const Eigen::Vector3d gravity(properties.gravity().data());
+  const Momentum_3 sum = momentum(masses, positions, velocities);
+  const auto vector = [](const Eigen::Vector3d& v) {
+    return Fluid_balance_3::Vector(v.x(), v.y(), v.z());
+  };
+  result.momentum = vector(sum.linear);
+  result.angular_momentum = vector(sum.angular);
+  for (const auto& [v, m] : masses) {
+    result.kinetic_energy += m * velocities[v].squaredNorm() / 2;
+    result.potential_energy -= m * gravity.dot(positions[v]);
+  }
+  for (const auto& cell : mesh.cells)
+    result.volume += volume(cell, positions);
+  for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
+    const auto& v = mesh.facets[f].vertices;
+    const Eigen::Vector3d a = positions[v[1]] - positions[v[0]], b = positions[v[2]] - positions[v[0]];
+    result.surface_energy += tension_of(f) * a.cross(b).norm() / 2;
   }
   return result;
 }

@@ -62,7 +62,14 @@ public:
     value << velocity, acceleration;
   }
 
-  void clear() { m_values.clear(); }
+  // Forgets vertices that are gone.
+  template <class Vertices> void keep(const Vertices& vertices) {
+    std::unordered_map<std::size_t, Value> kept;
+    for (auto v : vertices)
+      if (const auto found = m_values.find(v->time_stamp()); found != m_values.end())
+        kept.insert(*found);
+    m_values.swap(kept);
+  }
 
 private:
   std::unordered_map<std::size_t, Value> m_values; // by time stamp

@@ -8,6 +8,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Body_momenta_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_equations_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_mesh_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Roughness_damper_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Vertex_constraints_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Wall_contacts_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
@@ -37,7 +38,7 @@ public:
                const typename Contacts::Solids& solids, const Complex& complex, Solver& solver,
                const typename Equations::Step& step, double t, const Vectors_3& positions,
                const Vectors_3& velocities, const Vectors_3& accelerations)
-      : m_mesh(mesh), m_properties(properties), m_solids(solids), m_solver(solver), m_step(step),
+      : m_mesh(mesh), m_properties(properties), m_solver(solver), m_step(step),
         m_end(t + step.dt), m_positions(positions), m_before(velocities),
         m_accelerations(accelerations), m_equations(mesh, properties, step, positions),
         m_contacts(mesh, solids, complex, positions, t) {
@@ -46,9 +47,9 @@ public:
     m_pressures = Vector::Zero(Eigen::Index(mesh.vertex_of_pressure.size()));
   }
 
-  // \param knows_accelerations whether they are those of a step before. Otherwise they are found by
-  //        repetition.
-  void solve(unsigned geometries, bool knows_accelerations) {
+  // Accelerations that are not known, of a step before, are found by repetition.
+  void solve(bool knows_accelerations) {
+    static constexpr unsigned geometries = 2; // that of the prediction, and of the first solution
     static constexpr unsigned most = 40;
     static constexpr double same = 1e-13;
     for (unsigned k = 0; k < geometries; ++k) {
@@ -68,6 +69,7 @@ public:
         }
       }
     }
+    end();
   }
 
   // Those by which vertices go.
@@ -82,24 +84,19 @@ public:
   Vectors_3 destinations() const { return at_time(m_step.dt); }
 
   // Where the step ends.
-  Vectors_3 final_velocities() const {
-    Vectors_3 result = unstopped_velocities();
-    m_contacts.stop(result);
-    return result;
-  }
+  const Vectors_3& final_velocities() const { return m_final_velocities; }
 
   // What sets of masses have in the end: what they had, and what gravity and walls have given them.
   // What vertices of a set exchange sums up to nothing.
   Momentum_3 final_momentum(const Masses_3& masses) const {
     Momentum_3 result = momentum(masses, m_positions, m_before);
-    const Vectors_3 half_way = at_time(m_step.dt / 2), end = at_time(m_step.dt),
-                    stopped = final_velocities(), unstopped = unstopped_velocities();
+    const Vectors_3 half_way = at_time(m_step.dt / 2), end = at_time(m_step.dt);
     const Eigen::Vector3d gravity(m_properties.gravity().data());
     for (const auto& [v, m] : masses) {
       const double share = m / m_equations.masses()[v];
       const Eigen::Vector3d pushed =
           m_step.dt * (m * gravity + share * m_reactions.segment<3>(3 * Eigen::Index(v)));
-      const Eigen::Vector3d stop = m * (stopped[v] - unstopped[v]);
+      const Eigen::Vector3d stop = m * (m_final_velocities[v] - m_unstopped_velocities[v]);
       result.linear += pushed + stop;
       result.angular += half_way[v].cross(pushed) + end[v].cross(stop);
     }
@@ -107,11 +104,14 @@ public:
   }
 
 private:
-  Vectors_3 unstopped_velocities() const {
-    Vectors_3 result;
+  void end() {
+    Vectors_3 velocities;
     for (std::size_t v = 0; v < m_before.size(); ++v)
-      result.push_back(m_before[v] + (m_velocities[v] - m_before[v]) / m_step.theta);
-    return result;
+      velocities.push_back(m_before[v] + (m_velocities[v] - m_before[v]) / m_step.theta);
+    const Roughness_damper_3<Mesh> damper(m_mesh, destinations());
+    m_unstopped_velocities = damper.damped(velocities, m_equations.masses(), m_step.dt);
+    m_final_velocities = m_unstopped_velocities;
+    m_contacts.stop(m_final_velocities);
   }
 
   Vectors_3 at_time(double t) const {
@@ -124,9 +124,7 @@ private:
   void assemble() {
     m_contacts.predict(destinations(), m_end, m_step.dt);
     m_equations.assemble(at_time(m_step.dt / 2), [&](std::size_t f) {
-      const auto& facet = m_mesh.facets[f];
-      const std::size_t solid = m_contacts.solid_of(facet);
-      return solid == m_solids.size() ? facet.tension : -m_solids[solid].cosine * facet.tension;
+      return m_contacts.tension(m_mesh.facets[f]);
     });
     m_is_factorized = false;
   }
@@ -182,11 +180,11 @@ private:
 
   const Mesh& m_mesh;
   const Fluid_properties_3& m_properties;
-  const typename Contacts::Solids& m_solids;
   Solver& m_solver;
   typename Equations::Step m_step;
   double m_end;
-  Vectors_3 m_positions, m_before, m_accelerations, m_velocities;
+  Vectors_3 m_positions, m_before, m_accelerations, m_velocities, m_unstopped_velocities,
+      m_final_velocities;
   Vector m_pressures, m_reactions;
   Equations m_equations;
   Contacts m_contacts;

@@ -140,12 +140,23 @@ public:
         });
   }
 
-  // The solid that a facet lies on; none: the number of solids.
-  std::size_t solid_of(const typename Mesh::Facet& facet) const {
+  // The energy of a unit of area of a facet, where it is on a wall that of wetting it: by Young's
+  // equation, the tensions of wet and dry wall differ by that of the surface times the cosine of the
+  // contact angle.
+  double tension(const typename Mesh::Facet& facet) const {
     for (const auto& [solid, wall] : m_touched[facet.vertices[0]])
       if (is_touching(facet.vertices[1], solid, wall) && is_touching(facet.vertices[2], solid, wall))
-        return solid;
-    return m_solids.size();
+        return -m_solids[solid].cosine * facet.tension;
+    return facet.tension;
+  }
+
+  // How deep a vertex would be in a solid; 0 for outside.
+  double depth(std::size_t v, const Eigen::Vector3d& p, double time) const {
+    double result = 0;
+    for_each_wall(v, p, time, [&](std::size_t, std::size_t, const Wall_3& w) {
+      result = (std::max)(result, -w.distance);
+    });
+    return result;
   }
 
   bool touches(std::size_t v) const { return !m_touched[v].empty(); }

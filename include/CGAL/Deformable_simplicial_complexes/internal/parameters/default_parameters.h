@@ -78,6 +78,10 @@ template <int dimension> struct Adaptive_advection
   static constexpr double collapse_length = 2;
 };
 
+// implicitness: when in a step of a fluid forces are taken, as part of the step: half-way, which
+// keeps energy.
+inline constexpr double implicitness = .5;
+
 // volume_tolerance: of the volume that is wanted; what Newton's method reaches in two steps or
 // three.
 inline constexpr double volume_tolerance = 1e-10;

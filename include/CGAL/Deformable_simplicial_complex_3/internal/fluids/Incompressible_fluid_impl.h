@@ -1,0 +1,379 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_INCOMPRESSIBLE_FLUID_IMPL_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_INCOMPRESSIBLE_FLUID_IMPL_H
+
+// Included by the class.
+#include <CGAL/Incompressible_fluid_3.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+template <class Complex, class Solver>
+template <class NamedParameters>
+auto Incompressible_fluid<Complex, Solver>::advance(double dt, const NamedParameters& np)
+    -> Report {
+  const Options chosen = options(np);
+  if (!(dt > 0) || !std::isfinite(dt))
+    throw Error("the step of time is not positive and finite");
+  Report report;
+  report.dt = dt;
+  const auto begin = Clock::now();
+  if (chosen.adaptation_interval > 0 && m_steps % chosen.adaptation_interval == 0)
+    report.adaptation = adapt(chosen.interface_tolerance);
+
+  const Flow flow(*this);
+  report.before = flow.balance(*this, flow.positions, flow.velocities, m_time);
+  const double theta = m_damped_steps == 0
+                           ? chosen.implicitness
+                           : (std::max)(chosen.implicitness, implicitness_after_change);
+  const auto begin_of_solver = Clock::now();
+  Step step(flow.mesh, m_properties, m_solids, m_complex, m_solver, {dt, theta}, m_time,
+            flow.positions, flow.velocities, flow.accelerations);
+  step.solve(m_knows_accelerations);
+  report.seconds_of_solver = seconds_since(begin_of_solver);
+
+  m_time += dt;
+  ++m_steps;
+  m_damped_steps -= m_damped_steps > 0;
+  const Vectors after = step.final_velocities();
+  store(flow, after, dt);
+  Vectors destinations = step.destinations();
+  step.contacts().put_out(destinations, m_time);
+  report.moved = flow.balance(*this, destinations, after, m_time);
+  std::vector<internal::Momentum_3> momenta;
+  for (const auto& masses : masses_of_parts(flow))
+    momenta.push_back(step.final_momentum(masses));
+  m_ledger.set_momenta(std::move(momenta));
+  report.deformation = move(flow.mesh, step.contacts(), destinations, np);
+  if (!report.deformation.events.empty())
+    m_damped_steps = steps_after_change;
+  report.lost_volume = follow_parts();
+  report.volume_correction = restore_volumes(np);
+  report.greatest_correction = restore_momenta();
+  m_motion.keep(m_complex.vertices());
+
+  report.time = m_time;
+  report.solutions = step.solutions();
+  report.iterations = step.iterations();
+  report.contacts = step.contacts().number_of_held();
+  for (const auto& force : step.contacts().forces(step.reactions()))
+    report.forces_on_solids.push_back(vector(force));
+  for (std::size_t v = 0; v < after.size(); ++v) {
+    report.greatest_velocity = (std::max)(report.greatest_velocity, after[v].norm());
+    report.greatest_change_of_velocity =
+        (std::max)(report.greatest_change_of_velocity, (after[v] - flow.velocities[v]).norm());
+  }
+  report.after = balance();
+  report.depth_in_solids = depth_in_solids();
+  report.seconds_of_mesh = seconds_since(begin) - report.seconds_of_solver;
+  return report;
+}
+
+template <class Complex, class Solver>
+template <class NamedParameters>
+double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps,
+                                                    const NamedParameters& np) {
+  static constexpr double rest = 1e-14; // of the first step
+  double first = 0, velocity = 0;
+  const double time = m_time;
+  const std::uint64_t number = m_steps;
+  for (unsigned k = 0; k < steps; ++k) {
+    m_motion = internal::Fluid_motion_3();
+    const Flow before(*this);
+    advance(dt, np.implicitness(1.).adaptation_interval(0u));
+    velocity = 0;
+    for (std::size_t v = 0; v < before.mesh.vertices.size(); ++v)
+      velocity = (std::max)(velocity, m_motion.velocity(before.mesh.vertices[v]).norm());
+    first = k == 0 ? velocity : first;
+    if (velocity <= rest * first)
+      break;
+  }
+  m_motion = internal::Fluid_motion_3();
+  m_knows_accelerations = false;
+  m_time = time;
+  m_steps = number;
+  return velocity;
+}
+
+template <class Complex, class Solver>
+double Incompressible_fluid<Complex, Solver>::largest_step(double part) const {
+  const Flow flow(*this);
+  double result = std::numeric_limits<double>::infinity();
+  const auto bound = [&](double length, double velocity, double acceleration) {
+    // length >= velocity t + acceleration t^2 / 2
+    if (velocity > 0 || acceleration > 0)
+      result = (std::min)(result, 2 * length /
+                                      (velocity + std::sqrt(velocity * velocity +
+                                                            2 * acceleration * length)));
+  };
+  for (const auto& facet : flow.mesh.facets)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto v = facet.vertices[i], w = facet.vertices[(i + 1) % 3];
+      bound(part * (flow.positions[v] - flow.positions[w]).norm(), flow.velocities[v].norm(),
+            flow.accelerations[v].norm());
+    }
+  for (const auto& cell : flow.mesh.cells)
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const auto v = cell.vertices[i], w = cell.vertices[j];
+        const Eigen::Vector3d edge = flow.positions[v] - flow.positions[w];
+        const double length = edge.norm();
+        bound(part * length,
+              std::abs(edge.dot(flow.velocities[v] - flow.velocities[w])) / length, 0);
+      }
+  return result;
+}
+
+template <class Complex, class Solver>
+double Incompressible_fluid<Complex, Solver>::depth_in_solids() const {
+  const Flow flow(*this);
+  const Contacts contacts(flow.mesh, m_solids, m_complex, flow.positions, m_time);
+  double result = 0;
+  for (std::size_t v = 0; v < flow.positions.size(); ++v)
+    result = (std::max)(result, contacts.depth(v, flow.positions[v], m_time));
+  return result;
+}
+
+template <class Complex, class Solver>
+auto Incompressible_fluid<Complex, Solver>::state() const -> State {
+  State result;
+  result.time = m_time;
+  result.steps = m_steps;
+  result.damped_steps = m_damped_steps;
+  result.knows_accelerations = m_knows_accelerations;
+  for (Vertex_handle v : m_complex.vertices()) {
+    const auto value = m_motion.at(v->time_stamp());
+    result.motion.emplace_back();
+    std::copy(value.data(), value.data() + 6, result.motion.back().begin());
+  }
+  result.volumes.assign(m_ledger.volumes().begin(), m_ledger.volumes().end());
+  return result;
+}
+
+template <class Complex, class Solver>
+void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
+  const auto vertices = m_complex.vertices();
+  const auto present = Ledger::measure(updated_complex(), m_properties);
+  bool fits = state.motion.size() == vertices.size() && state.volumes.size() == present.size() &&
+              std::isfinite(state.time);
+  for (const auto& [part, volume] : state.volumes)
+    fits = fits && present.count(part) > 0 && volume > 0 && std::isfinite(volume);
+  for (const auto& value : state.motion)
+    fits = fits && std::all_of(value.begin(), value.end(), [](double x) { return std::isfinite(x); });
+  if (!fits)
+    throw Error("the state of the fluid does not fit the complex: restore the complex that it was "
+                "taken with first");
+  internal::Fluid_motion_3 motion;
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    motion.put(vertices[v]->time_stamp(),
+               internal::Fluid_motion_3::Value(state.motion[v].data()));
+  m_motion = std::move(motion);
+  m_ledger.set_volumes({state.volumes.begin(), state.volumes.end()});
+  m_complex.take_component_lineage();
+  m_time = state.time;
+  m_steps = state.steps;
+  m_damped_steps = state.damped_steps;
+  m_knows_accelerations = state.knows_accelerations;
+}
+
+template <class Complex, class Solver>
+template <class NamedParameters>
+auto Incompressible_fluid<Complex, Solver>::options(const NamedParameters& np) -> Options {
+  namespace tags = internal_np;
+  using Defaults = internal::defaults::Adaptive_advection<3>;
+  const Options result = {
+      internal::number_parameter(np, tags::implicitness, internal::defaults::implicitness),
+      internal::number_parameter(np, tags::interface_tolerance, Defaults::interface_tolerance),
+      internal::count_parameter(np, tags::adaptation_interval, "adaptation_interval",
+                                Defaults::adaptation_interval)};
+  if (!(result.implicitness >= .5 && result.implicitness <= 1))
+    throw Error("the implicitness is out of range: use 0.5 to 1");
+  if (!(result.interface_tolerance >= 0))
+    throw Error("the tolerance of the interface is out of range: use 0 or more");
+  return result;
+}
+
+// The interface where it is worn, and inside of liquids edges about as long as those of the
+// interface: in the beginning, and later where the flow has stretched them a lot.
+template <class Complex, class Solver>
+Improvement_report Incompressible_fluid<Complex, Solver>::adapt(double tolerance) {
+  // In mean edges of the interface. What is split later is collapsed to no less than it was.
+  static constexpr double longest_of_new = 1.7, longest = 2.5, shortest = .3;
+  static constexpr double quality = .3; // of tetrahedra, as of new meshes
+  using Defaults = internal::defaults::Adaptive_advection<3>;
+  if (m_complex.interface_vertices().empty())
+    return {};
+  internal::require_interface_edge(m_complex);
+  const Flow flow(*this);
+  std::vector<internal::Momentum_3> momenta;
+  for (const auto& masses : masses_of_parts(flow))
+    momenta.push_back(internal::momentum(masses, flow.positions, flow.velocities));
+  m_ledger.set_momenta(std::move(momenta));
+  Carrier carried = carrier();
+  Improvement_report result;
+  const internal::Adaptation_options adaptation = {tolerance, Defaults::feature_angle};
+  if (tolerance > 0 &&
+      internal::is_worn(m_complex, Interface_snapshot<Complex>(m_complex), adaptation))
+    result = internal::adapt_interface(m_complex, adaptation, std::ref(carried));
+  const double edge = m_complex.mean_interface_edge();
+  const auto is_liquid = [this](typename Complex::Cell_handle c) {
+    return m_properties.liquid(c->label()) != nullptr;
+  };
+  const bool is_new = m_steps == 0;
+  result = result +
+           control_detail(m_complex,
+                          parameters::size_field([edge](const Approximate_point&) { return edge; })
+                              .where(is_liquid)
+                              .split_length(is_new ? longest_of_new : longest)
+                              .collapse_length(is_new ? 0. : shortest)
+                              .visitor(std::ref(carried)));
+  if (is_new)
+    result = result + improve_mesh(m_complex, parameters::quality_threshold(quality)
+                                                  .visitor(std::ref(carried)));
+  follow_parts();
+  restore_momenta();
+  return result;
+}
+
+template <class Complex, class Solver>
+void Incompressible_fluid<Complex, Solver>::store(const Flow& flow, const Vectors& velocities,
+                                                  double dt) {
+  for (std::size_t v = 0; v < flow.mesh.vertices.size(); ++v)
+    m_motion.set(flow.mesh.vertices[v], velocities[v], (velocities[v] - flow.velocities[v]) / dt);
+  m_knows_accelerations = true;
+}
+
+template <class Complex, class Solver>
+template <class NamedParameters>
+Deformation_report<Complex>
+Incompressible_fluid<Complex, Solver>::move(const Mesh& mesh, const Contacts& contacts,
+                                            const Vectors& destinations,
+                                            const NamedParameters& np) {
+  const Part_interface parts(m_complex, m_properties);
+  // The numbers of the mesh again, which the interface has overwritten.
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+    mesh.vertices[v]->set_scratch_index(std::uint32_t(v));
+  const auto number = [&](Vertex_handle v) -> std::size_t {
+    const std::size_t i = v->scratch_index();
+    return i < mesh.vertices.size() && mesh.vertices[i] == v ? i : mesh.vertices.size();
+  };
+  const auto from = parts.snapshot().positions(m_complex);
+  auto to = from;
+  std::vector<char> is_held(to.size(), false);
+  for (std::size_t k = 0; k < to.size(); ++k)
+    if (const std::size_t i = number(parts.snapshot().vertices[k]); i < mesh.vertices.size()) {
+      to[k] = point(destinations[i]);
+      is_held[k] = contacts.is_held(i);
+    }
+  parts.restore(m_ledger.volumes(), from, [&](std::size_t v) { return is_held[v] != 0; }, to);
+
+  std::unordered_map<std::size_t, Approximate_point> inside; // by time stamp
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    if (!mesh.is_on_interface[i])
+      inside.emplace(mesh.vertices[i]->time_stamp(), point(destinations[i]));
+  const auto flow = [&inside](Vertex_handle v) {
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const auto found = inside.find(v->time_stamp());
+    return found != inside.end() ? found->second : Approximate_point(unknown, unknown, unknown);
+  };
+  Carrier carried = carrier();
+  return deform_interface_to(m_complex, parts.snapshot(), to,
+                             np.flow(flow).visitor(std::ref(carried)));
+}
+
+// Where changes of the mesh have altered them. Returns by how much, relative, at the most.
+template <class Complex, class Solver>
+template <class NamedParameters>
+double Incompressible_fluid<Complex, Solver>::restore_volumes(const NamedParameters& np) {
+  static constexpr double rounding = 1e-14;
+  static constexpr int rounds = 3;
+  double result = 0;
+  for (int k = 0; k <= rounds; ++k) {
+    const Mesh mesh(updated_complex(), m_properties);
+    const Vectors positions = mesh.positions(m_complex);
+    const Contacts contacts(mesh, m_solids, m_complex, positions, m_time);
+    std::unordered_map<std::size_t, Approximate_point> touching; // by time stamp
+    Vectors out = positions;
+    contacts.put_out(out, m_time);
+    bool is_in_solid = false;
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+      is_in_solid = is_in_solid || contacts.depth(v, positions[v], m_time) > 0;
+      if (contacts.touches(v))
+        touching.emplace(mesh.vertices[v]->time_stamp(), point(out[v]));
+    }
+    const Part_interface parts(m_complex, m_properties);
+    const double error = parts.error(m_ledger.volumes());
+    result = (std::max)(result, k == 0 ? error : 0);
+    if (k == rounds || (error <= rounding && !is_in_solid))
+      break;
+    const auto from = parts.snapshot().positions(m_complex);
+    auto to = from;
+    std::vector<char> is_held(to.size(), false);
+    for (std::size_t v = 0; v < to.size(); ++v)
+      if (const auto found = touching.find(parts.snapshot().vertices[v]->time_stamp());
+          found != touching.end()) {
+        is_held[v] = true;
+        to[v] = found->second;
+      }
+    parts.restore(m_ledger.volumes(), from, [&](std::size_t v) { return is_held[v] != 0; }, to);
+    // The mesh stays as it is if it can.
+    Carrier carried = carrier();
+    deform_interface_to(m_complex, parts.snapshot(), to,
+                        np.quality_threshold(0.)
+                            .relabeling_threshold(0.)
+                            .minimum_angle(0.)
+                            .minimum_facet_angle(0.)
+                            .visitor(std::ref(carried)));
+    follow_parts();
+  }
+  return result;
+}
+
+// By number.
+template <class Complex, class Solver>
+std::vector<internal::Masses_3>
+Incompressible_fluid<Complex, Solver>::masses_of_parts(const Flow& flow) const {
+  std::size_t size = 0;
+  for (const auto& cell : flow.mesh.cells)
+    size = (std::max)(size, std::size_t(cell.component) + 1);
+  return internal::masses_of_sets(flow.mesh, flow.positions, size, [](std::uint32_t component) {
+    return std::size_t(component);
+  });
+}
+
+// Returns the volume of parts that are gone.
+template <class Complex, class Solver> double Incompressible_fluid<Complex, Solver>::follow_parts() {
+  return m_ledger.follow(m_complex.take_component_lineage(),
+                         Ledger::measure(m_complex, m_properties));
+}
+
+// Gives parts the momenta that they own by a rigid motion. Returns the greatest change of a velocity.
+template <class Complex, class Solver>
+double Incompressible_fluid<Complex, Solver>::restore_momenta() {
+  const Flow flow(*this);
+  const auto& wanted = m_ledger.momenta();
+  const auto bodies =
+      internal::masses_of_sets(flow.mesh, flow.positions, wanted.size(),
+                               [&](std::uint32_t part) { return m_ledger.set_of(part); });
+  double result = 0;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    internal::Momentum_3 missing = internal::momentum(bodies[k], flow.positions, flow.velocities);
+    missing.linear = wanted[k].linear - missing.linear;
+    missing.angular = wanted[k].angular - missing.angular;
+    const auto correction = internal::rigid_velocity(bodies[k], flow.positions, missing);
+    for (const auto& [v, mass] : bodies[k]) {
+      const Eigen::Vector3d change = correction.at(flow.positions[v]);
+      result = (std::max)(result, change.norm());
+      m_motion.set(flow.mesh.vertices[v], flow.velocities[v] + change, flow.accelerations[v]);
+    }
+  }
+  return result;
+}
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_INCOMPRESSIBLE_FLUID_IMPL_H

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_PART_LEDGER_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_PART_LEDGER_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Fluid_properties_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Body_momenta_3.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// What the connected parts of liquids own, by the numbers of their components: volumes, which merged
+// parts add and what a part falls into shares; and momenta, which parts that merged or split in a
+// step have together.
+class Part_ledger_3
+{
+public:
+  using Part = std::uint32_t;
+  using Volumes = std::map<Part, double>;
+  using Lineage = std::vector<std::pair<Part, Part>>; // parts then and now with common cells
+
+  // Of liquids as they are. \pre components are up to date
+  template <class Complex>
+  static Volumes measure(const Complex& complex, const Fluid_properties_3& properties) {
+    Volumes result;
+    for (auto c : complex.cells())
+      if (properties.liquid(c->label()))
+        result[c->component()] += complex.measure(c);
+    return result;
+  }
+
+  const Volumes& volumes() const { return m_volumes; }
+  void set_volumes(const Volumes& volumes) { m_volumes = volumes; }
+
+  // Each part has its own, by number.
+  void set_momenta(std::vector<Momentum_3> momenta) {
+    m_set_of_part.clear();
+    for (const auto& [part, volume] : m_volumes)
+      m_set_of_part[part] = part;
+    m_momenta = std::move(momenta);
+  }
+  const std::vector<Momentum_3>& momenta() const { return m_momenta; } // by set
+  std::size_t set_of(Part part) const { return m_set_of_part.at(part); }
+
+  // The parts of now, with their volumes, own what those of then did. Returns the volume of those
+  // that are gone.
+  double follow(const Lineage& lineage, const Volumes& present) {
+    // Then, now, and sets of momenta of then are joined, each of them by what it has to do with.
+    const std::size_t size = size_of(m_volumes, present, lineage);
+    Groups groups(2 * size), sets(2 * size + m_momenta.size());
+    for (const auto& [then, now] : lineage) {
+      groups.join(then, size + now);
+      sets.join(then, size + now);
+    }
+    for (const auto& [part, set] : m_set_of_part)
+      sets.join(part, 2 * size + set);
+
+    std::vector<double> owned(2 * size, 0), found(2 * size, 0);
+    for (const auto& [part, volume] : m_volumes)
+      owned[groups.of(part)] += volume;
+    for (const auto& [part, volume] : present)
+      found[groups.of(size + part)] += volume;
+    double lost = 0;
+    for (const auto& [part, volume] : m_volumes)
+      lost += found[groups.of(part)] > 0 ? 0 : volume;
+    std::vector<Momentum_3> momenta(sets.size());
+    for (std::size_t set = 0; set < m_momenta.size(); ++set) {
+      Momentum_3& sum = momenta[sets.of(2 * size + set)];
+      sum.linear += m_momenta[set].linear;
+      sum.angular += m_momenta[set].angular;
+    }
+    m_volumes.clear();
+    m_set_of_part.clear();
+    for (const auto& [part, volume] : present) {
+      const std::size_t group = groups.of(size + part);
+      m_volumes[part] = owned[group] > 0 ? volume / found[group] * owned[group] : volume;
+      m_set_of_part[part] = sets.of(size + part);
+    }
+    m_momenta.swap(momenta);
+    return lost;
+  }
+
+private:
+  // Numbers that are joined.
+  class Groups
+  {
+  public:
+    explicit Groups(std::size_t size) : m_parents(size) {
+      std::iota(m_parents.begin(), m_parents.end(), std::size_t(0));
+    }
+    std::size_t size() const { return m_parents.size(); }
+    std::size_t of(std::size_t i) {
+      while (m_parents[i] != i)
+        i = m_parents[i] = m_parents[m_parents[i]];
+      return i;
+    }
+    void join(std::size_t i, std::size_t j) { m_parents[of(i)] = of(j); }
+
+  private:
+    std::vector<std::size_t> m_parents;
+  };
+
+  // Above all numbers of parts.
+  static std::size_t size_of(const Volumes& then, const Volumes& now, const Lineage& lineage) {
+    Part result = 0;
+    for (const Volumes* volumes : {&then, &now})
+      if (!volumes->empty())
+        result = (std::max)(result, volumes->rbegin()->first);
+    for (const auto& [a, b] : lineage)
+      result = (std::max)({result, a, b});
+    return std::size_t(result) + 1;
+  }
+
+  Volumes m_volumes;
+  std::map<Part, std::size_t> m_set_of_part;
+  std::vector<Momentum_3> m_momenta;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_PART_LEDGER_3_H

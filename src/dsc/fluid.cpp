@@ -1,0 +1,393 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands.h"
+#include "errors.h"
+#include "files.h"
+#include "fluid_scene.h"
+#include "fluid_start.h"
+#include "interrupt.h"
+#include "output_folder.h"
+#include "progress_line.h"
+#include "report_json.h"
+
+#include <CGAL/IO/checkpoint_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+using Complex = Tracked_complex_3::Complex;
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
+constexpr int exit_code_of_interrupt = 130; // what shells use for SIGINT
+
+template <class Vector> Json vector_json(const Vector& v) { return {v.x(), v.y(), v.z()}; }
+
+Json balance_json(const Fluid::Balance& balance) {
+  return {{"volume", balance.volume},
+          {"energy", balance.energy()},
+          {"kinetic_energy", balance.kinetic_energy},
+          {"potential_energy", balance.potential_energy},
+          {"surface_energy", balance.surface_energy},
+          {"momentum", vector_json(balance.momentum)},
+          {"angular_momentum", vector_json(balance.angular_momentum)}};
+}
+
+const char* name_of(CGAL::Component_event::Kind kind) {
+  using Kind = CGAL::Component_event::Kind;
+  switch (kind) {
+  case Kind::merged:
+    return "merged";
+  case Kind::split:
+    return "split";
+  case Kind::vanished:
+    return "vanished";
+  case Kind::appeared:
+    break;
+  }
+  return "appeared";
+}
+
+/// Changes of topology, with what liquids had before and afterwards.
+Json events_json(const Fluid::Report& report) {
+  Json result = Json::array();
+  for (const auto& event : report.deformation.events) {
+    Json before = Json::array(), after = Json::array();
+    for (const auto& part : event.before)
+      before.push_back(part.volume);
+    for (const auto& part : event.after)
+      after.push_back(part.volume);
+    result.push_back({{"kind", name_of(event.kind)},
+                      {"label", event.label},
+                      {"where", vector_json(event.where)},
+                      {"volumes_before", before},
+                      {"volumes_after", after},
+                      {"before", balance_json(report.moved)},
+                      {"after", balance_json(report.after)}});
+  }
+  return result;
+}
+
+/// The extent of the surfaces of liquids.
+Json extent_json(const Complex& complex) {
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> least = {infinity, infinity, infinity}, largest = {-infinity, -infinity, -infinity};
+  for (const auto v : complex.interface_vertices()) {
+    const auto p = complex.position(v);
+    for (int i = 0; i < 3; ++i) {
+      least[std::size_t(i)] = std::min(least[std::size_t(i)], p[i]);
+      largest[std::size_t(i)] = std::max(largest[std::size_t(i)], p[i]);
+    }
+  }
+  return {least, largest};
+}
+
+/// The amplitude of a Legendre polynomial in the distances of the interface from a point: a mean by
+/// solid angle.
+double amplitude(const Complex& complex, std::size_t degree, const std::array<double, 3>& center) {
+  const Complex::Approximate_point c(center[0], center[1], center[2]);
+  double sum = 0, squares = 0, mean = 0, angles = 0;
+  struct Sample
+  {
+    double weight, distance, value;
+  };
+  std::vector<Sample> samples;
+  for (const auto& f : complex.interface_facets()) {
+    const auto v = complex.facet_vertices(f);
+    const auto p = complex.position(v[0]), q = complex.position(v[1]), r = complex.position(v[2]);
+    const auto m = CGAL::centroid(p, q, r);
+    const double distance = std::sqrt((m - c).squared_length());
+    const double weight =
+        std::abs(CGAL::cross_product(q - p, r - p) * (m - c)) / (distance * distance * distance);
+    // The polynomial by its recurrence.
+    const double z = (m.z() - c.z()) / distance;
+    double before = 0, value = 1;
+    for (std::size_t n = 0; n < degree; ++n)
+      before = std::exchange(value, ((2 * double(n) + 1) * z * value - double(n) * before) /
+                                        (double(n) + 1));
+    samples.push_back({weight, distance, value});
+    mean += weight * distance;
+    angles += weight;
+  }
+  mean /= angles;
+  for (const Sample& s : samples) {
+    sum += s.weight * s.value * (s.distance / mean - 1);
+    squares += s.weight * s.value * s.value;
+  }
+  return sum / squares;
+}
+
+/// Where the interface is above a place, at its highest; nothing if it is not.
+Json height(const Complex& complex, const std::array<double, 2>& place) {
+  static constexpr double rounding = 1e-9;
+  Json result;
+  for (const auto& f : complex.interface_facets()) {
+    const auto v = complex.facet_vertices(f);
+    const auto p = complex.position(v[0]), q = complex.position(v[1]), r = complex.position(v[2]);
+    const auto twice_area = [](double ax, double ay, double bx, double by) { return ax * by - ay * bx; };
+    const double whole = twice_area(q.x() - p.x(), q.y() - p.y(), r.x() - p.x(), r.y() - p.y());
+    if (whole == 0)
+      continue;
+    const double x = place[0] - p.x(), y = place[1] - p.y(),
+                 b = twice_area(x, y, r.x() - p.x(), r.y() - p.y()) / whole,
+                 c = twice_area(q.x() - p.x(), q.y() - p.y(), x, y) / whole;
+    if (b < -rounding || c < -rounding || b + c > 1 + rounding)
+      continue;
+    const double z = p.z() + b * (q.z() - p.z()) + c * (r.z() - p.z());
+    if (result.is_null() || z > result.get<double>())
+      result = z;
+  }
+  return result;
+}
+
+Json probes_json(const Fluid_scene& scene, const Complex& complex) {
+  Json result = Json::object();
+  for (const Scene_probe& probe : scene.probes)
+    result[probe.name] = probe.mode ? Json(amplitude(complex, *probe.mode, probe.center))
+                                    : height(complex, *probe.place);
+  return result;
+}
+
+Json parts_json(const Fluid& fluid) {
+  Json result = Json::array();
+  std::map<std::uint32_t, double> present;
+  std::map<std::uint32_t, int> labels;
+  for (const auto c : fluid.complex().cells()) {
+    present[c->component()] += fluid.complex().measure(c);
+    labels[c->component()] = c->label();
+  }
+  for (const auto& [part, volume] : fluid.volumes())
+    result.push_back(
+        {{"label", labels[part]}, {"volume", present[part]}, {"wanted_volume", volume}});
+  return result;
+}
+
+Json step_json(const Fluid& fluid, const Fluid_scene& scene, unsigned step,
+               const std::optional<Fluid::Report>& report) {
+  const Complex& complex = fluid.complex();
+  Json json = {{"step", step}, {"time", fluid.time()}};
+  json.update(balance_json(fluid.balance()));
+  json["parts"] = parts_json(fluid);
+  json["extent"] = extent_json(complex);
+  json["probes"] = probes_json(scene, complex);
+  json["vertices"] = complex.number_of_vertices();
+  json["tetrahedra"] = complex.number_of_cells();
+  json["interface_triangles"] = complex.interface_facets().size();
+  if (!report)
+    return json;
+  Json forces = Json::array();
+  for (const auto& force : report->forces_on_solids)
+    forces.push_back(vector_json(force));
+  const auto& motion = report->deformation;
+  json.update({{"dt", report->dt},
+               {"greatest_velocity", report->greatest_velocity},
+               {"greatest_change_of_velocity", report->greatest_change_of_velocity},
+               {"greatest_correction", report->greatest_correction},
+               {"volume_correction", report->volume_correction},
+               {"lost_volume", report->lost_volume},
+               {"energy_before", report->before.energy()},
+               {"energy_moved", report->moved.energy()},
+               {"contacts", report->contacts},
+               {"depth_in_solids", report->depth_in_solids},
+               {"forces_on_solids", forces},
+               {"events", events_json(*report)},
+               {"complete", motion.complete},
+               {"unfinished_vertices", motion.unfinished.size()},
+               {"split", motion.split + report->adaptation.split},
+               {"collapsed", motion.collapsed + report->adaptation.collapsed},
+               {"flipped", motion.flipped + report->adaptation.flipped},
+               {"smoothed", motion.smoothed + report->adaptation.smoothed},
+               {"solutions", report->solutions},
+               {"iterations", report->iterations},
+               {"seconds_of_solver", report->seconds_of_solver},
+               {"seconds_of_mesh", report->seconds_of_mesh}});
+  return json;
+}
+
+Json state_json(const Fluid::State& state) {
+  return {{"time", state.time},
+          {"steps", state.steps},
+          {"damped_steps", state.damped_steps},
+          {"knows_accelerations", state.knows_accelerations},
+          {"motion", state.motion},
+          {"volumes", state.volumes}};
+}
+
+Fluid::State state_of(const Json& json) {
+  Fluid::State state;
+  state.time = json.at("time");
+  state.steps = json.at("steps");
+  state.damped_steps = json.at("damped_steps");
+  state.knows_accelerations = json.at("knows_accelerations");
+  state.motion = json.at("motion").get<std::vector<std::array<double, 6>>>();
+  state.volumes = json.at("volumes").get<std::vector<std::pair<std::uint32_t, double>>>();
+  return state;
+}
+
+std::string metadata(const Fluid_scene& scene, const Fluid& fluid) {
+  return Json{{"scene", scene.json}, {"fluid", state_json(fluid.state())}}.dump(
+      -1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// A run of a scene: its complex, and the fluid in it.
+struct Run
+{
+  Fluid_scene scene;
+  std::unique_ptr<Tracked_complex_3> complex;
+  std::unique_ptr<Fluid> fluid;
+};
+
+Run start(const Fluid_options& options) {
+  Run run;
+  run.scene = find_scene(options.scene);
+  run.complex = std::make_unique<Tracked_complex_3>(start_of_scene(run.scene, options.data));
+  run.fluid = fluid_of_scene(run.scene, options.data, run.complex->complex);
+  begin(run.scene, *run.fluid);
+  if (run.scene.relaxation_steps > 0) {
+    const double velocity =
+        run.fluid->relax(run.scene.relaxation_step, unsigned(run.scene.relaxation_steps),
+                         parameters::number_of_threads(options.threads));
+    if (!options.quiet)
+      std::printf("dsc: relaxed until vertices went with %.3g\n", velocity);
+  }
+  return run;
+}
+
+Run resume(const Fluid_options& options) {
+  const CGAL::IO::Checkpoint_3 checkpoint = CGAL::IO::read_checkpoint(options.resume);
+  Run run;
+  try {
+    const Json json = Json::parse(checkpoint.metadata);
+    run.scene = read_scene(json.at("scene"));
+    run.complex = std::make_unique<Tracked_complex_3>();
+    run.complex->complex.restore(checkpoint.state);
+    run.fluid = fluid_of_scene(run.scene, options.data, run.complex->complex);
+    run.fluid->restore(state_of(json.at("fluid")));
+  } catch (const Json::exception&) {
+    throw Input_error(options.resume + " holds a complex, but no fluid that could go on");
+  }
+  return run;
+}
+
+double next_step(const Run& run, double end) {
+  const double time = run.fluid->time(), left = end - time;
+  double dt = run.scene.time_step;
+  if (run.scene.cfl > 0)
+    dt = std::min(dt, run.fluid->largest_step(run.scene.cfl));
+  // No tiny step in the end.
+  static constexpr double almost = 1e-9;
+  return dt * (1 + almost) >= left ? left : dt;
+}
+
+void print_summary(const Run& run, unsigned steps, double seconds) {
+  const Fluid::Balance balance = run.fluid->balance();
+  std::printf("dsc: %s; %u steps, time %g: %zu vertices, %zu interface triangles, volume %.10g, energy "
+              "%.6g; %.3g s\n",
+              run.scene.title.c_str(), steps, run.fluid->time(),
+              run.complex->complex.number_of_vertices(),
+              run.complex->complex.interface_facets().size(), balance.volume, balance.energy(),
+              seconds);
+}
+
+} // namespace
+
+int execute(const Fluid_options& options) {
+  if (options.lists) {
+    for (const auto& [name, title] : scene_names())
+      std::printf("%-16s%s\n", name.c_str(), title.c_str());
+    return 0;
+  }
+  if (options.prints) {
+    std::printf("%s\n", find_scene(options.scene).json.dump(2).c_str());
+    return 0;
+  }
+  catch_interrupts();
+  std::optional<Output_folder> folder;
+  if (!options.output.empty())
+    folder.emplace(options.output, options.resume);
+  if (!options.report.empty())
+    require_place_of_report(options.report, {options.resume});
+
+  const auto begin = Clock::now();
+  Run run = options.resume.empty() ? start(options) : resume(options);
+  Fluid& fluid = *run.fluid;
+  const double end = options.end > 0 ? options.end : run.scene.end;
+  if (folder && !options.resume.empty())
+    folder->keep_until(fluid.time());
+  Json steps = Json::array();
+  const auto first = unsigned(fluid.state().steps);
+  unsigned done = 0;
+  steps.push_back(step_json(fluid, run.scene, first, std::nullopt));
+  const auto write_files = [&] {
+    if (folder) {
+      Run_position position;
+      position.step = first + done;
+      position.time = fluid.time();
+      folder->write(*run.complex, position, metadata(run.scene, fluid));
+    }
+  };
+  const auto write_report = [&] {
+    if (!options.report.empty())
+      write_json(options.report, {{"scene", run.scene.json}, {"steps", steps}});
+  };
+  write_files();
+  static constexpr unsigned parts = 100; // of the time
+  Progress_line progress(parts, options.quiet, "percent");
+  const double start_time = fluid.time();
+  const auto np = parameters::number_of_threads(options.threads)
+                      .implicitness(run.scene.implicitness)
+                      .interface_tolerance(run.scene.interface_tolerance)
+                      .adaptation_interval(unsigned(run.scene.adaptation_interval));
+  try {
+    while (fluid.time() < end && (options.steps == 0 || done < options.steps) && !interrupted()) {
+      run.complex->keep();
+      const Fluid::State before = fluid.state();
+      try {
+        const Fluid::Report report = fluid.advance(next_step(run, end), np);
+        ++done;
+        steps.push_back(step_json(fluid, run.scene, first + done, report));
+      } catch (...) {
+        // Steps before it are worth keeping.
+        run.complex->go_back();
+        fluid.restore(before);
+        throw;
+      }
+      run.complex->forget();
+      progress.show(unsigned(parts * (fluid.time() - start_time) / (end - start_time)));
+      if ((first + done) % options.every == 0)
+        write_files();
+    }
+  } catch (...) {
+    progress.clear();
+    write_files();
+    write_report();
+    throw;
+  }
+  progress.clear();
+  write_files();
+  write_report();
+  if (interrupted()) {
+    std::string checkpoint = folder ? folder->checkpoint() : unused_name("dsc_interrupted", ".dsc");
+    if (!folder)
+      run.complex->write_checkpoint(checkpoint, metadata(run.scene, fluid));
+    std::cerr << "dsc: interrupted after step " << first + done
+              << "; continue with dsc fluid --resume " << checkpoint << '\n';
+  }
+  if (!options.quiet)
+    print_summary(run, done, seconds_since(begin));
+  return interrupted() ? exit_code_of_interrupt : 0;
+}
+
+} // namespace dsc

@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_FLUID_START_H
+#define DSC_FLUID_START_H
+
+#include "fluid_scene.h"
+#include "tracked_complex_3.h"
+
+#include <CGAL/Incompressible_fluid_3.h>
+
+#include <memory>
+#include <string>
+
+namespace dsc {
+
+using Fluid = CGAL::Incompressible_fluid_3<Tracked_complex_3::Complex>;
+
+/// The liquids of a scene where they begin. Files that it names are in a folder.
+/// \throws Input_error if they cannot be built, as they overlap, or a file cannot be read
+Tracked_complex_3::Complex start_of_scene(const Fluid_scene& scene, const std::string& folder);
+
+/// With the solids of the scene. \throws Input_error if a file cannot be read
+std::unique_ptr<Fluid> fluid_of_scene(const Fluid_scene& scene, const std::string& folder,
+                     Tracked_complex_3::Complex& complex);
+
+/// Sets the velocities of the beginning. \throws Input_error if a liquid begins inside a solid
+void begin(const Fluid_scene& scene, Fluid& fluid);
+
+} // namespace dsc
+
+#endif // DSC_FLUID_START_H
