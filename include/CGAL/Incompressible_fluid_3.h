@@ -168,8 +168,9 @@ public:
   double depth_in_solids() const;
 
   /*!
-  The longest step in which no vertex of a liquid's surface goes farther than a part of the edges
-  there, and no edge inside gets longer or shorter by more than that part; infinite at rest. Linear.
+  The longest step in which no vertex of a liquid goes farther than a part of the edges of the
+  interface: of those that its surface had there when it was built or last made finer or coarser,
+  inside of their mean. Infinite at rest. Linear.
   \param part "CFL number"; .25 where liquids collide
   */
   double largest_step(double part = .25) const;
@@ -219,9 +220,10 @@ public:
   Report advance(double dt, const NamedParameters& np = NamedParameters());
 
   /*!
-  Takes liquids to rest where forces balance: steps of full implicitness, velocities dropped after
-  each, without adaptation of the mesh. `time()` stays.
-  \param dt of a step: some times that of a wave over the liquid
+  Takes liquids towards rest, where forces balance: steps of full implicitness, velocities dropped
+  after each, without adaptation of the mesh. `time()` stays. What is round is soon round; that vertices
+  of the surface come to rest along it takes hundreds of steps.
+  \param dt of a step: about that of a wave over the liquid
   \param steps at the most; fewer if vertices come to rest up to rounding
   \param np the named parameters of `advance()`
   \return the velocity, at the most, by which vertices still went in the last step
@@ -314,7 +316,7 @@ private:
   template <class NamedParameters> double restore_volumes(const NamedParameters& np);
   double follow_parts();
   double restore_momenta();
-  std::vector<internal::Masses_3> masses_of_parts(const Flow& flow) const;
+  template <class MomentumOf> void note_momenta(const Flow& flow, const MomentumOf& momentum_of);
 
   static constexpr std::uint32_t steps_after_change = 4; // of topology, until waves are smooth
   static constexpr double implicitness_after_change = .6;

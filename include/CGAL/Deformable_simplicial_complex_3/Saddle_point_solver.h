@@ -56,7 +56,7 @@ public:
   using System = Saddle_point_system; ///< what is solved
   using Vector = System::Vector;      ///< unknowns
 
-  /// Takes a matrix. \throws Error if it is singular.
+  /// Takes a matrix. \throws Error if it is singular, other than for pressures that are constant.
   /// About n^2 for n unknowns in space, and memory of n^(4/3).
   void factorize(System&& system) {
     using Iterator = System::Matrix::InnerIterator;
@@ -75,7 +75,9 @@ public:
           entries.emplace_back(n + i.row(), n + j, -i.value());
     m_whole = System::Matrix(n + system.c.rows(), n + system.c.rows());
     m_whole.setFromTriplets(entries.begin(), entries.end());
-    m_solver.compute(m_whole);
+    System::Matrix definite = m_whole;
+    definite.diagonal().tail(system.c.rows()) *= above_zero;
+    m_solver.compute(definite);
     if (m_solver.info() != Eigen::Success)
       throw Error("the equations of the flow are singular: a liquid may have no free surface and "
                   "nothing that holds its pressure, or cells may be flat");
@@ -83,7 +85,7 @@ public:
 
   /// Solves for v and p. Returns how often it had to be refined.
   unsigned solve(const Vector& f, const Vector& s, Vector& v, Vector& p) const {
-    static constexpr unsigned refinements = 1;
+    static constexpr unsigned refinements = 2; // each is nearer by what c was changed by
     Vector right(f.size() + s.size());
     right << f, -s;
     Vector x = m_solver.solve(right);
@@ -95,6 +97,9 @@ public:
   }
 
 private:
+  // Where no surface is free, pressures may all grow by the same.
+  static constexpr double above_zero = 1 + 1e-8;
+
   Eigen::SimplicialLDLT<System::Matrix> m_solver;
   System::Matrix m_whole; // lower triangle
 };
@@ -125,8 +130,9 @@ public:
     m_system = std::move(system);
     m_bt = m_system.b.transpose();
     m_of_velocities.compute(m_system.a);
-    const System::Matrix schur = m_system.b * m_system.inertia.cwiseInverse().asDiagonal() * m_bt +
-                                 m_system.c;
+    System::Matrix schur =
+        m_system.b * m_system.inertia.cwiseInverse().asDiagonal() * m_bt + m_system.c;
+    schur.diagonal() *= above_zero;
     m_of_pressures.compute(schur);
     if (m_of_velocities.info() != Eigen::Success || m_of_pressures.info() != Eigen::Success)
       throw Error("the equations of the flow are singular: cells may be flat");
@@ -199,6 +205,9 @@ private:
     result.tail(m) = m_of_pressures.solve(x.tail(m)) + m_system.viscosity.cwiseProduct(x.tail(m));
     return result;
   }
+
+  // Where no surface is free, pressures may all grow by the same.
+  static constexpr double above_zero = 1 + 1e-9;
 
   using Incomplete_factorization =
       Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::AMDOrdering<int>>;

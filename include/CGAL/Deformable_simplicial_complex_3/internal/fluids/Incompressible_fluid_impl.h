@@ -43,10 +43,7 @@ auto Incompressible_fluid<Complex, Solver>::advance(double dt, const NamedParame
   Vectors destinations = step.destinations();
   step.contacts().put_out(destinations, m_time);
   report.moved = flow.balance(*this, destinations, after, m_time);
-  std::vector<internal::Momentum_3> momenta;
-  for (const auto& masses : masses_of_parts(flow))
-    momenta.push_back(step.final_momentum(masses));
-  m_ledger.set_momenta(std::move(momenta));
+  note_momenta(flow, [&](const internal::Masses_3& masses) { return step.final_momentum(masses); });
   report.deformation = move(flow.mesh, step.contacts(), destinations, np);
   if (!report.deformation.events.empty())
     m_damped_steps = steps_after_change;
@@ -82,11 +79,7 @@ double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps,
   const std::uint64_t number = m_steps;
   for (unsigned k = 0; k < steps; ++k) {
     m_motion = internal::Fluid_motion_3();
-    const Flow before(*this);
-    advance(dt, np.implicitness(1.).adaptation_interval(0u));
-    velocity = 0;
-    for (std::size_t v = 0; v < before.mesh.vertices.size(); ++v)
-      velocity = (std::max)(velocity, m_motion.velocity(before.mesh.vertices[v]).norm());
+    velocity = advance(dt, np.implicitness(1.).adaptation_interval(0u)).greatest_velocity;
     first = k == 0 ? velocity : first;
     if (velocity <= rest * first)
       break;
@@ -102,28 +95,16 @@ template <class Complex, class Solver>
 double Incompressible_fluid<Complex, Solver>::largest_step(double part) const {
   const Flow flow(*this);
   double result = std::numeric_limits<double>::infinity();
-  const auto bound = [&](double length, double velocity, double acceleration) {
-    // length >= velocity t + acceleration t^2 / 2
+  for (std::size_t v = 0; v < flow.positions.size(); ++v) {
+    const double spacing = flow.mesh.vertices[v]->spacing(),
+                 length = part * (spacing > 0 ? spacing : m_complex.mean_interface_edge()),
+                 velocity = flow.velocities[v].norm(), acceleration = flow.accelerations[v].norm();
+    // length = velocity t + acceleration t^2 / 2
     if (velocity > 0 || acceleration > 0)
-      result = (std::min)(result, 2 * length /
-                                      (velocity + std::sqrt(velocity * velocity +
-                                                            2 * acceleration * length)));
-  };
-  for (const auto& facet : flow.mesh.facets)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto v = facet.vertices[i], w = facet.vertices[(i + 1) % 3];
-      bound(part * (flow.positions[v] - flow.positions[w]).norm(), flow.velocities[v].norm(),
-            flow.accelerations[v].norm());
-    }
-  for (const auto& cell : flow.mesh.cells)
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < i; ++j) {
-        const auto v = cell.vertices[i], w = cell.vertices[j];
-        const Eigen::Vector3d edge = flow.positions[v] - flow.positions[w];
-        const double length = edge.norm();
-        bound(part * length,
-              std::abs(edge.dot(flow.velocities[v] - flow.velocities[w])) / length, 0);
-      }
+      result = (std::min)(result,
+                          2 * length / (velocity + std::sqrt(velocity * velocity +
+                                                             2 * acceleration * length)));
+  }
   return result;
 }
 
@@ -208,10 +189,9 @@ Improvement_report Incompressible_fluid<Complex, Solver>::adapt(double tolerance
     return {};
   internal::require_interface_edge(m_complex);
   const Flow flow(*this);
-  std::vector<internal::Momentum_3> momenta;
-  for (const auto& masses : masses_of_parts(flow))
-    momenta.push_back(internal::momentum(masses, flow.positions, flow.velocities));
-  m_ledger.set_momenta(std::move(momenta));
+  note_momenta(flow, [&](const internal::Masses_3& masses) {
+    return internal::momentum(masses, flow.positions, flow.velocities);
+  });
   Carrier carried = carrier();
   Improvement_report result;
   const internal::Adaptation_options adaptation = {tolerance, Defaults::feature_angle};
@@ -332,16 +312,27 @@ double Incompressible_fluid<Complex, Solver>::restore_volumes(const NamedParamet
   return result;
 }
 
-// By number.
+// Those of parts that touch, together.
 template <class Complex, class Solver>
-std::vector<internal::Masses_3>
-Incompressible_fluid<Complex, Solver>::masses_of_parts(const Flow& flow) const {
+template <class MomentumOf>
+void Incompressible_fluid<Complex, Solver>::note_momenta(const Flow& flow,
+                                                         const MomentumOf& momentum_of) {
   std::size_t size = 0;
   for (const auto& cell : flow.mesh.cells)
     size = (std::max)(size, std::size_t(cell.component) + 1);
-  return internal::masses_of_sets(flow.mesh, flow.positions, size, [](std::uint32_t component) {
-    return std::size_t(component);
-  });
+  internal::Number_groups touching(size + flow.mesh.vertices.size());
+  for (const auto& cell : flow.mesh.cells)
+    for (auto v : cell.vertices)
+      touching.join(size + v, cell.component);
+  std::vector<std::size_t> set_of_part;
+  for (std::size_t part = 0; part < size; ++part)
+    set_of_part.push_back(touching.of(part));
+  std::vector<internal::Momentum_3> momenta;
+  for (const auto& masses :
+       internal::masses_of_sets(flow.mesh, flow.positions, size,
+                                [&](std::uint32_t part) { return set_of_part[part]; }))
+    momenta.push_back(momentum_of(masses));
+  m_ledger.set_momenta(std::move(momenta), set_of_part);
 }
 
 // Returns the volume of parts that are gone.

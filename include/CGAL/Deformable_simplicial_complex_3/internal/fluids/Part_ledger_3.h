@@ -19,9 +19,29 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// Numbers that are joined.
+class Number_groups
+{
+public:
+  explicit Number_groups(std::size_t size) : m_parents(size) {
+    std::iota(m_parents.begin(), m_parents.end(), std::size_t(0));
+  }
+  std::size_t size() const { return m_parents.size(); }
+  // The number that stands for all that i is joined with.
+  std::size_t of(std::size_t i) {
+    while (m_parents[i] != i)
+      i = m_parents[i] = m_parents[m_parents[i]];
+    return i;
+  }
+  void join(std::size_t i, std::size_t j) { m_parents[of(i)] = of(j); }
+
+private:
+  std::vector<std::size_t> m_parents;
+};
+
 // What the connected parts of liquids own, by the numbers of their components: volumes, which merged
 // parts add and what a part falls into shares; and momenta, which parts that merged or split in a
-// step have together.
+// step, or touch each other, have together.
 class Part_ledger_3
 {
 public:
@@ -42,11 +62,11 @@ public:
   const Volumes& volumes() const { return m_volumes; }
   void set_volumes(const Volumes& volumes) { m_volumes = volumes; }
 
-  // Each part has its own, by number.
-  void set_momenta(std::vector<Momentum_3> momenta) {
+  // By set, and the set of each part by its number.
+  void set_momenta(std::vector<Momentum_3> momenta, const std::vector<std::size_t>& set_of_part) {
     m_set_of_part.clear();
     for (const auto& [part, volume] : m_volumes)
-      m_set_of_part[part] = part;
+      m_set_of_part[part] = set_of_part[part];
     m_momenta = std::move(momenta);
   }
   const std::vector<Momentum_3>& momenta() const { return m_momenta; } // by set
@@ -57,7 +77,7 @@ public:
   double follow(const Lineage& lineage, const Volumes& present) {
     // Then, now, and sets of momenta of then are joined, each of them by what it has to do with.
     const std::size_t size = size_of(m_volumes, present, lineage);
-    Groups groups(2 * size), sets(2 * size + m_momenta.size());
+    Number_groups groups(2 * size), sets(2 * size + m_momenta.size());
     for (const auto& [then, now] : lineage) {
       groups.join(then, size + now);
       sets.join(then, size + now);
@@ -91,25 +111,6 @@ public:
   }
 
 private:
-  // Numbers that are joined.
-  class Groups
-  {
-  public:
-    explicit Groups(std::size_t size) : m_parents(size) {
-      std::iota(m_parents.begin(), m_parents.end(), std::size_t(0));
-    }
-    std::size_t size() const { return m_parents.size(); }
-    std::size_t of(std::size_t i) {
-      while (m_parents[i] != i)
-        i = m_parents[i] = m_parents[m_parents[i]];
-      return i;
-    }
-    void join(std::size_t i, std::size_t j) { m_parents[of(i)] = of(j); }
-
-  private:
-    std::vector<std::size_t> m_parents;
-  };
-
   // Above all numbers of parts.
   static std::size_t size_of(const Volumes& then, const Volumes& now, const Lineage& lineage) {
     Part result = 0;

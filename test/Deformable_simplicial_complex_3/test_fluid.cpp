@@ -1,0 +1,384 @@
+// Incompressible flow: exact solutions, what is kept, contacts, and the solvers.
+#include "mesh_helpers.h"
+
+#include <CGAL/Incompressible_fluid_3.h>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace dsc = CGAL::Deformable_simplicial_complexes;
+namespace parameters = dsc::parameters;
+using mesh_helpers::sphere;
+using small_meshes::Complex;
+using Fluid = CGAL::Incompressible_fluid_3<Complex>;
+using Vector = Fluid::Vector;
+using Point = Fluid::Point;
+
+dsc::Fluid_properties_3 liquid(double density, double viscosity = 0, double tension = 0,
+                               double gravity = 0) {
+  dsc::Fluid_properties_3 result;
+  result.set_liquid(1, {density, viscosity});
+  result.set_surface_tension(0, 1, tension);
+  result.set_gravity({0, 0, -gravity});
+  return result;
+}
+
+Complex block() { return small_meshes::make_complex(small_meshes::grid(8, small_meshes::cube)); }
+
+double length(const Vector& v) { return std::sqrt(v.squared_length()); }
+
+Vector vector(const Complex::Approximate_point& p) { return {p.x(), p.y(), p.z()}; }
+
+std::vector<Complex::Vertex_handle> vertices_of_liquids(const Complex& complex) {
+  std::vector<Complex::Vertex_handle> result;
+  for (auto c : complex.cells())
+    if (c->label() != 0)
+      for (int i = 0; i < 4; ++i)
+        result.push_back(c->vertex(i));
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+double greatest_velocity(const Fluid& fluid) {
+  double result = 0;
+  for (auto v : vertices_of_liquids(fluid.complex()))
+    result = (std::max)(result, length(fluid.velocity(v)));
+  return result;
+}
+
+} // namespace
+
+TEST(Fluid, falls_freely) {
+  Complex complex = block();
+  Fluid fluid(complex, liquid(3, .1, 0, 2));
+  fluid.set_velocities([](Complex::Vertex_handle) { return Vector(.1, 0, 0); });
+  double least = 1;
+  for (int k = 0; k < 5; ++k)
+    fluid.advance(.02);
+  for (auto v : vertices_of_liquids(complex)) {
+    EXPECT_LT(length(fluid.velocity(v) - Vector(.1, 0, -.2)), 1e-11);
+    least = (std::min)(least, complex.position(v).z());
+  }
+  EXPECT_NEAR(least, -.5 - .01, 1e-11);
+  EXPECT_TRUE(complex.is_valid());
+}
+
+TEST(Fluid, in_a_tank_rests) {
+  Complex complex = block();
+  Fluid fluid(complex, liquid(2, 0, 0, 1));
+  fluid.add_solid(dsc::Tank_solid_3(CGAL::Bbox_3(-.5, -.5, -.5, .5, .5, 1), true), {90, false, false});
+  const auto report = fluid.advance(.05);
+  EXPECT_LT(greatest_velocity(fluid), 1e-12);
+  EXPECT_EQ(report.depth_in_solids, 0);
+  ASSERT_EQ(report.forces_on_solids.size(), 1u);
+  EXPECT_NEAR(report.forces_on_solids[0].z(), -2, 1e-10); // its weight
+  EXPECT_NEAR(report.forces_on_solids[0].x(), 0, 1e-10);
+}
+
+TEST(Fluid, keeps_momenta_and_volume_and_loses_energy) {
+  Complex complex = sphere(8, .6);
+  Fluid fluid(complex, liquid(1, 0, 1));
+  fluid.set_velocities([&](Complex::Vertex_handle v) {
+    const Vector p = vector(complex.position(v));
+    return Vector(.3 - p.y() + .2 * p.z(), .4 * p.x(), -.1 * p.z() * p.z());
+  });
+  fluid.advance(.01); // velocities without divergence, and a mesh of its own
+  const auto start = fluid.balance();
+  double energy = start.energy();
+  for (int k = 0; k < 12; ++k) {
+    const auto report = fluid.advance(.02);
+    EXPECT_LE(report.moved.energy(), report.before.energy() * (1 + 1e-6)) << k;
+    EXPECT_NEAR(report.after.volume, start.volume, 1e-12 * start.volume);
+    EXPECT_LT(length(report.after.momentum - start.momentum), 1e-11);
+    EXPECT_LT(length(report.after.angular_momentum - start.angular_momentum), 1e-11);
+    energy = report.after.energy();
+  }
+  EXPECT_GT(energy, .98 * start.energy());
+  EXPECT_TRUE(complex.is_valid());
+}
+
+// Without tension, the pressure of a spinning ball falls off as (r^2 - R^2) / 3: its poles come in
+// by t^2 / 3, and its equator goes out by half of that.
+TEST(Fluid, that_spins_flattens) {
+  Complex complex = sphere(12, .6);
+  Fluid fluid(complex, liquid(1));
+  fluid.set_velocities([&](Complex::Vertex_handle v) {
+    const auto p = complex.position(v);
+    return Vector(-p.y(), p.x(), 0);
+  });
+  for (int k = 0; k < 10; ++k)
+    fluid.advance(.02, parameters::interface_tolerance(0.));
+  double pole = 0, equator = 0;
+  for (auto v : complex.interface_vertices()) {
+    const auto p = complex.position(v);
+    pole = (std::max)(pole, p.z());
+    equator = (std::max)(equator, std::hypot(p.x(), p.y()));
+  }
+  EXPECT_NEAR(pole / .6 - 1, -.04 / 3, .1 * .04 / 3);
+  EXPECT_NEAR(equator / .6 - 1, .04 / 6, .15 * .04 / 6);
+  EXPECT_NEAR(fluid.balance().angular_momentum.z() > 0, 1, 0);
+}
+
+TEST(Fluid, relaxes_towards_rest) {
+  Complex complex = sphere(8, .6);
+  Fluid fluid(complex, liquid(1, 0, 1));
+  const double before = fluid.balance().energy(), first = fluid.relax(.3, 1),
+               last = fluid.relax(.3, 20);
+  EXPECT_LT(last, .3 * first);
+  EXPECT_LT(fluid.balance().energy(), before);
+  EXPECT_EQ(fluid.balance().kinetic_energy, 0);
+  EXPECT_EQ(fluid.time(), 0);
+}
+
+// A mode of three of a droplet moves only if volumes of vertices, not of cells, are kept.
+TEST(Fluid, droplet_oscillates) {
+  Complex complex = sphere(12, .6);
+  const auto radius = [](double z) { return 1 + .03 * (5 * z * z * z - 3 * z) / 2; };
+  CGAL::deform_interface(complex, [&](Complex::Vertex_handle v) {
+    const auto p = complex.position(v);
+    const double r = length(vector(p));
+    const auto q = CGAL::ORIGIN + radius(p.z() / r) * (p - CGAL::ORIGIN);
+    return Complex::Point(q.x(), q.y(), q.z());
+  });
+  Fluid fluid(complex, liquid(1, 0, 1));
+  const double period = 2 * CGAL_PI / std::sqrt(30 / (.6 * .6 * .6));
+  const auto amplitude = [&] {
+    double sum = 0, squares = 0;
+    for (auto v : complex.interface_vertices()) {
+      const auto p = complex.position(v);
+      const double r = length(vector(p)), z = p.z() / r, value = (5 * z * z * z - 3 * z) / 2;
+      sum += (r / .6 - 1) * value;
+      squares += value * value;
+    }
+    return sum / squares;
+  };
+  std::vector<double> amplitudes;
+  for (int k = 0; k < 24; ++k) {
+    fluid.advance(period / 24, parameters::interface_tolerance(0.));
+    amplitudes.push_back(amplitude());
+  }
+  const auto least = std::min_element(amplitudes.begin(), amplitudes.end());
+  EXPECT_LT(*least, -.02);
+  EXPECT_NEAR(double(least - amplitudes.begin() + 1) / 24, .5, .09); // of a period
+}
+
+TEST(Fluid, enters_no_solid) {
+  Complex complex = sphere(8, .4);
+  Fluid fluid(complex, liquid(1, .01, .1, 2));
+  fluid.add_solid(dsc::Ball_solid_3(Point(0, 0, .2), .7, dsc::Solid_side::outside));
+  double volume = fluid.balance().volume;
+  std::size_t contacts = 0;
+  for (int k = 0; k < 30; ++k) {
+    const auto report = fluid.advance(.02);
+    EXPECT_LT(report.depth_in_solids, 1e-6 * .7);
+    EXPECT_NEAR(report.after.volume, volume, 1e-10 * volume);
+    contacts = (std::max)(contacts, report.contacts);
+  }
+  EXPECT_GT(contacts, 5u);
+  EXPECT_TRUE(complex.is_valid());
+}
+
+TEST(Fluid, that_sticks_goes_with_the_wall) {
+  Complex complex = block();
+  Fluid fluid(complex, liquid(1, 1, 0, 1));
+  using Plane = dsc::Plane_solid_3;
+  const dsc::Moving_solid_3<Plane> floor(Plane(Point(0, 0, -.5), Vector(0, 0, 1)), Vector(.3, 0, 0));
+  fluid.add_solid(floor, {90, true, true});
+  for (int k = 0; k < 3; ++k)
+    fluid.advance(.02, parameters::implicitness(1.));
+  for (auto v : complex.interface_vertices())
+    if (complex.position(v).z() < -.5 + 1e-9) {
+      EXPECT_NEAR(fluid.velocity(v).x(), .3, 1e-3);
+      EXPECT_NEAR(fluid.velocity(v).z(), 0, 1e-3);
+    }
+}
+
+TEST(Fluid, with_two_liquids_rests) {
+  // A heavy liquid below a light one, both in the box that is the domain.
+  Complex complex = small_meshes::make_complex(
+      small_meshes::grid(6, [](const auto& p) { return CGAL::to_double(p.z()) < 0 ? 2 : 1; }));
+  dsc::Fluid_properties_3 properties;
+  properties.set_liquid(1, {1, 0});
+  properties.set_liquid(2, {5, 0});
+  properties.set_gravity({0, 0, -1});
+  Fluid fluid(complex, properties);
+  fluid.advance(.05, parameters::adaptation_interval(0u));
+  EXPECT_LT(greatest_velocity(fluid), 1e-10);
+}
+
+TEST(Fluid, goes_on_to_the_same_bits) {
+  const auto run = [](unsigned threads, bool restores) {
+    Complex complex = sphere(8, .6);
+    std::vector<Complex> restored(1);
+    Fluid first(complex, liquid(1, 0, 1));
+    first.set_velocities([&](Complex::Vertex_handle v) {
+      const auto p = complex.position(v);
+      return Vector(p.x(), p.y(), -2 * p.z());
+    });
+    const auto np = parameters::number_of_threads(threads);
+    for (int k = 0; k < 3; ++k)
+      first.advance(.03, np);
+    if (!restores) {
+      for (int k = 0; k < 3; ++k)
+        first.advance(.03, np);
+      return std::make_pair(complex.state(), first.state().motion);
+    }
+    restored[0].restore(complex.state());
+    Fluid second(restored[0], liquid(1, 0, 1));
+    second.restore(first.state());
+    for (int k = 0; k < 3; ++k)
+      second.advance(.03, np);
+    return std::make_pair(restored[0].state(), second.state().motion);
+  };
+  const auto expected = run(1, false);
+  EXPECT_EQ(run(1, true), expected);
+  EXPECT_EQ(run(2, false), expected);
+}
+
+TEST(Fluid, refuses_what_makes_no_sense) {
+  dsc::Fluid_properties_3 properties;
+  EXPECT_THROW(properties.set_liquid(1, {0, 0}), dsc::Error);
+  EXPECT_THROW(properties.set_liquid(1, {1, -1}), dsc::Error);
+  EXPECT_THROW(properties.set_surface_tension(0, 1, -1), dsc::Error);
+  EXPECT_THROW(properties.set_surface_tension(1, 1, 1), dsc::Error);
+  EXPECT_THROW(properties.set_gravity({0, std::nan(""), 0}), dsc::Error);
+  EXPECT_THROW(dsc::Plane_solid_3(Point(0, 0, 0), Vector(0, 0, 0)), dsc::Error);
+  EXPECT_THROW(dsc::Ball_solid_3(Point(0, 0, 0), 0, dsc::Solid_side::inside), dsc::Error);
+  EXPECT_THROW(dsc::Tank_solid_3(CGAL::Bbox_3(0, 0, 0, 1, 0, 1)), dsc::Error);
+  EXPECT_THROW(dsc::Mesh_solid_3(dsc::Mesh_solid_3::Mesh(), dsc::Solid_side::inside), dsc::Error);
+  Complex complex = block();
+  EXPECT_THROW(Fluid(complex, properties), dsc::Error);
+  Fluid fluid(complex, liquid(1));
+  EXPECT_THROW(fluid.advance(0), dsc::Error);
+  EXPECT_THROW(fluid.advance(std::nan("")), dsc::Error);
+  EXPECT_THROW(fluid.advance(.1, parameters::implicitness(.4)), dsc::Error);
+  EXPECT_THROW(fluid.set_velocities([](Complex::Vertex_handle) {
+    return Vector(0, std::numeric_limits<double>::infinity(), 0);
+  }),
+               dsc::Error);
+  EXPECT_THROW(fluid.restore(Fluid::State()), dsc::Error);
+  EXPECT_EQ(fluid.time(), 0);
+}
+
+TEST(Fluid_solids, tell_distances_with_their_gradients) {
+  dsc::Mesh_solid_3::Mesh tetrahedron;
+  CGAL::make_tetrahedron(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1), tetrahedron);
+  using Walls = std::function<void(const Point&, double, std::vector<dsc::Wall_3>&)>;
+  const auto walls_of = [](const auto& solid) -> Walls {
+    return [solid](const Point& p, double t, std::vector<dsc::Wall_3>& walls) {
+      solid.walls(p, t, walls);
+    };
+  };
+  const dsc::Ball_solid_3 ball(Point(.1, .2, .3), .5, dsc::Solid_side::inside);
+  const std::vector<Walls> solids = {
+      walls_of(dsc::Plane_solid_3(Point(1, 2, 3), Vector(1, 1, 0))),
+      walls_of(dsc::Tank_solid_3(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1))),
+      walls_of(ball),
+      walls_of(dsc::Ball_solid_3(Point(.1, .2, .3), .5, dsc::Solid_side::outside)),
+      walls_of(dsc::Cylinder_solid_3(Point(0, 1, 0), Vector(0, 1, 1), .7, dsc::Solid_side::inside)),
+      walls_of(dsc::Mesh_solid_3(tetrahedron, dsc::Solid_side::inside)),
+      walls_of(dsc::Mesh_solid_3(tetrahedron, dsc::Solid_side::outside)),
+      walls_of(dsc::Moving_solid_3<dsc::Ball_solid_3>(ball, Vector(.3, -.2, .1), Point(1, 0, 0),
+                                                      Vector(.4, .5, .6)))};
+  mesh_helpers::Random random(1);
+  for (const Walls& solid : solids)
+    for (int k = 0; k < 50; ++k) {
+      const Point p(random(-1.5, 1.5), random(-1.5, 1.5), random(-1.5, 1.5));
+      const double h = 1e-6, t = random(0, 1);
+      std::vector<dsc::Wall_3> walls, later;
+      solid(p, t, walls);
+      solid(p, t + h, later);
+      for (std::size_t i = 0; i < walls.size(); ++i) {
+        EXPECT_NEAR(length(walls[i].normal), 1, 1e-12);
+        // A wall that comes nearer by its velocity.
+        EXPECT_NEAR((later[i].distance - walls[i].distance) / h, -(walls[i].normal * walls[i].velocity),
+                    1e-4);
+        for (int axis = 0; axis < 3; ++axis) {
+          const Vector step(axis == 0 ? h : 0, axis == 1 ? h : 0, axis == 2 ? h : 0);
+          std::vector<dsc::Wall_3> before, after;
+          solid(p - step, t, before);
+          solid(p + step, t, after);
+          EXPECT_NEAR((after[i].distance - before[i].distance) / (2 * h), walls[i].normal[axis], 1e-3);
+        }
+      }
+    }
+}
+
+TEST(Saddle_point_solvers, solve) {
+  const Eigen::Index n = 40, m = 15;
+  mesh_helpers::Random random(7);
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n, n), b(m, n), c = Eigen::MatrixXd::Zero(m, m);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    a(i, i) = random(1, 3);
+    for (Eigen::Index j = 0; j < m; ++j)
+      b(j, i) = random(-1, 1);
+  }
+  for (Eigen::Index i = 0; i + 1 < n; ++i)
+    a(i, i + 1) = a(i + 1, i) = random(-.3, .3);
+  for (Eigen::Index i = 0; i + 1 < m; ++i) {
+    c(i, i) += .1;
+    c(i + 1, i + 1) += .1;
+    c(i, i + 1) -= .1;
+    c(i + 1, i) -= .1;
+  }
+  Eigen::VectorXd f(n), s(m);
+  for (Eigen::Index i = 0; i < n; ++i)
+    f(i) = random(-1, 1);
+  for (Eigen::Index i = 0; i < m; ++i)
+    s(i) = random(-1, 1);
+  const auto solve = [&](auto solver) {
+    dsc::Saddle_point_system system;
+    system.a = a.sparseView();
+    system.b = b.sparseView();
+    system.c = c.sparseView();
+    system.inertia = a.diagonal();
+    system.viscosity = Eigen::VectorXd::Zero(m);
+    solver->factorize(std::move(system));
+    Eigen::VectorXd v = Eigen::VectorXd::Zero(n), p = Eigen::VectorXd::Zero(m);
+    solver->solve(f, s, v, p);
+    EXPECT_LT((a * v - b.transpose() * p - f).norm(), 1e-9);
+    EXPECT_LT((b * v + c * p - s).norm(), 1e-9);
+  };
+  solve(std::make_unique<dsc::Direct_saddle_point_solver>());
+  solve(std::make_unique<dsc::Iterative_saddle_point_solver>());
+  solve(std::make_unique<dsc::Saddle_point_solver>());
+}
+
+// What components own when they merge and split, by pairs of numbers then and now.
+TEST(Part_ledger, follows_parts) {
+  dsc::internal::Part_ledger_3 ledger;
+  ledger.set_volumes({{1, 2.}, {2, 3.}, {4, 1.}, {7, .5}});
+  std::vector<dsc::internal::Momentum_3> momenta(8);
+  for (std::size_t i : {1, 2, 4, 7})
+    momenta[i].linear = Eigen::Vector3d(double(i), 0, 0);
+  ledger.set_momenta(momenta, {0, 1, 2, 3, 4, 5, 6, 7});
+  // 1 and 2 merge, 4 falls into two, 7 vanishes, 9 appears.
+  EXPECT_EQ(ledger.follow({{1, 3}, {2, 3}, {4, 1}, {4, 2}}, {{1, .3}, {2, .6}, {3, 5.1}, {9, 1.}}), .5);
+  EXPECT_DOUBLE_EQ(ledger.volumes().at(3), 5);
+  EXPECT_DOUBLE_EQ(ledger.volumes().at(1), 1. / 3);
+  EXPECT_DOUBLE_EQ(ledger.volumes().at(2), 2. / 3);
+  EXPECT_DOUBLE_EQ(ledger.volumes().at(9), 1);
+  EXPECT_EQ(ledger.momenta()[ledger.set_of(3)].linear.x(), 3);
+  EXPECT_EQ(ledger.momenta()[ledger.set_of(1)].linear.x(), 4);
+  EXPECT_EQ(ledger.set_of(1), ledger.set_of(2));
+  EXPECT_EQ(ledger.momenta()[ledger.set_of(9)].linear.x(), 0);
+  // Parts of one set stay in it when they are numbered anew.
+  ledger.follow({{1, 5}, {2, 6}, {3, 7}, {9, 8}}, {{5, .3}, {6, .6}, {7, 5.}, {8, 1.}});
+  EXPECT_DOUBLE_EQ(ledger.volumes().at(5), 1. / 3);
+  EXPECT_EQ(ledger.momenta()[ledger.set_of(5)].linear.x(), 4);
+  EXPECT_EQ(ledger.set_of(5), ledger.set_of(6));
+  EXPECT_EQ(ledger.momenta()[ledger.set_of(7)].linear.x(), 3);
+}
