@@ -144,11 +144,11 @@ const std::vector<Named_scene>& named_scenes() {
   "end": 3
 })json"},
       {"sessile", R"json({
-  "title": "a drop on a floor that comes to rest with a contact angle of 60 degrees",
+  "title": "a cube of liquid on a floor that becomes a drop with a contact angle of 60 degrees",
   "domain": [-3, -3, -1, 3, 3, 3],
-  "edge": 0.15,
+  "edge": 0.2,
   "liquids": [{
-    "shape": {"type": "ball", "center": [0, 0, 0.9], "radius": 1},
+    "shape": {"type": "box", "from": [-0.8, -0.8, 0], "to": [0.8, 0.8, 1.6]},
     "density": 1,
     "viscosity": 0.3
   }],

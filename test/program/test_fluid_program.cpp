@@ -1,0 +1,158 @@
+// Fluids, by the program.
+#include "program.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace {
+
+using program::contents;
+using program::Json;
+using program::Outcome;
+namespace fs = std::filesystem;
+
+// A droplet of 80 triangles that falls onto a floor.
+Json scene() {
+  return Json::parse(R"json({
+    "title": "a test",
+    "domain": [-2.5, -2.5, -2.5, 2.5, 2.5, 2.5],
+    "edge": 0.6,
+    "liquids": [{"shape": {"type": "ball", "center": [0, 0, 0], "radius": 1, "triangles": 80},
+                 "density": 1, "velocity": [0, 0, -1]}],
+    "surface_tension": 1,
+    "gravity": [0, 0, -1],
+    "solids": [{"type": "plane", "point": [0, 0, -1.1], "normal": [0, 0, 1]}],
+    "probes": [{"name": "mode", "mode": 2, "center": [0, 0, 0]},
+               {"name": "top", "height_at": [0.05, 0.02]}],
+    "time_step": 0.05,
+    "end": 0.4
+  })json");
+}
+
+class Fluids : public program::Program_test
+{
+protected:
+  std::string write_scene(const Json& json) {
+    write("scene.json", json.dump());
+    return path("scene.json").string();
+  }
+  void expect_refusal(const Json& json, const std::string& text) {
+    const Outcome outcome = run("fluid " + write_scene(json));
+    EXPECT_NE(outcome.exit_code, 0) << text;
+    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.substr(0, 5), "dsc: ");
+    EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err; // one line
+  }
+};
+
+} // namespace
+
+TEST_F(Fluids, scenes_are_listed_and_printed) {
+  const Outcome list = run("fluid --list");
+  EXPECT_EQ(list.exit_code, 0);
+  for (const char* name : {"droplet", "bunny", "collision", "bowl", "dam-break", "crown",
+                           "capillary-wave", "bubble", "sessile"}) {
+    EXPECT_NE(list.out.find(name), std::string::npos) << name;
+    const Outcome scene = run("fluid --print " + std::string(name));
+    EXPECT_EQ(scene.exit_code, 0) << scene.err;
+    EXPECT_TRUE(Json::parse(scene.out).contains("liquids"));
+  }
+}
+
+TEST_F(Fluids, droplet_falls_onto_a_floor) {
+  const Outcome outcome =
+      run("fluid " + write_scene(scene()) + " --report " + path("report.json").string());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json report = Json::parse(contents(path("report.json")));
+  const Json& steps = report.at("steps");
+  ASSERT_EQ(steps.size(), 9u);
+  const double volume = steps[0].at("volume"), mass = volume;
+  for (const Json& step : steps) {
+    EXPECT_NEAR(step.at("volume").get<double>(), volume, 1e-10 * volume);
+    EXPECT_TRUE(step.at("probes").at("mode").is_number());
+    EXPECT_GT(step.at("probes").at("top").get<double>(), 0);
+  }
+  // In free fall for one step, then held by the floor.
+  EXPECT_NEAR(steps[1].at("momentum")[2].get<double>(), -1.05 * mass, 1e-9 * mass);
+  EXPECT_GT(steps[8].at("contacts").get<int>(), 0);
+  EXPECT_LT(steps[8].at("forces_on_solids")[0][2].get<double>(), 0);
+  EXPECT_LE(steps[8].at("depth_in_solids").get<double>(), 1e-6);
+  EXPECT_NEAR(steps[8].at("time").get<double>(), .4, 1e-12);
+}
+
+TEST_F(Fluids, run_is_resumed_to_the_same_bits) {
+  const std::string file = write_scene(scene());
+  ASSERT_EQ(run("fluid " + file + " --output " + path("whole").string() + " --threads 1").exit_code, 0);
+  const Outcome half = run("fluid " + file + " --steps 4 --output " + path("parts").string());
+  ASSERT_EQ(half.exit_code, 0) << half.err;
+  const std::string checkpoint = path("parts/checkpoint.dsc").string();
+  const Outcome rest = run("fluid --resume " + checkpoint + " --output " + path("parts").string() +
+                           " --threads 2");
+  ASSERT_EQ(rest.exit_code, 0) << rest.err;
+  EXPECT_EQ(contents(path("parts/checkpoint.dsc")), contents(path("whole/checkpoint.dsc")));
+  EXPECT_EQ(contents(path("parts/volume_000008.vtu")), contents(path("whole/volume_000008.vtu")));
+  EXPECT_TRUE(fs::exists(path("parts/interface.pvd")));
+  // Nothing is written over another run.
+  EXPECT_NE(run("fluid " + file + " --output " + path("whole").string()).exit_code, 0);
+}
+
+TEST_F(Fluids, pool_fills_its_part_of_the_domain) {
+  const Json json = Json::parse(R"json({
+    "domain": [0, 0, 0, 1, 0.5, 1], "edge": 0.25,
+    "liquids": [{"shape": {"type": "pool", "level": 0.5, "height": "0.5+0.02*cos(pi*x)"}, "density": 1}],
+    "gravity": [0, 0, -1],
+    "probes": [{"name": "left", "height_at": [0, 0.25]}],
+    "time_step": 0.1, "end": 0.3, "interface_tolerance": 0
+  })json");
+  const Outcome outcome =
+      run("fluid " + write_scene(json) + " --report " + path("report.json").string());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json report = Json::parse(contents(path("report.json")));
+  const Json& steps = report.at("steps");
+  EXPECT_NEAR(steps[0].at("probes").at("left").get<double>(), .52, 1e-12);
+  EXPECT_LT(steps[3].at("probes").at("left").get<double>(), .52);
+  EXPECT_NEAR(steps[3].at("volume").get<double>(), steps[0].at("volume").get<double>(), 1e-12);
+}
+
+TEST_F(Fluids, wrong_scenes_are_refused_by_name) {
+  Json json = scene();
+  json["liquids"][0]["density"] = -1;
+  expect_refusal(json, "density");
+  json = scene();
+  json["liquids"][0]["densty"] = 1;
+  expect_refusal(json, "densty");
+  json = scene();
+  json["colour"] = "blue";
+  expect_refusal(json, "colour");
+  json = scene();
+  json.erase("domain");
+  expect_refusal(json, "domain");
+  json = scene();
+  json["liquids"][0]["viscosity"] = "much";
+  expect_refusal(json, "viscosity");
+  json = scene();
+  json["liquids"].push_back(json["liquids"][0]);
+  json["liquids"][1]["shape"]["center"] = {0.5, 0, 0};
+  expect_refusal(json, "cross");
+  json = scene();
+  json["solids"][0]["point"] = {0, 0, 0};
+  expect_refusal(json, "inside a solid");
+  json = scene();
+  json["liquids"][0]["shape"] = {{"type", "file"}, {"file", "nothing.off"}, {"center", {0, 0, 0}},
+                                 {"radius", 1}};
+  expect_refusal(json, "nothing.off");
+  json = scene();
+  json["liquids"][0]["velocity"] = "0,0";
+  expect_refusal(json, "components");
+  json = scene();
+  json["time_step"] = 0;
+  expect_refusal(json, "time_step");
+  write("broken.json", "{\"domain\": [0, 0");
+  EXPECT_NE(run("fluid " + path("broken.json").string()).exit_code, 0);
+  EXPECT_NE(run("fluid no-such-scene").exit_code, 0);
+  EXPECT_NE(run("fluid").exit_code, 0);
+  write("other.dsc", "nothing");
+  EXPECT_NE(run("fluid --resume " + path("other.dsc").string()).exit_code, 0);
+}
