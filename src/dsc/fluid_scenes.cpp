@@ -29,14 +29,14 @@ const std::vector<Named_scene>& named_scenes() {
   "edge": 0.06,
   "liquids": [{
     "shape": {"type": "file", "file": "bunny00.off", "center": [0, 0, 0], "radius": 1,
-              "triangles": 6000},
+              "triangles": 2500},
     "density": 1,
-    "viscosity": 0.002
+    "viscosity": 0.02
   }],
   "surface_tension": 1,
-  "time_step": 0.01,
+  "time_step": 0.005,
   "cfl": 0.5,
-  "end": 2
+  "end": 1
 })json"},
       {"collision", R"json({
   "title": "two droplets that collide obliquely (figure 11 of the paper)",
@@ -59,7 +59,7 @@ const std::vector<Named_scene>& named_scenes() {
   "edge": 0.05,
   "liquids": [{
     "shape": {"type": "file", "file": "armadillo.off", "center": [0, 0, 0], "radius": 0.8,
-              "triangles": 6000},
+              "triangles": 3000},
     "density": 1,
     "viscosity": 0.05
   }],

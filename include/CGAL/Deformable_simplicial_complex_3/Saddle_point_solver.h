@@ -34,11 +34,11 @@ struct Saddle_point_system
   using Matrix = Eigen::SparseMatrix<double>; ///< stored by columns
   using Vector = Eigen::VectorXd;             ///< dense
 
-  Matrix a; ///< of velocities: masses over time, viscosity and surface tension
-  Matrix b; ///< the gradients of volumes, a row for each pressure
-  Matrix c; ///< of pressures
-  Vector inertia;    ///< that part of the diagonal of `a` which is of masses
-  Vector viscosity;  ///< for each pressure the viscosity over a quarter of the volume around
+  Matrix a;         ///< of velocities: masses over time, viscosity and surface tension
+  Matrix b;         ///< the gradients of volumes, a row for each pressure
+  Matrix c;         ///< of pressures
+  Vector inertia;   ///< the diagonal of `a` without the part of viscosity
+  Vector viscosity; ///< for each pressure the viscosity over a quarter of the volume around
 };
 
 /*!

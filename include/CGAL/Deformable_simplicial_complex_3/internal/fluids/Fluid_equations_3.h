@@ -68,10 +68,13 @@ public:
   // are wet are tensions in place of those of the mesh.
   template <class TensionOf> void assemble(const Vectors_3& half_way, const TensionOf& tension_of) {
     Entries a, b, c;
+    b.reserve(48 * m_mesh.cells.size());
+    c.reserve(16 * m_mesh.cells.size());
     for (std::size_t v = 0; v < m_masses.size(); ++v)
       add_block(a, v, v, m_masses[v] / (m_step.theta * m_step.dt) * Eigen::Matrix3d::Identity());
     m_forces = Vector::Zero(3 * Eigen::Index(m_masses.size()));
     m_stabilization.clear();
+    m_stiffness.assign(m_masses.size(), 0);
     for (std::size_t k = 0; k < m_mesh.cells.size(); ++k)
       add_cell(k, half_way, a, b, c);
     for (std::size_t f = 0; f < m_mesh.facets.size(); ++f)
@@ -88,12 +91,12 @@ public:
   const Matrix& a() const { return m_a; }
   const Matrix& b() const { return m_b; }
   const Matrix& c() const { return m_c; }
-  // What multiplies velocities for the sake of masses, and pressures for that of viscosity; see
-  // `Saddle_point_system`.
+  // What multiplies velocities for the sake of masses and surfaces, and pressures for that of
+  // viscosity; see `Saddle_point_system`.
   Vector inertia() const {
     Vector result(m_forces.size());
     for (std::size_t v = 0; v < m_masses.size(); ++v)
-      at(result, v).setConstant(m_masses[v] / (m_step.theta * m_step.dt));
+      at(result, v).setConstant(m_masses[v] / (m_step.theta * m_step.dt) + m_stiffness[v]);
     return result;
   }
   Vector viscosity() const {
@@ -211,6 +214,8 @@ private:
       const Eigen::Vector3d pull = weight * (from[w] - from[v]);
       at(m_forces, v) += pull;
       at(m_forces, w) -= pull;
+      m_stiffness[v] += implicit;
+      m_stiffness[w] += implicit;
       if (implicit != 0)
         for (int axis = 0; axis < 3; ++axis) {
           const Eigen::Index i_v = 3 * Eigen::Index(v) + axis, i_w = 3 * Eigen::Index(w) + axis;
@@ -227,7 +232,7 @@ private:
   Step m_step;
   Vectors_3 m_positions;
   std::vector<Element> m_elements; // at the beginning
-  std::vector<double> m_masses;
+  std::vector<double> m_masses, m_stiffness; // by vertex
   Matrix m_a, m_b, m_c;
   Vector m_forces; // of surfaces
   std::vector<std::array<Eigen::Vector3d, 4>> m_stabilization; // by cell and corner

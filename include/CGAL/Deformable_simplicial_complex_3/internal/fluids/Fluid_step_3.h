@@ -50,8 +50,8 @@ public:
   // Accelerations that are not known, of a step before, are found by repetition.
   void solve(bool knows_accelerations) {
     static constexpr unsigned geometries = 2; // that of the prediction, and of the first solution
-    static constexpr unsigned most = 40;
-    static constexpr double same = 1e-13;
+    static constexpr unsigned most = 15;
+    static constexpr double same = 1e-11; // above what the solver leaves
     for (unsigned k = 0; k < geometries; ++k) {
       assemble();
       if (k > 0 || knows_accelerations) {
