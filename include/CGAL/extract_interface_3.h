@@ -6,6 +6,7 @@
 #define CGAL_EXTRACT_INTERFACE_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Extracted_facets.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -37,6 +38,7 @@ around is cut open, with several points for the vertices there.
 
 \sa `extract_interface()`
 \sa `interface_to_surface_mesh()`
+\sa `subdivide_interface()`
 */
 template <class Complex> struct Interface_surface_3
 {
@@ -56,6 +58,9 @@ template <class Complex> struct Interface_surface_3
 
   /// for each point the vertex it is the position of
   std::vector<Vertex_handle> vertices;
+
+  /// for each point where it lies on the boundary of the domain
+  std::vector<Boundary_class::Bits> boundary_classes;
 };
 
 namespace Deformable_simplicial_complexes {
@@ -66,8 +71,11 @@ Interface_surface_3<Complex> interface_surface(const Complex& dsc,
                                                const std::vector<typename Complex::Facet>& facets,
                                                bool from_smaller_label) {
   Extracted_facets<Complex> extracted(dsc, facets, from_smaller_label);
+  std::vector<Boundary_class::Bits> boundary_classes;
+  for (auto v : extracted.vertices)
+    boundary_classes.push_back(v->boundary_class());
   return {std::move(extracted.points), std::move(extracted.facets), std::move(extracted.labels),
-          std::move(extracted.vertices)};
+          std::move(extracted.vertices), std::move(boundary_classes)};
 }
 
 } // namespace internal

@@ -5,6 +5,7 @@
 #include "command_line.h"
 
 #include "errors.h"
+#include "files.h"
 #include "option_values.h"
 #include "run_commands.h"
 
@@ -22,6 +23,13 @@ namespace {
 std::string one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
+}
+
+void require_surface_to_subdivide(const std::string& path) {
+  const std::string format = extension(path);
+  if (format != "off" && format != "obj" && format != "ply" && format != "stl")
+    throw Usage_error("--subdivide has a meaning for surfaces only (.off, .obj, .ply, .stl); leave "
+                      "it out, or choose one of these for OUT");
 }
 
 } // namespace
@@ -46,9 +54,16 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   convert
       ->add_option(
           "OUT", convert_options.output,
-          "Interface (.off, .obj, .ply, .stl) or tetrahedra (.vtu, .mesh); in the plane regions "
+          "Interface (.off, .obj, .ply, .stl), its picture (.png) or tetrahedra (.vtu, .mesh); in the "
+          "plane regions "
           "(.wkt, .poly), a picture (.svg) or triangles (.vtu)")
       ->required();
+  convert
+      ->add_option(
+          "--subdivide", convert_options.subdivisions,
+          "Divide each triangle of the interface into four so many times, by Loop's scheme, "
+          "which makes it smooth")
+      ->check(CLI::Range(1, 5));
   convert->add_flag("--quiet", convert_options.quiet, "Print nothing but errors");
 
   Improve_options improve_options;
@@ -135,6 +150,8 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
                           "Folder for the steps, to be shown with ParaView");
   reconstruct->add_option("--report", reconstruct_options.report,
                           "JSON file with distances, parts, and what fits nothing");
+  reconstruct->add_option("--picture", reconstruct_options.picture,
+                          "Picture of the surface (.png)");
   reconstruct->add_flag("--quiet", reconstruct_options.quiet, "Print nothing but errors");
 
   Fluid_options fluid_options;
@@ -160,6 +177,8 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   fluid->add_option("--resume", fluid_options.resume, "Go on from a checkpoint, to the same bits");
   fluid->add_option("--report", fluid_options.report,
                     "JSON file with energies, momenta, volumes and contacts of each step");
+  fluid->add_option("--picture", fluid_options.picture,
+                    "Picture of the liquids in the end (.png)");
   fluid->add_flag("--quiet", fluid_options.quiet, "Print nothing but errors");
 
   if (argc < 2) {
@@ -185,7 +204,9 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   }
   if (*convert) {
     require_extension(convert_options.output,
-                      {"off", "obj", "ply", "stl", "vtu", "mesh", "wkt", "poly", "svg"});
+                      {"off", "obj", "ply", "stl", "vtu", "mesh", "wkt", "poly", "svg", "png"});
+    if (convert_options.subdivisions > 0)
+      require_surface_to_subdivide(convert_options.output);
     return convert_options;
   }
   if (*improve) {
@@ -213,10 +234,14 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   if (*reconstruct) {
     require_extension(reconstruct_options.input, {"xyz", "pwn", "ply", "off"});
     require_extension(reconstruct_options.output, {"off", "obj", "ply", "stl", "vtu", "mesh"});
+    if (!reconstruct_options.picture.empty())
+      require_extension(reconstruct_options.picture, {"png"});
     reconstruct_options.tolerance = parse_positive(tolerance, "--tolerance");
     return reconstruct_options;
   }
   if (*fluid) {
+    if (!fluid_options.picture.empty())
+      require_extension(fluid_options.picture, {"png"});
     if (fluid->count("--end") > 0)
       fluid_options.end = parse_positive(end, "--end");
     if (!fluid_options.lists && fluid_options.scene.empty() == fluid_options.resume.empty())

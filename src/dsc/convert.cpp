@@ -13,7 +13,11 @@ namespace dsc {
 int execute(const Convert_options& options) {
   require_writable(options.output);
   std::string metadata;
-  track_checkpoint(options.checkpoint, metadata)->write(options.output);
+  const auto complex = track_checkpoint(options.checkpoint, metadata);
+  if (options.subdivisions > 0)
+    complex->write_subdivided(options.output, options.subdivisions);
+  else
+    complex->write(options.output);
   if (!options.quiet)
     std::cout << "dsc: wrote " << options.output << '\n';
   return 0;

@@ -319,6 +319,8 @@ int execute(const Fluid_options& options) {
     folder.emplace(options.output, options.resume);
   if (!options.report.empty())
     require_place_of_report(options.report, {options.resume});
+  if (!options.picture.empty())
+    require_writable(options.picture);
 
   const auto begin = Clock::now();
   Run run = options.resume.empty() ? start(options) : resume(options);
@@ -378,6 +380,8 @@ int execute(const Fluid_options& options) {
   progress.clear();
   write_files();
   write_report();
+  if (!options.picture.empty())
+    run.complex->write(options.picture);
   if (interrupted()) {
     std::string checkpoint = folder ? folder->checkpoint() : unused_name("dsc_interrupted", ".dsc");
     if (!folder)

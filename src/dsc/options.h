@@ -126,7 +126,8 @@ struct Run_options
   unsigned threads = 1;                        ///< to use
   std::string output;                          ///< folder; empty for no files
   unsigned every = 1;
-  std::string report; ///< file; empty for none
+  std::string report;  ///< file; empty for none
+  std::string picture; ///< file; empty for none
   bool quiet = false;
 };
 
@@ -141,6 +142,7 @@ struct Convert_options
 {
   std::string checkpoint;
   std::string output;
+  int subdivisions = 0; ///< of the interface, by Loop's scheme
   bool quiet = false;
 };
 
@@ -180,6 +182,7 @@ struct Reconstruct_options
   unsigned threads = 1;
   std::string folder; ///< for the steps; empty for none
   std::string report; ///< file; empty for none
+  std::string picture; ///< file; empty for none
   bool quiet = false;
 };
 
@@ -197,6 +200,7 @@ struct Fluid_options
   unsigned every = 1;
   std::string resume; ///< a checkpoint
   std::string report; ///< file; empty for none
+  std::string picture; ///< file; empty for none
   bool quiet = false;
 };
 

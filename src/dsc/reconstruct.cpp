@@ -124,6 +124,8 @@ int execute(const Reconstruct_options& options) {
   if (!options.report.empty())
     require_place_of_report(options.report, {options.input, options.output});
   require_writable(options.output);
+  if (!options.picture.empty())
+    require_writable(options.picture);
   std::optional<Step_folder> folder;
   if (!options.folder.empty())
     folder.emplace(options.folder);
@@ -149,6 +151,8 @@ int execute(const Reconstruct_options& options) {
   progress.clear();
 
   tracked.write(options.output);
+  if (!options.picture.empty())
+    tracked.write(options.picture);
   const double seconds = seconds_since(begin);
   const Statistics statistics = tracked.statistics();
   if (!options.report.empty()) {

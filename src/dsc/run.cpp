@@ -7,6 +7,7 @@
 #include "errors.h"
 #include "files.h"
 #include "interrupt.h"
+#include "option_values.h"
 #include "output_folder.h"
 #include "progress_line.h"
 #include "report.h"
@@ -131,12 +132,19 @@ int execute(const Run_options& asked) {
     require_place_of_report(options.report, precious);
   }
 
+  if (!options.picture.empty()) {
+    require_extension(options.picture, {"png"});
+    require_writable(options.picture);
+  }
+
   Run_position position;
   Repairs repairs;
   const std::unique_ptr<Tracked_complex> tracked = start(options, position, repairs);
   if (!options.quiet)
     print_repairs(options.start.inputs, repairs);
   Tracked_complex& complex = *tracked;
+  if (!options.picture.empty() && complex.dimension() == 2)
+    throw Usage_error("--picture is for runs in space; in the plane, --output writes pictures");
   if (folder && !options.resume.empty())
     folder->keep_until(position.time);
 
@@ -202,6 +210,8 @@ int execute(const Run_options& asked) {
     print_interruption(position, checkpoint, options.steps - done);
   }
   report.write();
+  if (!options.picture.empty())
+    complex.write(options.picture);
   if (!options.quiet)
     print_summary(position, statistics, unfinished, seconds);
   return stopped ? exit_code_of_interrupt : 0;

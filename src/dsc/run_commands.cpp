@@ -144,6 +144,8 @@ CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
       ->check(CLI::Range(1, INT_MAX))
       ->needs(output)
       ->capture_default_str();
+  command->add_option("--picture", m_options.picture,
+                      "Picture of the interface in the end, in space (.png)");
   command->add_option("--report", m_options.report, "JSON file with what happened in each step");
   command->add_flag("--quiet", m_options.quiet,
                     "Print nothing but errors and where an interrupted run continues");

@@ -62,6 +62,8 @@ public:
   /// In the plane, draws the complex to `stem` + ".svg".
   virtual void write_picture(const std::string& stem) const = 0;
   virtual void write_checkpoint(const std::string& path, const std::string& metadata) const = 0;
+  /// Writes the interface, subdivided so many times. \throws Usage_error in the plane
+  virtual void write_subdivided(const std::string& path, int subdivisions) const = 0;
 };
 
 /// Fills the space inside and around surfaces.

@@ -145,6 +145,10 @@ void Tracked_complex_2::write(const std::string& path) const {
     write_volume_vtu(path);
 }
 
+void Tracked_complex_2::write_subdivided(const std::string&, int) const {
+  throw Usage_error("--subdivide has no meaning in the plane; leave it out");
+}
+
 void Tracked_complex_2::write_interface_vtu(const std::string& path) const {
   CGAL::IO::write_interface_VTU(path, complex);
 }

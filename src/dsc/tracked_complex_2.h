@@ -37,6 +37,7 @@ public:
   double mean_edge() const override { return complex.mean_interface_edge(); }
   double sweep_seconds() const override;
   void write(const std::string& path) const override;
+  void write_subdivided(const std::string& path, int subdivisions) const override;
   void write_interface_vtu(const std::string& path) const override;
   void write_volume_vtu(const std::string& path) const override;
   void write_picture(const std::string& stem) const override;

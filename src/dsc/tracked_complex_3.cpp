@@ -7,6 +7,7 @@
 #include "files.h"
 #include "labelled_tetrahedra.h"
 #include "option_values.h"
+#include "picture.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
@@ -15,8 +16,10 @@
 #include <CGAL/IO/checkpoint_3.h>
 #include <CGAL/IO/labelled_surface_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
+#include <CGAL/extract_interface_3.h>
 #include <CGAL/improve_mesh_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
+#include <CGAL/subdivide_interface_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>
@@ -173,15 +176,40 @@ std::vector<Surface_point> Tracked_complex_3::interface_points() const {
   return points;
 }
 
+namespace {
+
+void write_picture_png(const std::string& path, const Tracked_complex_3::Complex& complex) {
+  std::vector<Picture_triangle> triangles;
+  for (const auto& f : complex.interface_facets()) {
+    Picture_triangle t{{}, f.first->label()};
+    const auto v = complex.facet_vertices(f);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto p = complex.user_position(v[i]);
+      t.corners[i] = {p.x(), p.y(), p.z()};
+    }
+    triangles.push_back(t);
+  }
+  write_picture(path, triangles);
+}
+
+} // namespace
+
 void Tracked_complex_3::write(const std::string& path) const {
-  require_extension(path, {"off", "obj", "ply", "stl", "vtu", "mesh"});
+  require_extension(path, {"off", "obj", "ply", "stl", "vtu", "mesh", "png"});
   const std::string format = extension(path);
   if (format == "vtu")
     write_volume_vtu(path);
+  else if (format == "png")
+    write_picture_png(path, complex);
   else if (format == "mesh")
     CGAL::IO::write_MEDIT(path, complex);
   else
     CGAL::IO::write_interface(path, complex);
+}
+
+void Tracked_complex_3::write_subdivided(const std::string& path, int subdivisions) const {
+  CGAL::IO::write_interface(
+      path, CGAL::subdivide_interface(CGAL::extract_interface(complex), subdivisions));
 }
 
 void Tracked_complex_3::write_interface_vtu(const std::string& path) const {

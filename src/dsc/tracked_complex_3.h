@@ -39,6 +39,7 @@ public:
   double mean_edge() const override;
   double sweep_seconds() const override;
   void write(const std::string& path) const override;
+  void write_subdivided(const std::string& path, int subdivisions) const override;
   void write_interface_vtu(const std::string& path) const override;
   void write_volume_vtu(const std::string& path) const override;
   void write_picture(const std::string&) const override {}

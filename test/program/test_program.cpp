@@ -50,6 +50,19 @@ TEST_F(Program, says_what_it_can_do_without_arguments) {
   EXPECT_NE(outcome.out.find("reconstruct"), std::string::npos) << outcome.out;
 }
 
+TEST_F(Program, draws_pictures) {
+  write("cube.off", program::box(0, 0, 0, 1, 1, 1));
+  const std::string cube = path("cube.off").string(), picture = path("cube.png").string();
+  const Outcome outcome =
+      run("rotate " + cube + " --axis 0,0,1 --angle 5 --steps 1 --picture " + picture);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string png = contents(picture);
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  EXPECT_GT(png.size(), 1000u);
+  EXPECT_EQ(run("rotate " + cube + " --axis 0,0,1 --angle 5 --picture a.jpg").exit_code, 2);
+  EXPECT_NE(run("zalesak --steps 1 --picture " + picture).exit_code, 0);
+}
+
 TEST_F(Program, refuses_wrong_usage) {
   const std::string rotate = "rotate cube.off --axis 0,0,1 --angle 5 ";
   for (const std::string& arguments :
@@ -72,6 +85,12 @@ TEST_F(Program, refuses_wrong_usage) {
                                 "info cube.txt",
                                 "convert a.dsc out.xyz",
                                 "convert a.dsc",
+                                "convert a.dsc out.off --subdivide 0",
+                                "convert a.dsc out.off --subdivide 6",
+                                "convert a.dsc out.off --subdivide x",
+                                "convert a.dsc out.vtu --subdivide 1",
+                                "convert a.dsc out.mesh --subdivide 1",
+                                "convert a.dsc out.wkt --subdivide 1",
                                 "info"})
     expect_error(arguments, 2);
   for (const std::string& option : std::vector<std::string>{
@@ -448,6 +467,19 @@ TEST_F(Program, converts) {
             info("out/checkpoint.dsc", "interface triangles"));
   expect_success("convert out/checkpoint.dsc all.vtu");
   EXPECT_TRUE(contents(path("all.vtu")) == contents(path("out/volume_000001.vtu")));
+}
+
+TEST_F(Program, converts_to_subdivided_surfaces) {
+  expect_success("offset octahedron.off --distance 0.01 --steps 1 --output out");
+  const double triangles = info("out/checkpoint.dsc", "interface triangles");
+  for (const std::string format : {"off", "obj", "ply", "stl"}) {
+    SCOPED_TRACE(format);
+    expect_success("convert out/checkpoint.dsc interface." + format + " --subdivide 2");
+    EXPECT_EQ(info("interface." + format, "triangles"), 16 * triangles);
+    EXPECT_EQ(info("interface." + format, "Euler characteristic"), 2);
+    EXPECT_LT(info("interface." + format, "volume"), 4. / 3); // smooth
+    EXPECT_GT(info("interface." + format, "volume"), 4. / 3 / 4);
+  }
 }
 
 TEST_F(Program, does_not_depend_on_the_number_of_threads) {

@@ -153,18 +153,6 @@ bool write_soup(std::ostream& out, Surface_format format, const Points& points,
   return false;
 }
 
-template <class Complex>
-void write_surface(const std::string& path, const Interface_surface_3<Complex>& surface) {
-  const Surface_format format = surface_format(path);
-  if (format == Surface_format::none)
-    throw File_error(path + " has no format for surfaces: choose .off, .obj, .ply or .stl", path);
-  replace_file_by_stream(path, [&](std::ostream& out) {
-    out.precision(std::numeric_limits<double>::max_digits10);
-    if (!write_soup(out, format, surface.points, surface.triangles))
-      out.setstate(std::ios::failbit);
-  });
-}
-
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 
@@ -227,6 +215,36 @@ Labelled_surface_3<Point> read_labelled_surface(const std::string& path, int lab
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
+writes an interface that was extracted, and may have been subdivided, to a file in one of the
+formats OFF, OBJ, PLY and STL, chosen by the extension.
+
+All of them are written as text in user coordinates with 17 significant digits; triangles come in
+their order and keep their orientation. The file is written beside its final place and renamed when
+complete.
+
+\param path is the name of the file; its folder must exist.
+\param surface is what `extract_interface()` or `subdivide_interface()` returned.
+
+\throws Deformable_simplicial_complexes::File_error if the extension is none of these or the file
+cannot be written; an older file of that name is unchanged then.
+*/
+template <class Complex>
+void write_interface(const std::string& path, const Interface_surface_3<Complex>& surface) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  const internal::Surface_format format = internal::surface_format(path);
+  if (format == internal::Surface_format::none)
+    throw Deformable_simplicial_complexes::File_error(
+        path + " has no format for surfaces: choose .off, .obj, .ply or .stl", path);
+  internal::replace_file_by_stream(path, [&](std::ostream& out) {
+    out.precision(std::numeric_limits<double>::max_digits10);
+    if (!internal::write_soup(out, format, surface.points, surface.triangles))
+      out.setstate(std::ios::failbit);
+  });
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
 writes the whole interface to a file in one of the formats OFF, OBJ, PLY and STL, chosen by the
 extension.
 
@@ -244,7 +262,7 @@ cannot be written; an older file of that name is unchanged then.
 template <class Traits, class Tds, class QualityMeasure>
 void write_interface(const std::string& path,
                      const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>& dsc) {
-  Deformable_simplicial_complexes::internal::write_surface(path, extract_interface(dsc));
+  write_interface(path, extract_interface(dsc));
 }
 
 /*!
@@ -265,7 +283,7 @@ void write_interface(
     const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>& dsc,
     typename Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>::Label a,
     typename Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>::Label b) {
-  Deformable_simplicial_complexes::internal::write_surface(path, extract_interface(dsc, a, b));
+  write_interface(path, extract_interface(dsc, a, b));
 }
 
 } // namespace IO

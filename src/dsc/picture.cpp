@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "picture.h"
+
+#include "errors.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace dsc {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+constexpr int side = 800, samples = 2; // pixels; points along the side of one
+constexpr int points = side * samples;
+
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Vector unit(const Vector& a) {
+  const double length = std::sqrt(dot(a, a));
+  return {a[0] / length, a[1] / length, a[2] / length};
+}
+
+/// Axes of the picture: to the right, upwards, and towards the eye.
+struct View
+{
+  Vector eye = unit({.55, -1, .5});
+  Vector right = unit(cross({0, 0, 1}, eye));
+  Vector up = cross(eye, right);
+
+  Vector seen(const Vector& p) const { return {dot(right, p), dot(up, p), dot(eye, p)}; }
+};
+
+/// Red, green and blue, light ones to be shaded.
+Vector color(int label) {
+  static constexpr std::array<Vector, 6> colors = {{{.55, .7, .9},
+                                                    {.95, .7, .45},
+                                                    {.6, .85, .6},
+                                                    {.85, .6, .8},
+                                                    {.9, .85, .5},
+                                                    {.6, .85, .85}}};
+  return colors[std::size_t(std::abs(label - 1)) % colors.size()];
+}
+
+class Canvas
+{
+public:
+  Canvas() : m_depths(std::size_t(points) * points, -std::numeric_limits<double>::infinity()),
+             m_colors(m_depths.size(), Vector{1, 1, 1}) {}
+
+  /// A triangle whose corners have coordinates in points, and depths.
+  void draw(const std::array<Vector, 3>& t, const Vector& color) {
+    const double area = (t[1][0] - t[0][0]) * (t[2][1] - t[0][1]) -
+                        (t[1][1] - t[0][1]) * (t[2][0] - t[0][0]);
+    if (area == 0)
+      return;
+    const auto bounds = [&](std::size_t axis) {
+      const auto [least, most] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});
+      return std::make_pair(std::max(0, int(std::floor(least))), std::min(points - 1, int(std::ceil(most))));
+    };
+    const auto [x0, x1] = bounds(0);
+    const auto [y0, y1] = bounds(1);
+    for (int y = y0; y <= y1; ++y)
+      for (int x = x0; x <= x1; ++x) {
+        double depth = 0;
+        bool is_inside = true;
+        for (std::size_t i = 0; i < 3; ++i) {
+          const Vector &a = t[(i + 1) % 3], &b = t[(i + 2) % 3];
+          const double weight = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area;
+          is_inside = is_inside && weight >= 0;
+          depth += weight * t[i][2];
+        }
+        const std::size_t at = std::size_t(y) * points + std::size_t(x);
+        if (is_inside && depth > m_depths[at]) {
+          m_depths[at] = depth;
+          m_colors[at] = color;
+        }
+      }
+  }
+
+  /// Rows from above.
+  std::vector<png_byte> pixels() const {
+    std::vector<png_byte> result;
+    for (int y = side; y-- > 0;)
+      for (int x = 0; x < side; ++x)
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+          double sum = 0;
+          for (int i = 0; i < samples; ++i)
+            for (int j = 0; j < samples; ++j)
+              sum += m_colors[std::size_t(samples * y + i) * points + std::size_t(samples * x + j)][channel];
+          result.push_back(png_byte(std::lround(255 * sum / (samples * samples))));
+        }
+    return result;
+  }
+
+private:
+  std::vector<double> m_depths;
+  std::vector<Vector> m_colors;
+};
+
+} // namespace
+
+void write_picture(const std::string& path, const std::vector<Picture_triangle>& triangles) {
+  const View view;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  Vector least = {infinity, infinity, infinity}, most = {-infinity, -infinity, -infinity};
+  for (const Picture_triangle& t : triangles)
+    for (const Vector& p : t.corners) {
+      const Vector q = view.seen(p);
+      for (std::size_t i = 0; i < 3; ++i) {
+        least[i] = std::min(least[i], q[i]);
+        most[i] = std::max(most[i], q[i]);
+      }
+    }
+  static constexpr double margin = .05; // of the side
+  const double extent = std::max({most[0] - least[0], most[1] - least[1], 1e-300}),
+               scale = (1 - 2 * margin) * points / extent;
+  Canvas canvas;
+  const Vector light = unit({-.4, .5, 1}); // by the axes of the picture
+  for (const Picture_triangle& t : triangles) {
+    std::array<Vector, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vector q = view.seen(t.corners[i]);
+      corners[i] = {points / 2. + scale * (q[0] - (least[0] + most[0]) / 2),
+                    points / 2. + scale * (q[1] - (least[1] + most[1]) / 2), scale * q[2]};
+    }
+    Vector a, b;
+    for (std::size_t i = 0; i < 3; ++i) {
+      a[i] = corners[1][i] - corners[0][i];
+      b[i] = corners[2][i] - corners[0][i];
+    }
+    Vector normal = cross(a, b);
+    if (dot(normal, normal) == 0)
+      continue;
+    normal = unit(normal);
+    // Both sides are lit, as surfaces may be open.
+    static constexpr double ambient = .35;
+    const double shade =
+        ambient + (1 - ambient) * std::max(0., dot(light, normal) * (normal[2] < 0 ? -1 : 1));
+    Vector shaded = color(t.label);
+    for (double& c : shaded)
+      c *= shade;
+    canvas.draw(corners, shaded);
+  }
+  const std::vector<png_byte> pixels = canvas.pixels();
+  png_image image = {};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = image.height = side;
+  image.format = PNG_FORMAT_RGB;
+  if (png_image_write_to_file(&image, path.c_str(), 0, pixels.data(), 0, nullptr) == 0)
+    throw Input_error("the picture '" + path + "' cannot be written: " + image.message);
+}
+
+} // namespace dsc

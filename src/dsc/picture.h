@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_PICTURE_H
+#define DSC_PICTURE_H
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace dsc {
+
+/// A triangle of a surface, and the label behind it, by which it is colored.
+struct Picture_triangle
+{
+  std::array<std::array<double, 3>, 3> corners;
+  int label;
+};
+
+/// Draws triangles as seen from afar, from the front, the right and above, z upwards, into a PNG file.
+/// \throws Input_error if it cannot be written
+void write_picture(const std::string& path, const std::vector<Picture_triangle>& triangles);
+
+} // namespace dsc
+
+#endif // DSC_PICTURE_H
