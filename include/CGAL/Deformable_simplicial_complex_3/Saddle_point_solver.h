@@ -153,7 +153,7 @@ public:
     double cosine = -1, sine = 0, epsilon = 0, delta_bar = 0;
     unsigned k = 0;
     // By the names of Paige and Saunders: r are Lanczos' vectors, not normalized.
-    while (std::abs(eta) > bound) {
+    while (!(std::abs(eta) <= bound)) { // nor for what is no number
       if (++k > most)
         throw Error("the equations of the flow cannot be solved by iterations: cells may be too "
                     "flat, or the step too long");

@@ -39,7 +39,7 @@ public:
       const Eigen::Vector3d& o = positions[cell.vertices[0]];
       for (int i = 0; i < 3; ++i)
         part.edges.col(i) = positions[cell.vertices[std::size_t(i) + 1]] - o;
-      part.volume = part.edges.determinant() / 6;
+      part.volume = (std::max)(0., part.edges.determinant() / 6); // not yet that of the mesh
       part.tension = 0;
       for (auto v : cell.vertices)
         part.tension = (std::max)(part.tension, tensions[v]);
@@ -116,8 +116,12 @@ private:
         volumes[p] += m_parts[k].volume;
       }
     }
+    // Cells that lie flat on a wall tell no gradient.
     for (std::size_t p = 0; p < result.size(); ++p)
-      result[p] /= volumes[p];
+      if (volumes[p] > 0)
+        result[p] /= volumes[p];
+      else
+        result[p].setZero();
     return result;
   }
 
