@@ -11,20 +11,20 @@
 #include <CGAL/Deformable_simplicial_complex_3/Saddle_point_solver.h>
 #include <CGAL/Deformable_simplicial_complex_3/Solids_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Body_momenta_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Part_ledger_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_motion_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_step_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Part_interface_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Part_ledger_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>
-#include <CGAL/control_detail_3.h>
-#include <CGAL/deform_interface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/improve_interface_3.h>
-#include <CGAL/improve_mesh_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/adapt_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+#include <CGAL/control_detail_3.h>
+#include <CGAL/deform_interface_3.h>
+#include <CGAL/improve_interface_3.h>
+#include <CGAL/improve_mesh_3.h>
 
 #include <algorithm>
 #include <array>
@@ -62,26 +62,26 @@ struct Fluid_state_3
   std::uint64_t steps = 0;                   ///< done
   std::uint32_t damped_steps = 0;            ///< to come
   bool knows_accelerations = false;          ///< whether there was a step
-  std::vector<std::array<double, 6>> motion; ///< velocities and accelerations of finite vertices, by
-                                             ///< time stamp
+  std::vector<std::array<double, 6>> motion; ///< velocities and accelerations of finite vertices,
+                                             ///< by time stamp
   std::vector<std::pair<std::uint32_t, double>> volumes; ///< that components are to have
 };
 
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Incompressible flow of any number of liquids with free surfaces, surface tension, viscosity and solids
-(section 4.4 of the paper; M. K. Misztal, R. Bridson, K. Erleben, J. A. Bærentzen, F. Anton,
-"Optimization-based fluid simulation on unstructured meshes", VRIPHYS 2010), by linear finite elements
-on the tetrahedra of a complex, which go with the flow.
+Incompressible flow of any number of liquids with free surfaces, surface tension, viscosity and
+solids (section 4.4 of the paper; M. K. Misztal, R. Bridson, K. Erleben, J. A. Bærentzen, F. Anton,
+"Optimization-based fluid simulation on unstructured meshes", VRIPHYS 2010), by linear finite
+elements on the tetrahedra of a complex, which go with the flow.
 
 Labels are liquids or void, see `Fluid_properties_3`. A step solves for velocities and pressures at
 once, in the middle of the step, so that energy neither grows nor fades but for viscosity and what
-changes of the mesh take; surface tension is implicit and bounds no step. The volume of each connected
-part of a liquid stays what it was to rounding; parts that merge add theirs. So do momenta, but for
-what gravity and walls give. Where the liquids reach the boundary of the domain, they slide along it
-and do not leave it. The surface of a liquid never enters a solid with a vertex; it may touch and leave
-it.
+changes of the mesh take; surface tension is implicit and bounds no step. The volume of each
+connected part of a liquid stays what it was to rounding; parts that merge add theirs. So do
+momenta, but for what gravity and walls give. Where the liquids reach the boundary of the domain,
+they slide along it and do not leave it. The surface of a liquid never enters a solid with a vertex;
+it may touch and leave it.
 
 All is in the coordinates of the complex, in any units that fit together.
 
@@ -91,24 +91,23 @@ All is in the coordinates of the complex, in any units that fit together.
 template <class Complex, class Solver = Saddle_point_solver> class Incompressible_fluid
 {
 public:
-  using Point = Simple_cartesian<double>::Point_3;                        ///< of space
-  using Vector = Simple_cartesian<double>::Vector_3;                      ///< of space
-  using Vertex_handle = typename Complex::Vertex_handle;                  ///< of the complex
-  using Properties = Fluid_properties_3; ///< of labels
-  using Balance = Fluid_balance_3;       ///< of all liquids
-  using Report = Fluid_report_3<Complex>; ///< of a step
-  using State = Fluid_state_3;           ///< to go on from
+  using Point = Simple_cartesian<double>::Point_3;       ///< of space
+  using Vector = Simple_cartesian<double>::Vector_3;     ///< of space
+  using Vertex_handle = typename Complex::Vertex_handle; ///< of the complex
+  using Properties = Fluid_properties_3;                 ///< of labels
+  using Balance = Fluid_balance_3;                       ///< of all liquids
+  using Report = Fluid_report_3<Complex>;                ///< of a step
+  using State = Fluid_state_3;                           ///< to go on from
 
   /// \name Creation
   /// @{
 
-  /// A fluid at rest. Its volumes are those of now. The complex must outlive it, and be changed by it
-  /// only. \throws Error if there are no liquids. Linear.
+  /// A fluid at rest. Its volumes are those of now. The complex must outlive it, and be changed by
+  /// it only. \throws Error if there are no liquids. Linear.
   Incompressible_fluid(Complex& complex, const Properties& properties)
       : m_complex(complex), m_properties(properties) {
     if (properties.liquids().empty())
-      throw Error(
-          "there is no liquid: tell the density of a label at least");
+      throw Error("there is no liquid: tell the density of a label at least");
     m_complex.take_component_lineage();
     m_ledger.set_volumes(Ledger::measure(m_complex, m_properties));
   }
@@ -120,17 +119,12 @@ public:
 
   /// Adds a solid, which is copied. \tparam Solid model of `Solid_3`
   /// \throws Error if the contact angle is out of its range
-  template <class Solid>
-  void add_solid(const Solid& solid,
-                 const Wall_behavior& behavior = {}) {
+  template <class Solid> void add_solid(const Solid& solid, const Wall_behavior& behavior = {}) {
     if (!(behavior.contact_angle >= 0 && behavior.contact_angle <= 180))
-      throw Error(
-          "a contact angle is out of range: use 0 to 180 degrees");
-    m_solids.push_back({[solid](const Point& p, double t, std::vector<Wall>& walls) {
-                          solid.walls(p, t, walls);
-                        },
-                        std::cos(behavior.contact_angle * CGAL_PI / 180), behavior.sticks,
-                        behavior.separates});
+      throw Error("a contact angle is out of range: use 0 to 180 degrees");
+    m_solids.push_back(
+        {[solid](const Point& p, double t, std::vector<Wall>& walls) { solid.walls(p, t, walls); },
+         std::cos(behavior.contact_angle * CGAL_PI / 180), behavior.sticks, behavior.separates});
   }
 
   /// Sets the velocities of all vertices: `velocity_at(v)` is a `Vector`.
@@ -184,14 +178,14 @@ public:
 
   \param dt its length, positive.
   \param np named parameters: `number_of_threads`, `quality_threshold`, `minimum_angle`,
-         `minimum_facet_angle`, `relabeling_threshold`, `topology_control` and `manifold_interface` of
-         `deform_interface()`, and
+         `minimum_facet_angle`, `relabeling_threshold`, `topology_control` and `manifold_interface`
+  of `deform_interface()`, and
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{implicitness}
       \cgalParamDescription{when in the step forces are taken, in [0.5, 1]: 0.5, half-way, keeps
-                            energy, 1 loses most of what oscillates. In the four steps after a change of
-                            topology 0.6 at least.}
+                            energy, 1 loses most of what oscillates. In the four steps after a
+  change of topology 0.6 at least.}
       \cgalParamType{`double`} \cgalParamDefault{0.5}
     \cgalParamNEnd
     \cgalParamNBegin{interface_tolerance}
@@ -215,21 +209,19 @@ public:
   Some dozens of iterations of a linear solver, almost linear in the number of vertices of liquids,
   and the deformation.
   */
-  template <class NamedParameters =
-                parameters::Default_named_parameters>
+  template <class NamedParameters = parameters::Default_named_parameters>
   Report advance(double dt, const NamedParameters& np = NamedParameters());
 
   /*!
   Takes liquids towards rest, where forces balance: steps of full implicitness, velocities dropped
-  after each, without adaptation of the mesh. `time()` stays. What is round is soon round; that vertices
-  of the surface come to rest along it takes hundreds of steps.
+  after each, without adaptation of the mesh. `time()` stays. What is round is soon round; that
+  vertices of the surface come to rest along it takes hundreds of steps.
   \param dt of a step: about that of a wave over the liquid
   \param steps at the most; fewer if vertices come to rest up to rounding
   \param np the named parameters of `advance()`
   \return the velocity, at the most, by which vertices still went in the last step
   */
-  template <class NamedParameters =
-                parameters::Default_named_parameters>
+  template <class NamedParameters = parameters::Default_named_parameters>
   double relax(double dt, unsigned steps, const NamedParameters& np = NamedParameters());
 
   /// @}
@@ -276,9 +268,8 @@ private:
     Balance balance(const Incompressible_fluid& fluid, const Vectors& at, const Vectors& with,
                     double time) const {
       const Contacts contacts(mesh, fluid.m_solids, fluid.m_complex, at, time);
-      return internal::balance(mesh, fluid.m_properties, at, with, [&](std::size_t f) {
-        return contacts.tension(mesh.facets[f]);
-      });
+      return internal::balance(mesh, fluid.m_properties, at, with,
+                               [&](std::size_t f) { return contacts.tension(mesh.facets[f]); });
     }
   };
 
@@ -338,7 +329,8 @@ private:
 /// \ingroup PkgDeformableSimplicialComplex3Ref
 /// Incompressible flow in a complex, see `Deformable_simplicial_complexes::Incompressible_fluid`.
 template <class Complex, class Solver = Deformable_simplicial_complexes::Saddle_point_solver>
-using Incompressible_fluid_3 = Deformable_simplicial_complexes::Incompressible_fluid<Complex, Solver>;
+using Incompressible_fluid_3 =
+    Deformable_simplicial_complexes::Incompressible_fluid<Complex, Solver>;
 
 } // namespace CGAL
 

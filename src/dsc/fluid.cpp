@@ -8,6 +8,7 @@
 #include "fluid_scene.h"
 #include "fluid_start.h"
 #include "interrupt.h"
+#include "legendre.h"
 #include "output_folder.h"
 #include "progress_line.h"
 #include "report_json.h"
@@ -83,7 +84,8 @@ Json events_json(const Fluid::Report& report) {
 /// The extent of the surfaces of liquids.
 Json extent_json(const Complex& complex) {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::array<double, 3> least = {infinity, infinity, infinity}, largest = {-infinity, -infinity, -infinity};
+  std::array<double, 3> least = {infinity, infinity, infinity},
+                        largest = {-infinity, -infinity, -infinity};
   for (const auto v : complex.interface_vertices()) {
     const auto p = complex.position(v);
     for (int i = 0; i < 3; ++i) {
@@ -111,12 +113,7 @@ double amplitude(const Complex& complex, std::size_t degree, const std::array<do
     const double distance = std::sqrt((m - c).squared_length());
     const double weight =
         std::abs(CGAL::cross_product(q - p, r - p) * (m - c)) / (distance * distance * distance);
-    // The polynomial by its recurrence.
-    const double z = (m.z() - c.z()) / distance;
-    double before = 0, value = 1;
-    for (std::size_t n = 0; n < degree; ++n)
-      before = std::exchange(value, ((2 * double(n) + 1) * z * value - double(n) * before) /
-                                        (double(n) + 1));
+    const double value = legendre(degree, (m.z() - c.z()) / distance);
     samples.push_back({weight, distance, value});
     mean += weight * distance;
     angles += weight;
@@ -136,7 +133,9 @@ Json height(const Complex& complex, const std::array<double, 2>& place) {
   for (const auto& f : complex.interface_facets()) {
     const auto v = complex.facet_vertices(f);
     const auto p = complex.position(v[0]), q = complex.position(v[1]), r = complex.position(v[2]);
-    const auto twice_area = [](double ax, double ay, double bx, double by) { return ax * by - ay * bx; };
+    const auto twice_area = [](double ax, double ay, double bx, double by) {
+      return ax * by - ay * bx;
+    };
     const double whole = twice_area(q.x() - p.x(), q.y() - p.y(), r.x() - p.x(), r.y() - p.y());
     if (whole == 0)
       continue;
@@ -293,12 +292,11 @@ double next_step(const Run& run, double end) {
 
 void print_summary(const Run& run, unsigned steps, double seconds) {
   const Fluid::Balance balance = run.fluid->balance();
-  std::printf("dsc: %s; %u steps, time %g: %zu vertices, %zu interface triangles, volume %.10g, energy "
-              "%.6g; %.3g s\n",
-              run.scene.title.c_str(), steps, run.fluid->time(),
-              run.complex->complex.number_of_vertices(),
-              run.complex->complex.interface_facets().size(), balance.volume, balance.energy(),
-              seconds);
+  std::printf(
+      "dsc: %s; %u steps, time %g: %zu vertices, %zu interface triangles, volume %.10g, energy "
+      "%.6g; %.3g s\n",
+      run.scene.title.c_str(), steps, run.fluid->time(), run.complex->complex.number_of_vertices(),
+      run.complex->complex.interface_facets().size(), balance.volume, balance.energy(), seconds);
 }
 
 } // namespace

@@ -79,8 +79,7 @@ Scene_liquid read_liquid(Json_fields liquid, std::size_t index) {
   Scene_liquid result;
   bool is_surroundings = false;
   result.shape = read_shape(liquid, is_surroundings);
-  result.label =
-      is_surroundings ? 0 : int(liquid.count("label", index + 1));
+  result.label = is_surroundings ? 0 : int(liquid.count("label", index + 1));
   if (!is_surroundings && result.label == 0)
     liquid.refuse("label", "0 is what is around all liquids");
   result.density = liquid.positive("density");

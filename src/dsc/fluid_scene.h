@@ -104,9 +104,9 @@ struct Fluid_scene
   std::array<double, 3> gravity = {};
   std::vector<Scene_solid> solids;
   std::vector<Scene_probe> probes;
-  double time_step;  ///< at the most
-  double cfl;        ///< 0 for steps that are all as long
-  double end;        ///< time
+  double time_step; ///< at the most
+  double cfl;       ///< 0 for steps that are all as long
+  double end;       ///< time
   double implicitness;
   double interface_tolerance;
   std::size_t adaptation_interval;

@@ -5,6 +5,7 @@
 #include "fluid_start.h"
 
 #include "errors.h"
+#include "legendre.h"
 #include "surface.h"
 #include "velocity_expressions.h"
 
@@ -36,15 +37,8 @@ CGAL::Bbox_3 box(const std::array<double, 6>& d) { return {d[0], d[1], d[2], d[3
 
 std::string place_of(const std::string& file, const std::string& folder) {
   const std::filesystem::path path(file);
-  return path.is_absolute() || folder.empty() ? file : (std::filesystem::path(folder) / path).string();
-}
-
-double legendre(std::size_t degree, double z) {
-  double before = 0, value = 1;
-  for (std::size_t n = 0; n < degree; ++n)
-    before = std::exchange(value, ((2 * double(n) + 1) * z * value - double(n) * before) /
-                                      (double(n) + 1));
-  return value;
+  return path.is_absolute() || folder.empty() ? file
+                                              : (std::filesystem::path(folder) / path).string();
 }
 
 Surface ball_surface(const Ball_shape& ball, double edge) {
@@ -52,8 +46,8 @@ Surface ball_surface(const Ball_shape& ball, double edge) {
   const double area = std::sqrt(3.) / 4 * edge * edge / (ball.radius * ball.radius);
   Run_start start;
   start.ball = Ball{ball.center, ball.radius};
-  start.triangles = ball.triangles > 0 ? ball.triangles
-                                       : std::size_t(std::max(20., 4 * CGAL_PI / area));
+  start.triangles =
+      ball.triangles > 0 ? ball.triangles : std::size_t(std::max(20., 4 * CGAL_PI / area));
   Surface surface = start_surfaces(start).front();
   const Surface_point center(ball.center[0], ball.center[1], ball.center[2]);
   if (ball.mode > 0)
@@ -152,7 +146,8 @@ Complex complex_of_pool(const Fluid_scene& scene, int label, const Pool_shape& p
     for (std::size_t j = 0; j <= ny; ++j)
       for (std::size_t i = 0; i <= nx; ++i)
         points.emplace_back(d[0] + (d[3] - d[0]) * double(i) / double(nx),
-                            d[1] + (d[4] - d[1]) * double(j) / double(ny), k == below ? pool.level : z(k));
+                            d[1] + (d[4] - d[1]) * double(j) / double(ny),
+                            k == below ? pool.level : z(k));
   const std::array<std::size_t, 3> stride = {1, nx + 1, (nx + 1) * (ny + 1)};
   std::vector<std::array<std::size_t, 4>> tetrahedra;
   std::vector<int> labels;
@@ -209,11 +204,11 @@ Complex complex_of_places(const Fluid_scene& scene) {
     }
     return result;
   };
-  return CGAL::make_deformable_simplicial_complex_3<Complex>(box(scene.domain), scene.edge, label_at);
+  return CGAL::make_deformable_simplicial_complex_3<Complex>(box(scene.domain), scene.edge,
+                                                             label_at);
 }
 
-template <class Solid>
-void add_solid(Fluid& fluid, const Scene_solid& given, const Solid& solid) {
+template <class Solid> void add_solid(Fluid& fluid, const Scene_solid& given, const Solid& solid) {
   using CGAL::Deformable_simplicial_complexes::Moving_solid_3;
   using Vector = Fluid::Vector;
   const CGAL::Deformable_simplicial_complexes::Wall_behavior behavior = {
@@ -223,8 +218,8 @@ void add_solid(Fluid& fluid, const Scene_solid& given, const Solid& solid) {
   if (velocity == CGAL::NULL_VECTOR && turn == CGAL::NULL_VECTOR)
     fluid.add_solid(solid, behavior);
   else
-    fluid.add_solid(Moving_solid_3<Solid>(solid, velocity, CGAL::ORIGIN + vector(given.point), turn),
-                    behavior);
+    fluid.add_solid(
+        Moving_solid_3<Solid>(solid, velocity, CGAL::ORIGIN + vector(given.point), turn), behavior);
 }
 
 } // namespace
@@ -299,7 +294,8 @@ void begin(const Fluid_scene& scene, Fluid& fluid) {
         CGAL::centroid(complex.position(c->vertex(0)), complex.position(c->vertex(1)),
                        complex.position(c->vertex(2)), complex.position(c->vertex(3)));
     for (std::size_t i = 0; i < scene.liquids.size(); ++i)
-      of_part[i] += scene.liquids[i].label == c->label() && is_about(scene.liquids[i].shape, middle);
+      of_part[i] +=
+          scene.liquids[i].label == c->label() && is_about(scene.liquids[i].shape, middle);
   }
   std::deque<Velocity_expressions> velocities; // not to be moved
   for (const Scene_liquid& liquid : scene.liquids)

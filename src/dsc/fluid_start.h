@@ -23,7 +23,7 @@ Tracked_complex_3::Complex start_of_scene(const Fluid_scene& scene, const std::s
 
 /// With the solids of the scene. \throws Input_error if a file cannot be read
 std::unique_ptr<Fluid> fluid_of_scene(const Fluid_scene& scene, const std::string& folder,
-                     Tracked_complex_3::Complex& complex);
+                                      Tracked_complex_3::Complex& complex);
 
 /// Sets the velocities of the beginning. \throws Input_error if a liquid begins inside a solid
 void begin(const Fluid_scene& scene, Fluid& fluid);

@@ -15,8 +15,8 @@
 
 namespace dsc {
 
-/// The fields of an object of a JSON file, each of which must be known, of the right type and in its
-/// range.
+/// The fields of an object of a JSON file, each of which must be known, of the right type and in
+/// its range.
 class Json_fields
 {
 public:

@@ -44,30 +44,28 @@ struct View
 
 /// Red, green and blue, light ones to be shaded.
 Vector color(int label) {
-  static constexpr std::array<Vector, 6> colors = {{{.55, .7, .9},
-                                                    {.95, .7, .45},
-                                                    {.6, .85, .6},
-                                                    {.85, .6, .8},
-                                                    {.9, .85, .5},
-                                                    {.6, .85, .85}}};
+  static constexpr std::array<Vector, 6> colors = {
+      {{.55, .7, .9}, {.95, .7, .45}, {.6, .85, .6}, {.85, .6, .8}, {.9, .85, .5}, {.6, .85, .85}}};
   return colors[std::size_t(std::abs(label - 1)) % colors.size()];
 }
 
 class Canvas
 {
 public:
-  Canvas() : m_depths(std::size_t(points) * points, -std::numeric_limits<double>::infinity()),
-             m_colors(m_depths.size(), Vector{1, 1, 1}) {}
+  Canvas()
+      : m_depths(std::size_t(points) * points, -std::numeric_limits<double>::infinity()),
+        m_colors(m_depths.size(), Vector{1, 1, 1}) {}
 
   /// A triangle whose corners have coordinates in points, and depths.
   void draw(const std::array<Vector, 3>& t, const Vector& color) {
-    const double area = (t[1][0] - t[0][0]) * (t[2][1] - t[0][1]) -
-                        (t[1][1] - t[0][1]) * (t[2][0] - t[0][0]);
+    const double area =
+        (t[1][0] - t[0][0]) * (t[2][1] - t[0][1]) - (t[1][1] - t[0][1]) * (t[2][0] - t[0][0]);
     if (area == 0)
       return;
     const auto bounds = [&](std::size_t axis) {
       const auto [least, most] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});
-      return std::make_pair(std::max(0, int(std::floor(least))), std::min(points - 1, int(std::ceil(most))));
+      return std::make_pair(std::max(0, int(std::floor(least))),
+                            std::min(points - 1, int(std::ceil(most))));
     };
     const auto [x0, x1] = bounds(0);
     const auto [y0, y1] = bounds(1);
@@ -98,7 +96,8 @@ public:
           double sum = 0;
           for (int i = 0; i < samples; ++i)
             for (int j = 0; j < samples; ++j)
-              sum += m_colors[std::size_t(samples * y + i) * points + std::size_t(samples * x + j)][channel];
+              sum += m_colors[std::size_t(samples * y + i) * points + std::size_t(samples * x + j)]
+                             [channel];
           result.push_back(png_byte(std::lround(255 * sum / (samples * samples))));
         }
     return result;

@@ -18,8 +18,8 @@ struct Picture_triangle
   int label;
 };
 
-/// Draws triangles as seen from afar, from the front, the right and above, z upwards, into a PNG file.
-/// \throws Input_error if it cannot be written
+/// Draws triangles as seen from afar, from the front, the right and above, z upwards, into a PNG
+/// file. \throws Input_error if it cannot be written
 void write_picture(const std::string& path, const std::vector<Picture_triangle>& triangles);
 
 } // namespace dsc

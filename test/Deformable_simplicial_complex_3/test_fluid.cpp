@@ -79,7 +79,8 @@ TEST(Fluid, falls_freely) {
 TEST(Fluid, in_a_tank_rests) {
   Complex complex = block();
   Fluid fluid(complex, liquid(2, 0, 0, 1));
-  fluid.add_solid(dsc::Tank_solid_3(CGAL::Bbox_3(-.5, -.5, -.5, .5, .5, 1), true), {90, false, false});
+  fluid.add_solid(dsc::Tank_solid_3(CGAL::Bbox_3(-.5, -.5, -.5, .5, .5, 1), true),
+                  {90, false, false});
   const auto report = fluid.advance(.05);
   EXPECT_LT(greatest_velocity(fluid), 1e-12);
   EXPECT_EQ(report.depth_in_solids, 0);
@@ -195,7 +196,8 @@ TEST(Fluid, that_sticks_goes_with_the_wall) {
   Complex complex = block();
   Fluid fluid(complex, liquid(1, 1, 0, 1));
   using Plane = dsc::Plane_solid_3;
-  const dsc::Moving_solid_3<Plane> floor(Plane(Point(0, 0, -.5), Vector(0, 0, 1)), Vector(.3, 0, 0));
+  const dsc::Moving_solid_3<Plane> floor(Plane(Point(0, 0, -.5), Vector(0, 0, 1)),
+                                         Vector(.3, 0, 0));
   fluid.add_solid(floor, {90, true, true});
   for (int k = 0; k < 3; ++k)
     fluid.advance(.02, parameters::implicitness(1.));
@@ -275,7 +277,8 @@ TEST(Fluid, refuses_what_makes_no_sense) {
 
 TEST(Fluid_solids, tell_distances_with_their_gradients) {
   dsc::Mesh_solid_3::Mesh tetrahedron;
-  CGAL::make_tetrahedron(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1), tetrahedron);
+  CGAL::make_tetrahedron(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1),
+                         tetrahedron);
   using Walls = std::function<void(const Point&, double, std::vector<dsc::Wall_3>&)>;
   const auto walls_of = [](const auto& solid) -> Walls {
     return [solid](const Point& p, double t, std::vector<dsc::Wall_3>& walls) {
@@ -304,14 +307,15 @@ TEST(Fluid_solids, tell_distances_with_their_gradients) {
       for (std::size_t i = 0; i < walls.size(); ++i) {
         EXPECT_NEAR(length(walls[i].normal), 1, 1e-12);
         // A wall that comes nearer by its velocity.
-        EXPECT_NEAR((later[i].distance - walls[i].distance) / h, -(walls[i].normal * walls[i].velocity),
-                    1e-4);
+        EXPECT_NEAR((later[i].distance - walls[i].distance) / h,
+                    -(walls[i].normal * walls[i].velocity), 1e-4);
         for (int axis = 0; axis < 3; ++axis) {
           const Vector step(axis == 0 ? h : 0, axis == 1 ? h : 0, axis == 2 ? h : 0);
           std::vector<dsc::Wall_3> before, after;
           solid(p - step, t, before);
           solid(p + step, t, after);
-          EXPECT_NEAR((after[i].distance - before[i].distance) / (2 * h), walls[i].normal[axis], 1e-3);
+          EXPECT_NEAR((after[i].distance - before[i].distance) / (2 * h), walls[i].normal[axis],
+                      1e-3);
         }
       }
     }
@@ -366,7 +370,8 @@ TEST(Part_ledger, follows_parts) {
     momenta[i].linear = Eigen::Vector3d(double(i), 0, 0);
   ledger.set_momenta(momenta, {0, 1, 2, 3, 4, 5, 6, 7});
   // 1 and 2 merge, 4 falls into two, 7 vanishes, 9 appears.
-  EXPECT_EQ(ledger.follow({{1, 3}, {2, 3}, {4, 1}, {4, 2}}, {{1, .3}, {2, .6}, {3, 5.1}, {9, 1.}}), .5);
+  EXPECT_EQ(ledger.follow({{1, 3}, {2, 3}, {4, 1}, {4, 2}}, {{1, .3}, {2, .6}, {3, 5.1}, {9, 1.}}),
+            .5);
   EXPECT_DOUBLE_EQ(ledger.volumes().at(3), 5);
   EXPECT_DOUBLE_EQ(ledger.volumes().at(1), 1. / 3);
   EXPECT_DOUBLE_EQ(ledger.volumes().at(2), 2. / 3);

@@ -84,12 +84,13 @@ TEST_F(Fluids, droplet_falls_onto_a_floor) {
 
 TEST_F(Fluids, run_is_resumed_to_the_same_bits) {
   const std::string file = write_scene(scene());
-  ASSERT_EQ(run("fluid " + file + " --output " + path("whole").string() + " --threads 1").exit_code, 0);
+  ASSERT_EQ(run("fluid " + file + " --output " + path("whole").string() + " --threads 1").exit_code,
+            0);
   const Outcome half = run("fluid " + file + " --steps 4 --output " + path("parts").string());
   ASSERT_EQ(half.exit_code, 0) << half.err;
   const std::string checkpoint = path("parts/checkpoint.dsc").string();
-  const Outcome rest = run("fluid --resume " + checkpoint + " --output " + path("parts").string() +
-                           " --threads 2");
+  const Outcome rest =
+      run("fluid --resume " + checkpoint + " --output " + path("parts").string() + " --threads 2");
   ASSERT_EQ(rest.exit_code, 0) << rest.err;
   EXPECT_EQ(contents(path("parts/checkpoint.dsc")), contents(path("whole/checkpoint.dsc")));
   EXPECT_EQ(contents(path("parts/volume_000008.vtu")), contents(path("whole/volume_000008.vtu")));
@@ -140,8 +141,8 @@ TEST_F(Fluids, wrong_scenes_are_refused_by_name) {
   json["solids"][0]["point"] = {0, 0, 0};
   expect_refusal(json, "inside a solid");
   json = scene();
-  json["liquids"][0]["shape"] = {{"type", "file"}, {"file", "nothing.off"}, {"center", {0, 0, 0}},
-                                 {"radius", 1}};
+  json["liquids"][0]["shape"] = {
+      {"type", "file"}, {"file", "nothing.off"}, {"center", {0, 0, 0}}, {"radius", 1}};
   expect_refusal(json, "nothing.off");
   json = scene();
   json["liquids"][0]["velocity"] = "0,0";

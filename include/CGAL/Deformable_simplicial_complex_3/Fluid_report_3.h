@@ -22,11 +22,11 @@ struct Fluid_balance_3
 {
   using Vector = Simple_cartesian<double>::Vector_3; ///< of space
 
-  double volume = 0;                        ///< of all liquids
-  double kinetic_energy = 0;                ///< of motion
-  double potential_energy = 0;              ///< in gravity, 0 at the origin
-  double surface_energy = 0;                ///< tension times area; of wet walls less than none
-  Vector momentum = Vector(0, 0, 0);        ///< mass times velocity
+  double volume = 0;                         ///< of all liquids
+  double kinetic_energy = 0;                 ///< of motion
+  double potential_energy = 0;               ///< in gravity, 0 at the origin
+  double surface_energy = 0;                 ///< tension times area; of wet walls less than none
+  Vector momentum = Vector(0, 0, 0);         ///< mass times velocity
   Vector angular_momentum = Vector(0, 0, 0); ///< about the origin
 
   /// The sum of the three.
@@ -42,25 +42,26 @@ template <class Complex> struct Fluid_report_3
 {
   using Vector = Simple_cartesian<double>::Vector_3; ///< of space
 
-  double time = 0; ///< after the step
-  double dt = 0;   ///< length of the step
-  Fluid_balance_3 before; ///< at the beginning
-  Fluid_balance_3 moved;  ///< when all has moved, before the mesh was changed or its topology
-  Fluid_balance_3 after;  ///< in the end: what differs from `moved` is due to the mesh
-  double greatest_velocity = 0;           ///< of a vertex, after the step
+  double time = 0;              ///< after the step
+  double dt = 0;                ///< length of the step
+  Fluid_balance_3 before;       ///< at the beginning
+  Fluid_balance_3 moved;        ///< when all has moved, before the mesh was changed or its topology
+  Fluid_balance_3 after;        ///< in the end: what differs from `moved` is due to the mesh
+  double greatest_velocity = 0; ///< of a vertex, after the step
   double greatest_change_of_velocity = 0; ///< of a vertex in the step, by forces
-  double greatest_correction = 0; ///< of the velocity of a vertex, by a rigid motion of its part, so
-                                  ///< that changes of the mesh keep momenta
-  double volume_correction = 0;   ///< by which a part was off before its volume was restored, relative
-  double lost_volume = 0;         ///< of parts that vanished
-  unsigned solutions = 0;         ///< linear systems solved
-  unsigned iterations = 0;        ///< of the solver, in all of them
-  std::size_t contacts = 0;       ///< vertices that are held by solids
-  double depth_in_solids = 0;     ///< of the deepest vertex, after the step
+  double greatest_correction = 0; ///< of the velocity of a vertex, by a rigid motion of its part,
+                                  ///< so that changes of the mesh keep momenta
+  double volume_correction =
+      0;                      ///< by which a part was off before its volume was restored, relative
+  double lost_volume = 0;     ///< of parts that vanished
+  unsigned solutions = 0;     ///< linear systems solved
+  unsigned iterations = 0;    ///< of the solver, in all of them
+  std::size_t contacts = 0;   ///< vertices that are held by solids
+  double depth_in_solids = 0; ///< of the deepest vertex, after the step
   std::vector<Vector> forces_on_solids; ///< by liquids, in the order in which solids were added
   double seconds_of_solver = 0, seconds_of_mesh = 0; ///< elapsed; the only figures that vary
-  Improvement_report adaptation;           ///< of the mesh, before the step
-  Deformation_report<Complex> deformation; ///< of the mesh by the step
+  Improvement_report adaptation;                     ///< of the mesh, before the step
+  Deformation_report<Complex> deformation;           ///< of the mesh by the step
 };
 
 } // namespace Deformable_simplicial_complexes

@@ -111,8 +111,8 @@ Solves saddle point systems by the method of minimal residuals (C. C. Paige and 
 "Solution of sparse indefinite systems of linear equations", SIAM J. Numer. Anal. 12, 1975), for
 velocities preconditioned by an incomplete Cholesky factorization, for pressures by that of what
 masses make of them, and by viscosity (J. Cahouet and J.-P. Chabard, "Some fast 3D finite element
-solvers for the generalized Stokes problem", Int. J. Numer. Methods Fluids 8, 1988). Memory is linear
-in the number of unknowns, time almost.
+solvers for the generalized Stokes problem", Int. J. Numer. Methods Fluids 8, 1988). Memory is
+linear in the number of unknowns, time almost.
 
 \cgalModels `SaddlePointSolver`
 */
@@ -233,7 +233,8 @@ public:
 
   /// Takes a matrix. \throws Error if it is singular.
   void factorize(System&& system) {
-    static constexpr Eigen::Index small = 2000; // unknowns, of 500 vertices: where both take as long
+    static constexpr Eigen::Index small =
+        2000; // unknowns, of 500 vertices: where both take as long
     m_is_direct = system.a.rows() + system.c.rows() <= small;
     if (m_is_direct)
       m_direct.factorize(std::move(system));

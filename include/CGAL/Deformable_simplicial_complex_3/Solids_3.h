@@ -208,11 +208,13 @@ private:
           side(tree) {
       tree.accelerate_distance_queries();
       const Bbox_3 box = tree.bbox();
-      extent = (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+      extent =
+          (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
     }
     static Mesh checked(Mesh mesh) {
       if (mesh.number_of_faces() == 0 || !is_closed(mesh) || !is_triangle_mesh(mesh))
-        throw Error("the mesh of a solid is not closed, has no facets, or some that are no triangles");
+        throw Error(
+            "the mesh of a solid is not closed, has no facets, or some that are no triangles");
       return mesh;
     }
   };

@@ -20,10 +20,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Mass, momentum and angular momentum about the origin.
+// Momentum and angular momentum about the origin.
 struct Momentum_3
 {
-  double mass = 0;
   Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = Eigen::Vector3d::Zero();
 };
 
@@ -65,7 +64,6 @@ inline Momentum_3 momentum(const Masses_3& masses, const Vectors_3& positions,
                            const Vectors_3& velocities) {
   Momentum_3 result;
   for (const auto& [v, m] : masses) {
-    result.mass += m;
     result.linear += m * velocities[v];
     result.angular += m * positions[v].cross(velocities[v]);
   }
@@ -95,7 +93,8 @@ Fluid_balance_3 balance(const Mesh& mesh, const Fluid_properties_3& properties,
     result.volume += volume(cell, positions);
   for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
     const auto& v = mesh.facets[f].vertices;
-    const Eigen::Vector3d a = positions[v[1]] - positions[v[0]], b = positions[v[2]] - positions[v[0]];
+    const Eigen::Vector3d a = positions[v[1]] - positions[v[0]],
+                          b = positions[v[2]] - positions[v[0]];
     result.surface_energy += tension_of(f) * a.cross(b).norm() / 2;
   }
   return result;

@@ -22,19 +22,19 @@ namespace internal {
 
 /*
 The equations of a step of time dt of incompressible flow, by linear finite elements on tetrahedra
-that go with the flow. Unknown are the velocities v at the time theta dt, by which vertices go from x
-to x + dt v, and the pressures p:
+that go with the flow. Unknown are the velocities v at the time theta dt, by which vertices go from
+x to x + dt v, and the pressures p:
 
    A v - B^T p = f,   A = M / (theta dt) + K + theta dt L,  f = M (u / (theta dt) + g) - L x + w
    B v + C p   = s
 
 M are the masses of vertices, K is viscosity, L x the gradient of the energy of surfaces, w that of
-walls that are wet. Each row of B is the gradient of a quarter of the volume around a vertex, so that
-B v = 0 keeps it. That alone permits pressures that nothing feels: C, which sums up to nothing, is
-made of the residual of the equation of motion, and vanishes with it, where the gradient of p is
-that of gravity less acceleration (T. J. R. Hughes, L. P. Franca, M. Balestra, "A new finite element formulation for
-computational fluid dynamics: V.", 1986). Pressure is constant in no cell: with one pressure for each
-cell, nothing would move that is not linear.
+walls that are wet. Each row of B is the gradient of a quarter of the volume around a vertex, so
+that B v = 0 keeps it. That alone permits pressures that nothing feels: C, which sums up to nothing,
+is made of the residual of the equation of motion, and vanishes with it, where the gradient of p is
+that of gravity less acceleration (T. J. R. Hughes, L. P. Franca, M. Balestra, "A new finite element
+formulation for computational fluid dynamics: V.", 1986). Pressure is constant in no cell: with one
+pressure for each cell, nothing would move that is not linear.
 */
 template <class Complex> class Fluid_equations_3
 {
@@ -62,7 +62,6 @@ public:
 
   // Of vertices, a quarter of those of the cells around.
   const std::vector<double>& masses() const { return m_masses; }
-  const Step& step() const { return m_step; }
 
   // The matrices with the vertices at some positions, about half-way. The energies of facets that
   // are wet are tensions in place of those of the mesh.
@@ -166,8 +165,7 @@ private:
     const auto& cell = m_mesh.cells[k];
     const Element moved = element(cell, half_way);
     // A cell that the prediction makes flat is none to divide by.
-    const Element& e =
-        moved.measure() > flat * m_elements[k].measure() ? moved : m_elements[k];
+    const Element& e = moved.measure() > flat * m_elements[k].measure() ? moved : m_elements[k];
     const double volume = e.measure(), viscosity = cell.liquid->viscosity;
     std::array<Eigen::Vector3d, 4> gradients;
     double steepest = 0;
@@ -231,10 +229,10 @@ private:
   Eigen::Vector3d m_gravity;
   Step m_step;
   Vectors_3 m_positions;
-  std::vector<Element> m_elements; // at the beginning
+  std::vector<Element> m_elements;           // at the beginning
   std::vector<double> m_masses, m_stiffness; // by vertex
   Matrix m_a, m_b, m_c;
-  Vector m_forces; // of surfaces
+  Vector m_forces;                                             // of surfaces
   std::vector<std::array<Eigen::Vector3d, 4>> m_stabilization; // by cell and corner
 };
 

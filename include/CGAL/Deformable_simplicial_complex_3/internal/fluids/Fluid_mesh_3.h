@@ -22,12 +22,10 @@ namespace internal {
 
 using Vectors_3 = std::vector<Eigen::Vector3d>;
 
-template <class Point> Eigen::Vector3d eigen_vector(const Point& p) {
-  return {p[0], p[1], p[2]};
-}
+template <class Point> Eigen::Vector3d eigen_vector(const Point& p) { return {p[0], p[1], p[2]}; }
 
-// The liquid part of a complex, numbered: vertices carry velocities; each of them carries a pressure
-// for each liquid around it, as pressures jump where liquids meet.
+// The liquid part of a complex, numbered: vertices carry velocities; each of them carries a
+// pressure for each liquid around it, as pressures jump where liquids meet.
 template <class Complex> struct Fluid_mesh_3
 {
   using Vertex_handle = typename Complex::Vertex_handle;

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Solves the equations of a step: velocities and pressures at positions about half-way, which follow
-// from the velocities, and contacts with walls, which follow from both.
+// Solves the equations of a step: velocities and pressures at positions about half-way, which
+// follow from the velocities, and contacts with walls, which follow from both.
 template <class Complex, class Solver> class Fluid_step_3
 {
 public:
@@ -38,9 +38,9 @@ public:
                const typename Contacts::Solids& solids, const Complex& complex, Solver& solver,
                const typename Equations::Step& step, double t, const Vectors_3& positions,
                const Vectors_3& velocities, const Vectors_3& accelerations)
-      : m_mesh(mesh), m_properties(properties), m_solver(solver), m_step(step),
-        m_end(t + step.dt), m_positions(positions), m_before(velocities),
-        m_accelerations(accelerations), m_equations(mesh, properties, step, positions),
+      : m_mesh(mesh), m_properties(properties), m_solver(solver), m_step(step), m_end(t + step.dt),
+        m_positions(positions), m_before(velocities), m_accelerations(accelerations),
+        m_equations(mesh, properties, step, positions),
         m_contacts(mesh, solids, complex, positions, t) {
     for (std::size_t v = 0; v < positions.size(); ++v)
       m_velocities.push_back(velocities[v] + step.theta * step.dt * accelerations[v]);
@@ -72,10 +72,6 @@ public:
     end();
   }
 
-  // Those by which vertices go.
-  const Vectors_3& velocities() const { return m_velocities; }
-  const Vector& pressures() const { return m_pressures; }
-  const Equations& equations() const { return m_equations; }
   const Contacts& contacts() const { return m_contacts; }
   const Vector& reactions() const { return m_reactions; }
   unsigned iterations() const { return m_iterations; }
@@ -123,9 +119,8 @@ private:
 
   void assemble() {
     m_contacts.predict(destinations(), m_end, m_step.dt);
-    m_equations.assemble(at_time(m_step.dt / 2), [&](std::size_t f) {
-      return m_contacts.tension(m_mesh.facets[f]);
-    });
+    m_equations.assemble(at_time(m_step.dt / 2),
+                         [&](std::size_t f) { return m_contacts.tension(m_mesh.facets[f]); });
     m_is_factorized = false;
   }
 
@@ -159,11 +154,10 @@ private:
     }
     const auto& base = m_constraints.base();
     const Vector& known = m_constraints.prescribed();
-    const Vector f = m_equations.forces(m_before),
-                 s = m_equations.stabilization(m_accelerations);
+    const Vector f = m_equations.forces(m_before), s = m_equations.stabilization(m_accelerations);
     Vector free = base.transpose() * (flat(m_velocities) - known);
-    m_iterations += m_solver.solve(base.transpose() * (f - a * known), s - b * known, free,
-                                   m_pressures);
+    m_iterations +=
+        m_solver.solve(base.transpose() * (f - a * known), s - b * known, free, m_pressures);
     ++m_solutions;
     const Vector v = known + base * free;
     m_reactions = a * v - b.transpose() * m_pressures - f;

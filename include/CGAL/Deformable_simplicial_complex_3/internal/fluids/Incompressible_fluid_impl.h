@@ -101,9 +101,9 @@ double Incompressible_fluid<Complex, Solver>::largest_step(double part) const {
                  velocity = flow.velocities[v].norm(), acceleration = flow.accelerations[v].norm();
     // length = velocity t + acceleration t^2 / 2
     if (velocity > 0 || acceleration > 0)
-      result = (std::min)(result,
-                          2 * length / (velocity + std::sqrt(velocity * velocity +
-                                                             2 * acceleration * length)));
+      result = (std::min)(
+          result,
+          2 * length / (velocity + std::sqrt(velocity * velocity + 2 * acceleration * length)));
   }
   return result;
 }
@@ -143,14 +143,14 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
   for (const auto& [part, volume] : state.volumes)
     fits = fits && present.count(part) > 0 && volume > 0 && std::isfinite(volume);
   for (const auto& value : state.motion)
-    fits = fits && std::all_of(value.begin(), value.end(), [](double x) { return std::isfinite(x); });
+    fits =
+        fits && std::all_of(value.begin(), value.end(), [](double x) { return std::isfinite(x); });
   if (!fits)
     throw Error("the state of the fluid does not fit the complex: restore the complex that it was "
                 "taken with first");
   internal::Fluid_motion_3 motion;
   for (std::size_t v = 0; v < vertices.size(); ++v)
-    motion.put(vertices[v]->time_stamp(),
-               internal::Fluid_motion_3::Value(state.motion[v].data()));
+    motion.put(vertices[v]->time_stamp(), internal::Fluid_motion_3::Value(state.motion[v].data()));
   m_motion = std::move(motion);
   m_ledger.set_volumes({state.volumes.begin(), state.volumes.end()});
   m_complex.take_component_lineage();
@@ -203,16 +203,16 @@ Improvement_report Incompressible_fluid<Complex, Solver>::adapt(double tolerance
     return m_properties.liquid(c->label()) != nullptr;
   };
   const bool is_new = m_steps == 0;
-  result = result +
-           control_detail(m_complex,
-                          parameters::size_field([edge](const Approximate_point&) { return edge; })
-                              .where(is_liquid)
-                              .split_length(is_new ? longest_of_new : longest)
-                              .collapse_length(is_new ? 0. : shortest)
-                              .visitor(std::ref(carried)));
-  if (is_new)
-    result = result + improve_mesh(m_complex, parameters::quality_threshold(quality)
+  result = result + control_detail(m_complex, parameters::size_field(
+                                                  [edge](const Approximate_point&) { return edge; })
+                                                  .where(is_liquid)
+                                                  .split_length(is_new ? longest_of_new : longest)
+                                                  .collapse_length(is_new ? 0. : shortest)
                                                   .visitor(std::ref(carried)));
+  if (is_new)
+    result =
+        result +
+        improve_mesh(m_complex, parameters::quality_threshold(quality).visitor(std::ref(carried)));
   follow_parts();
   restore_momenta();
   return result;
@@ -228,10 +228,10 @@ void Incompressible_fluid<Complex, Solver>::store(const Flow& flow, const Vector
 
 template <class Complex, class Solver>
 template <class NamedParameters>
-Deformation_report<Complex>
-Incompressible_fluid<Complex, Solver>::move(const Mesh& mesh, const Contacts& contacts,
-                                            const Vectors& destinations,
-                                            const NamedParameters& np) {
+Deformation_report<Complex> Incompressible_fluid<Complex, Solver>::move(const Mesh& mesh,
+                                                                        const Contacts& contacts,
+                                                                        const Vectors& destinations,
+                                                                        const NamedParameters& np) {
   const Part_interface parts(m_complex, m_properties);
   // The numbers of the mesh again, which the interface has overwritten.
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
@@ -248,7 +248,8 @@ Incompressible_fluid<Complex, Solver>::move(const Mesh& mesh, const Contacts& co
       to[k] = point(destinations[i]);
       is_held[k] = contacts.is_held(i);
     }
-  parts.restore(m_ledger.volumes(), from, [&](std::size_t v) { return is_held[v] != 0; }, to);
+  parts.restore(
+      m_ledger.volumes(), from, [&](std::size_t v) { return is_held[v] != 0; }, to);
 
   std::unordered_map<std::size_t, Approximate_point> inside; // by time stamp
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
@@ -298,7 +299,8 @@ double Incompressible_fluid<Complex, Solver>::restore_volumes(const NamedParamet
         is_held[v] = true;
         to[v] = found->second;
       }
-    parts.restore(m_ledger.volumes(), from, [&](std::size_t v) { return is_held[v] != 0; }, to);
+    parts.restore(
+        m_ledger.volumes(), from, [&](std::size_t v) { return is_held[v] != 0; }, to);
     // The mesh stays as it is if it can.
     Carrier carried = carrier();
     deform_interface_to(m_complex, parts.snapshot(), to,
@@ -328,20 +330,21 @@ void Incompressible_fluid<Complex, Solver>::note_momenta(const Flow& flow,
   for (std::size_t part = 0; part < size; ++part)
     set_of_part.push_back(touching.of(part));
   std::vector<internal::Momentum_3> momenta;
-  for (const auto& masses :
-       internal::masses_of_sets(flow.mesh, flow.positions, size,
-                                [&](std::uint32_t part) { return set_of_part[part]; }))
+  for (const auto& masses : internal::masses_of_sets(
+           flow.mesh, flow.positions, size, [&](std::uint32_t part) { return set_of_part[part]; }))
     momenta.push_back(momentum_of(masses));
   m_ledger.set_momenta(std::move(momenta), set_of_part);
 }
 
 // Returns the volume of parts that are gone.
-template <class Complex, class Solver> double Incompressible_fluid<Complex, Solver>::follow_parts() {
+template <class Complex, class Solver>
+double Incompressible_fluid<Complex, Solver>::follow_parts() {
   return m_ledger.follow(m_complex.take_component_lineage(),
                          Ledger::measure(m_complex, m_properties));
 }
 
-// Gives parts the momenta that they own by a rigid motion. Returns the greatest change of a velocity.
+// Gives parts the momenta that they own by a rigid motion. Returns the greatest change of a
+// velocity.
 template <class Complex, class Solver>
 double Incompressible_fluid<Complex, Solver>::restore_momenta() {
   const Flow flow(*this);

@@ -67,7 +67,8 @@ public:
     auto directions = changer.gradients(missing, to);
     std::vector<double> areas(to.size(), 0); // a third of each facet around
     for (const auto& facet : m_snapshot.triangles) {
-      const Point &a = to[facet.vertices[0]], &b = to[facet.vertices[1]], &c = to[facet.vertices[2]];
+      const Point &a = to[facet.vertices[0]], &b = to[facet.vertices[1]],
+                  &c = to[facet.vertices[2]];
       const double area = std::sqrt(cross_product(b - a, c - a).squared_length()) / 6;
       for (std::size_t v : facet.vertices)
         areas[v] += area;

@@ -39,9 +39,9 @@ private:
   std::vector<std::size_t> m_parents;
 };
 
-// What the connected parts of liquids own, by the numbers of their components: volumes, which merged
-// parts add and what a part falls into shares; and momenta, which parts that merged or split in a
-// step, or touch each other, have together.
+// What the connected parts of liquids own, by the numbers of their components: volumes, which
+// merged parts add and what a part falls into shares; and momenta, which parts that merged or split
+// in a step, or touch each other, have together.
 class Part_ledger_3
 {
 public:

@@ -20,11 +20,11 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-Damps what no mesh resolves: single vertices that drift among others, along a surface above all, where
-nothing holds them back but viscosity. Neighbors exchange momentum in proportion to what their
+Damps what no mesh resolves: single vertices that drift among others, along a surface above all,
+where nothing holds them back but viscosity. Neighbors exchange momentum in proportion to what their
 velocities differ by, less what the mean gradients around both let expect (as A. Jameson, W. Schmidt
-and E. Turkel, AIAA Paper 81-1259, do on grids): nothing if velocities are linear, little if they are
-smooth; linear momentum stays.
+and E. Turkel, AIAA Paper 81-1259, do on grids): nothing if velocities are linear, little if they
+are smooth; linear momentum stays.
 */
 template <class Mesh> class Roughness_damper_3
 {
@@ -88,8 +88,8 @@ private:
     }
   };
 
-  // The part of an excess that is exchanged: in the times that a vertex takes for an edge, or a wave
-  // as long as an edge.
+  // The part of an excess that is exchanged: in the times that a vertex takes for an edge, or a
+  // wave as long as an edge.
   static double exchange(double excess, double edge, double tension, double density, double time) {
     static constexpr double times = .25, most = .5; // beyond, vertices would overshoot
     const double rate = excess / edge + std::sqrt(tension / (density * edge * edge * edge));

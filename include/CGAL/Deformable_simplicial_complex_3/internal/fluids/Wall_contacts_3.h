@@ -55,10 +55,11 @@ public:
           m_spacings[v] = spacing > 0 ? spacing : complex.mean_interface_edge();
         }
     for (std::size_t v = 0; v < positions.size(); ++v)
-      for_each_wall(v, positions[v], time, [&](std::size_t solid, std::size_t wall, const Wall_3& w) {
-        if (w.distance <= touching * m_spacings[v])
-          m_touched[v].emplace_back(solid, wall);
-      });
+      for_each_wall(v, positions[v], time,
+                    [&](std::size_t solid, std::size_t wall, const Wall_3& w) {
+                      if (w.distance <= touching * m_spacings[v])
+                        m_touched[v].emplace_back(solid, wall);
+                    });
   }
 
   // What must hold for velocities by which vertices go for some time, the walls being those where
@@ -69,20 +70,21 @@ public:
     m_contacts.clear();
     auto known = before.begin();
     for (std::size_t v = 0; v < expected.size(); ++v)
-      for_each_wall(v, expected[v], time, [&](std::size_t solid, std::size_t wall, const Wall_3& w) {
-        const auto place = std::make_tuple(v, solid, wall);
-        known = std::lower_bound(known, before.end(), place,
-                                 [](const Contact& c, const auto& p) { return c.place() < p; });
-        const bool is_known = known != before.end() && known->place() == place;
-        const bool touches = is_touching(v, solid, wall);
-        if (w.distance > near * m_spacings[v] && !touches && !is_known)
-          return;
-        const Eigen::Vector3d normal = eigen_vector(w.normal);
-        m_contacts.push_back(
-            {v, solid, wall, normal,
-             (normal.dot(expected[v] - m_positions[v]) - w.distance) / dt, eigen_vector(w.velocity),
-             is_known ? known->is_active : touches || w.distance < 0});
-      });
+      for_each_wall(
+          v, expected[v], time, [&](std::size_t solid, std::size_t wall, const Wall_3& w) {
+            const auto place = std::make_tuple(v, solid, wall);
+            known = std::lower_bound(known, before.end(), place,
+                                     [](const Contact& c, const auto& p) { return c.place() < p; });
+            const bool is_known = known != before.end() && known->place() == place;
+            const bool touches = is_touching(v, solid, wall);
+            if (w.distance > near * m_spacings[v] && !touches && !is_known)
+              return;
+            const Eigen::Vector3d normal = eigen_vector(w.normal);
+            m_contacts.push_back({v, solid, wall, normal,
+                                  (normal.dot(expected[v] - m_positions[v]) - w.distance) / dt,
+                                  eigen_vector(w.velocity),
+                                  is_known ? known->is_active : touches || w.distance < 0});
+          });
   }
 
   void constrain(Vertex_constraints_3& constraints) const {
@@ -134,18 +136,20 @@ public:
     static constexpr int rounds = 4; // where walls meet
     for (int k = 0; k < rounds; ++k)
       for (std::size_t v = 0; v < positions.size(); ++v)
-        for_each_wall(v, positions[v], time, [&](std::size_t solid, std::size_t wall, const Wall_3& w) {
-          if (w.distance < 0 || is_held(v, solid, wall))
-            positions[v] -= w.distance * eigen_vector(w.normal);
-        });
+        for_each_wall(v, positions[v], time,
+                      [&](std::size_t solid, std::size_t wall, const Wall_3& w) {
+                        if (w.distance < 0 || is_held(v, solid, wall))
+                          positions[v] -= w.distance * eigen_vector(w.normal);
+                      });
   }
 
   // The energy of a unit of area of a facet, where it is on a wall that of wetting it: by Young's
-  // equation, the tensions of wet and dry wall differ by that of the surface times the cosine of the
-  // contact angle.
+  // equation, the tensions of wet and dry wall differ by that of the surface times the cosine of
+  // the contact angle.
   double tension(const typename Mesh::Facet& facet) const {
     for (const auto& [solid, wall] : m_touched[facet.vertices[0]])
-      if (is_touching(facet.vertices[1], solid, wall) && is_touching(facet.vertices[2], solid, wall))
+      if (is_touching(facet.vertices[1], solid, wall) &&
+          is_touching(facet.vertices[2], solid, wall))
         return -m_solids[solid].cosine * facet.tension;
     return facet.tension;
   }
@@ -162,8 +166,9 @@ public:
   bool touches(std::size_t v) const { return !m_touched[v].empty(); }
 
   bool is_held(std::size_t v) const {
-    const auto first = std::lower_bound(m_contacts.begin(), m_contacts.end(), v,
-                                        [](const Contact& c, std::size_t w) { return c.vertex < w; });
+    const auto first =
+        std::lower_bound(m_contacts.begin(), m_contacts.end(), v,
+                         [](const Contact& c, std::size_t w) { return c.vertex < w; });
     for (auto c = first; c != m_contacts.end() && c->vertex == v; ++c)
       if (c->is_active)
         return true;
@@ -197,7 +202,9 @@ private:
     Eigen::Vector3d wall_velocity;
     bool is_active;
 
-    std::tuple<std::size_t, std::size_t, std::size_t> place() const { return {vertex, solid, wall}; }
+    std::tuple<std::size_t, std::size_t, std::size_t> place() const {
+      return {vertex, solid, wall};
+    }
   };
 
   // Of vertices between liquid and void.
@@ -253,7 +260,7 @@ private:
   Vectors_3 m_positions;
   std::vector<double> m_spacings; // by vertex; 0 for those that are not between liquid and void
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> m_touched; // solids and walls
-  std::vector<Contact> m_contacts;                                        // by place
+  std::vector<Contact> m_contacts;                                         // by place
 };
 
 } // namespace internal
