@@ -11,6 +11,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/Saddle_point_solver.h>
 #include <CGAL/Deformable_simplicial_complex_3/Solids_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Body_momenta_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fixed_point_accelerator.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_motion_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_step_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Part_interface_3.h>
@@ -50,7 +51,8 @@ struct Wall_behavior
   double contact_angle = 90;
   /// whether the liquid goes with the wall where it touches it, instead of sliding
   bool sticks = false;
-  /// whether the liquid may leave the wall
+  /// whether the liquid may leave the wall where it would have to be pulled; what surface tension
+  /// makes wet is left along the wall only, as the edge of the liquid recedes
   bool separates = true;
 };
 
@@ -79,9 +81,10 @@ Labels are liquids or void, see `Fluid_properties_3`. A step solves for velociti
 once, in the middle of the step, so that energy neither grows nor fades but for viscosity and what
 changes of the mesh take; surface tension is implicit and bounds no step. The volume of each
 connected part of a liquid stays what it was to rounding; parts that merge add theirs. So do
-momenta, but for what gravity and walls give. Where the liquids reach the boundary of the domain,
-they slide along it and do not leave it. The surface of a liquid never enters a solid with a vertex;
-it may touch and leave it.
+momenta, but for what gravity and walls give. Where liquids lie on sides of the domain, which must
+be a box for that, they slide along them and do not leave them; other surfaces keep off by a quarter
+of an edge, as from a wall. The surface of a liquid never enters a solid with a vertex; it may touch
+and leave it, see `Wall_behavior`.
 
 All is in the coordinates of the complex, in any units that fit together.
 
@@ -90,6 +93,8 @@ All is in the coordinates of the complex, in any units that fit together.
 */
 template <class Complex, class Solver = Saddle_point_solver> class Incompressible_fluid
 {
+  static_assert(Complex::Domain::has_outside, "fluids on tori are not supported");
+
 public:
   using Point = Simple_cartesian<double>::Point_3;       ///< of space
   using Vector = Simple_cartesian<double>::Vector_3;     ///< of space
@@ -103,11 +108,16 @@ public:
   /// @{
 
   /// A fluid at rest. Its volumes are those of now. The complex must outlive it, and be changed by
-  /// it only. \throws Error if there are no liquids. Linear.
+  /// it only. \throws Error if there are no liquids, or no interface of one. n log n.
   Incompressible_fluid(Complex& complex, const Properties& properties)
       : m_complex(complex), m_properties(properties) {
     if (properties.liquids().empty())
       throw Error("there is no liquid: tell the density of a label at least");
+    const Mesh mesh(updated_complex(), m_properties);
+    if (mesh.facets.empty())
+      throw Error(mesh.cells.empty()
+                      ? "no cell has the label of a liquid"
+                      : "liquids fill the domain and have no surface that could move");
     m_complex.take_component_lineage();
     m_ledger.set_volumes(Ledger::measure(m_complex, m_properties));
   }
@@ -127,7 +137,8 @@ public:
          std::cos(behavior.contact_angle * CGAL_PI / 180), behavior.sticks, behavior.separates});
   }
 
-  /// Sets the velocities of all vertices: `velocity_at(v)` is a `Vector`.
+  /// Sets the velocities of all vertices: `velocity_at(v)` is a `Vector`. The next step begins with
+  /// the nearest ones, as masses weigh them, that keep volumes and enter no wall.
   /// \throws Error if one is not finite; nothing is changed then
   template <class VelocityAt> void set_velocities(const VelocityAt& velocity_at) {
     internal::Fluid_motion_3 motion;
@@ -150,21 +161,21 @@ public:
   double time() const { return m_time; }                        ///< 0 in the beginning
   /// Of a vertex of a liquid.
   Vector velocity(Vertex_handle v) const { return vector(m_motion.velocity(v)); }
-  /// What all liquids have now. Linear.
+  /// What all liquids have now. n log n.
   Balance balance() const {
-    const Flow flow(*this);
+    const Flow flow(*this, m_properties);
     return flow.balance(*this, flow.positions, flow.velocities, m_time);
   }
   /// The volumes that the connected parts of liquids are to have, by `Complex::component()`.
   const std::map<std::uint32_t, double>& volumes() const { return m_ledger.volumes(); }
 
-  /// How deep a vertex of a liquid's surface is in a solid, the most; 0 if none is. Linear.
+  /// How deep a vertex of a liquid's surface is in a solid, the most; 0 if none is. n log n.
   double depth_in_solids() const;
 
   /*!
   The longest step in which no vertex of a liquid goes farther than a part of the edges of the
   interface: of those that its surface had there when it was built or last made finer or coarser,
-  inside of their mean. Infinite at rest. Linear.
+  inside of their mean. Infinite at rest. n log n.
   \param part "CFL number"; .25 where liquids collide
   */
   double largest_step(double part = .25) const;
@@ -202,9 +213,9 @@ public:
   \cgalNamedParamsEnd
 
   \return what it did.
-  \throws Error if a parameter is out of its range, with nothing
-          changed, or the equations cannot be solved, with the state of before the step but for
-          adaptation of the mesh. What `deform_interface()` throws leaves a valid complex.
+  \throws Error if a parameter is out of its range or `dt` too short to change the time, with
+          nothing changed; or if the equations cannot be solved, with the state of before the step
+          but for adaptation of the mesh. What `topology_control` throws leaves a valid complex.
 
   Some dozens of iterations of a linear solver, almost linear in the number of vertices of liquids,
   and the deformation.
@@ -213,13 +224,16 @@ public:
   Report advance(double dt, const NamedParameters& np = NamedParameters());
 
   /*!
-  Takes liquids towards rest, where forces balance: steps of full implicitness, velocities dropped
-  after each, without adaptation of the mesh. `time()` stays. What is round is soon round; that
-  vertices of the surface come to rest along it takes hundreds of steps.
+  Takes liquids to rest, where forces balance: steps of full implicitness, velocities dropped before
+  the first one and after each, and between them jumps to where the last steps lead, unless energy
+  would grow. The mesh is adapted in the beginning only. Time stands still, and so do solids. What
+  is round is round after some steps; that vertices of the surface rest along it, to ten digits,
+  takes a hundred.
   \param dt of a step: about that of a wave over the liquid
   \param steps at the most; fewer if vertices come to rest up to rounding
   \param np the named parameters of `advance()`
   \return the velocity, at the most, by which vertices still went in the last step
+  \throws Error as `advance()` does; the complex is valid then, and nothing moves
   */
   template <class NamedParameters = parameters::Default_named_parameters>
   double relax(double dt, unsigned steps, const NamedParameters& np = NamedParameters());
@@ -256,13 +270,14 @@ private:
     Mesh mesh;
     Vectors positions, velocities, accelerations;
 
-    explicit Flow(const Incompressible_fluid& fluid)
-        : mesh(fluid.updated_complex(), fluid.m_properties),
-          positions(mesh.positions(fluid.m_complex)) {
+    Flow(const Incompressible_fluid& fluid, const Properties& properties)
+        : mesh(fluid.updated_complex(), properties), positions(mesh.positions(fluid.m_complex)) {
       for (Vertex_handle v : mesh.vertices) {
         velocities.push_back(fluid.m_motion.velocity(v));
         accelerations.push_back(fluid.m_motion.acceleration(v));
       }
+      mesh.keep_on_sides(velocities);
+      mesh.keep_on_sides(accelerations);
     }
 
     Balance balance(const Incompressible_fluid& fluid, const Vectors& at, const Vectors& with,
@@ -298,13 +313,27 @@ private:
     });
   }
 
-  template <class NamedParameters> static Options options(const NamedParameters& np);
-  Improvement_report adapt(double tolerance);
+  static void require_step(double dt) {
+    if (!(dt > 0) || !std::isfinite(dt))
+      throw Error("the step of time is not positive and finite");
+  }
+
+  template <class NamedParameters> Options options(const NamedParameters& np) const;
+  template <class NamedParameters>
+  void adapt(double tolerance, const NamedParameters& np, Report& report);
+  void make_admissible(double dt);
+  template <class NamedParameters>
+  void step(double dt, double end, double implicitness, const NamedParameters& np, Report& report);
   void store(const Flow& flow, const Vectors& velocities, double dt);
   template <class NamedParameters>
   Deformation_report<Complex> move(const Mesh& mesh, const Contacts& contacts,
                                    const Vectors& destinations, const NamedParameters& np);
-  template <class NamedParameters> double restore_volumes(const NamedParameters& np);
+  template <class NamedParameters> void restore_volumes(const NamedParameters& np, Report& report);
+  template <class NamedParameters>
+  void move_interface(const Eigen::VectorXd& coordinates, const NamedParameters& np,
+                      Report& report);
+  std::vector<std::size_t> stamps_of_interface() const;
+  Eigen::VectorXd coordinates_of_interface() const;
   double follow_parts();
   double restore_momenta();
   template <class MomentumOf> void note_momenta(const Flow& flow, const MomentumOf& momentum_of);

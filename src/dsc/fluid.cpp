@@ -195,10 +195,12 @@ Json step_json(const Fluid& fluid, const Fluid_scene& scene, unsigned step,
                {"greatest_change_of_velocity", report->greatest_change_of_velocity},
                {"greatest_correction", report->greatest_correction},
                {"volume_correction", report->volume_correction},
+               {"volume_error", report->volume_error},
                {"lost_volume", report->lost_volume},
                {"energy_before", report->before.energy()},
                {"energy_moved", report->moved.energy()},
                {"contacts", report->contacts},
+               {"contacts_settled", report->contacts_settled},
                {"depth_in_solids", report->depth_in_solids},
                {"forces_on_solids", forces},
                {"events", events_json(*report)},
@@ -253,7 +255,7 @@ Run start(const Fluid_options& options) {
   run.scene = find_scene(options.scene);
   run.complex = std::make_unique<Tracked_complex_3>(start_of_scene(run.scene, options.data));
   run.fluid = fluid_of_scene(run.scene, options.data, run.complex->complex);
-  begin(run.scene, *run.fluid);
+  require_outside_of_solids(run.scene, *run.fluid);
   if (run.scene.relaxation_steps > 0) {
     const double velocity =
         run.fluid->relax(run.scene.relaxation_step, unsigned(run.scene.relaxation_steps),
@@ -261,6 +263,7 @@ Run start(const Fluid_options& options) {
     if (!options.quiet)
       std::printf("dsc: relaxed until vertices went with %.3g\n", velocity);
   }
+  set_velocities(run.scene, *run.fluid);
   return run;
 }
 
@@ -287,7 +290,7 @@ double next_step(const Run& run, double end) {
     dt = std::min(dt, run.fluid->largest_step(run.scene.cfl));
   // No tiny step in the end.
   static constexpr double almost = 1e-9;
-  return dt * (1 + almost) >= left ? left : dt;
+  return dt * (1 + almost) >= left ? left : dt * 2 <= left ? dt : left / 2;
 }
 
 void print_summary(const Run& run, unsigned steps, double seconds) {

@@ -10,8 +10,10 @@
 
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace dsc {
@@ -149,6 +151,9 @@ std::vector<Fluid_scene::Tension> read_tensions(Json_fields& scene) {
   std::vector<Fluid_scene::Tension> result;
   for (Json_fields tension : scene.objects("surface_tension")) {
     const auto labels = tension.numbers<2>("labels");
+    for (double label : labels)
+      if (label != std::floor(label) || !(std::abs(label) <= std::numeric_limits<int>::max()))
+        tension.refuse("labels", "whole numbers are needed");
     result.push_back({{int(labels[0]), int(labels[1])}, tension.number("value")});
     tension.close();
   }
@@ -185,6 +190,11 @@ Fluid_scene read_scene(const Json& json) {
     result.liquids.push_back(read_liquid(liquid, index++));
   if (result.liquids.empty())
     scene.refuse("liquids", "one at least is needed");
+  for (const Scene_liquid& a : result.liquids)
+    for (const Scene_liquid& b : result.liquids)
+      if (a.label == b.label && (a.density != b.density || a.viscosity != b.viscosity))
+        scene.refuse("liquids",
+                     "those of one label are one liquid, with one density and viscosity");
   result.tensions = read_tensions(scene);
   for (const auto& tension : result.tensions)
     if (tension.value < 0)

@@ -41,13 +41,22 @@ std::string place_of(const std::string& file, const std::string& folder) {
                                               : (std::filesystem::path(folder) / path).string();
 }
 
+/// How many parts of about the length of an edge a shape is cut into, in some directions together.
+/// \throws Input_error if that is more than any computer could hold
+std::size_t number_of_parts(double parts) {
+  static constexpr double most = 1e8;
+  if (!(parts <= most))
+    throw Input_error("the edges of the scene are too short for its shapes, or for its domain");
+  return std::size_t(std::lround(std::max(1., parts)));
+}
+
 Surface ball_surface(const Ball_shape& ball, double edge) {
   // Equilateral triangles that cover the sphere.
   const double area = std::sqrt(3.) / 4 * edge * edge / (ball.radius * ball.radius);
   Run_start start;
   start.ball = Ball{ball.center, ball.radius};
   start.triangles =
-      ball.triangles > 0 ? ball.triangles : std::size_t(std::max(20., 4 * CGAL_PI / area));
+      ball.triangles > 0 ? ball.triangles : number_of_parts(std::max(20., 4 * CGAL_PI / area));
   Surface surface = start_surfaces(start).front();
   const Surface_point center(ball.center[0], ball.center[1], ball.center[2]);
   if (ball.mode > 0)
@@ -60,7 +69,8 @@ Surface ball_surface(const Ball_shape& ball, double edge) {
 Surface box_surface(const Box_shape& shape, double edge) {
   std::array<int, 3> n;
   for (std::size_t i = 0; i < 3; ++i)
-    n[i] = std::max(1, int(std::lround((shape.to[i] - shape.from[i]) / edge)));
+    n[i] = int(number_of_parts((shape.to[i] - shape.from[i]) / edge));
+  number_of_parts(double(n[0]) * n[1] + double(n[1]) * n[2] + double(n[2]) * n[0]);
   Surface surface;
   std::map<std::array<int, 3>, std::size_t> known;
   const auto point = [&](const std::array<int, 3>& at) {
@@ -129,14 +139,10 @@ Complex complex_of_pool(const Fluid_scene& scene, int label, const Pool_shape& p
   const auto& d = scene.domain;
   if (!(pool.level > d[2] && pool.level < d[5]))
     throw Input_error("the level of the pool is not inside the domain");
-  const auto number = [&](double length) {
-    return std::size_t(std::max(1L, std::lround(length / scene.edge)));
-  };
+  const auto number = [&](double length) { return number_of_parts(length / scene.edge); };
   const std::size_t nx = number(d[3] - d[0]), ny = number(d[4] - d[1]),
                     below = number(pool.level - d[2]), nz = below + number(d[5] - pool.level);
-  static constexpr std::size_t most = 100000000;
-  if (nx * ny * nz > most)
-    throw Input_error("the edges of the scene are too short for its domain");
+  number_of_parts(double(nx) * double(ny) * double(nz));
   const auto z = [&](std::size_t k) {
     return k <= below ? d[2] + (pool.level - d[2]) * double(k) / double(below)
                       : pool.level + (d[5] - pool.level) * double(k - below) / double(nz - below);
@@ -194,14 +200,20 @@ bool is_about(const Fluid_shape& shape, const Point& p) {
 
 /// By the labels of places: pools beside others.
 Complex complex_of_places(const Fluid_scene& scene) {
+  number_of_parts((scene.domain[3] - scene.domain[0]) * (scene.domain[4] - scene.domain[1]) *
+                  (scene.domain[5] - scene.domain[2]) / std::pow(scene.edge, 3));
+  for (const Scene_liquid& liquid : scene.liquids) {
+    const auto* ball = std::get_if<Ball_shape>(&liquid.shape);
+    if (std::holds_alternative<File_shape>(liquid.shape) ||
+        (ball && (ball->mode > 0 || ball->triangles > 0)))
+      throw Input_error("beside a pool there can be boxes and round balls with the edges of the "
+                        "scene, but no modes, numbers of triangles or shapes of files");
+  }
   const auto label_at = [&](const Point& p) {
     int result = 0;
-    for (const Scene_liquid& liquid : scene.liquids) {
-      if (std::holds_alternative<File_shape>(liquid.shape))
-        throw Input_error("a scene with a pool can have balls and boxes, but no shapes of files");
-      if (is_about(liquid.shape, p))
+    for (const Scene_liquid& liquid : scene.liquids)
+      if (!std::holds_alternative<Surroundings>(liquid.shape) && is_about(liquid.shape, p))
         result = liquid.label;
-    }
     return result;
   };
   return CGAL::make_deformable_simplicial_complex_3<Complex>(box(scene.domain), scene.edge,
@@ -283,7 +295,14 @@ std::unique_ptr<Fluid> fluid_of_scene(const Fluid_scene& scene, const std::strin
   return result;
 }
 
-void begin(const Fluid_scene& scene, Fluid& fluid) {
+void require_outside_of_solids(const Fluid_scene& scene, const Fluid& fluid) {
+  static constexpr double rounding = 1e-6; // edges
+  if (fluid.depth_in_solids() > rounding * scene.edge)
+    throw Input_error("a liquid of the scene begins inside a solid, " +
+                      Json(fluid.depth_in_solids()).dump() + " deep");
+}
+
+void set_velocities(const Fluid_scene& scene, Fluid& fluid) {
   const Complex& complex = fluid.complex();
   // Of the liquids of its label, a connected part is the one that has most of its cells.
   std::map<std::uint32_t, std::vector<std::size_t>> cells; // by part and liquid
@@ -316,10 +335,6 @@ void begin(const Fluid_scene& scene, Fluid& fluid) {
     const auto u = velocities[found->second].at({p.x(), p.y(), p.z()}, 0);
     return Fluid::Vector(u[0], u[1], u[2]);
   });
-  static constexpr double rounding = 1e-6; // edges
-  if (fluid.depth_in_solids() > rounding * scene.edge)
-    throw Input_error("a liquid of the scene begins inside a solid, " +
-                      Json(fluid.depth_in_solids()).dump() + " deep");
 }
 
 } // namespace dsc

@@ -25,8 +25,11 @@ Tracked_complex_3::Complex start_of_scene(const Fluid_scene& scene, const std::s
 std::unique_ptr<Fluid> fluid_of_scene(const Fluid_scene& scene, const std::string& folder,
                                       Tracked_complex_3::Complex& complex);
 
-/// Sets the velocities of the beginning. \throws Input_error if a liquid begins inside a solid
-void begin(const Fluid_scene& scene, Fluid& fluid);
+/// \throws Input_error if a liquid is inside a solid
+void require_outside_of_solids(const Fluid_scene& scene, const Fluid& fluid);
+
+/// Those of the scene.
+void set_velocities(const Fluid_scene& scene, Fluid& fluid);
 
 } // namespace dsc
 

@@ -52,12 +52,14 @@ template <class Complex> struct Fluid_report_3
   double greatest_correction = 0; ///< of the velocity of a vertex, by a rigid motion of its part,
                                   ///< so that changes of the mesh keep momenta
   double volume_correction =
-      0;                      ///< by which a part was off before its volume was restored, relative
-  double lost_volume = 0;     ///< of parts that vanished
-  unsigned solutions = 0;     ///< linear systems solved
-  unsigned iterations = 0;    ///< of the solver, in all of them
-  std::size_t contacts = 0;   ///< vertices that are held by solids
-  double depth_in_solids = 0; ///< of the deepest vertex, after the step
+      0;                    ///< by which a part was off before its volume was restored, relative
+  double volume_error = 0;  ///< by which one still is, relative: what could not be restored yet
+  double lost_volume = 0;   ///< of parts that vanished
+  unsigned solutions = 0;   ///< linear systems solved
+  unsigned iterations = 0;  ///< of the solver, in all of them
+  std::size_t contacts = 0; ///< vertices held by solids, or off sides of the domain
+  bool contacts_settled = true;         ///< whether it was found which vertices are to be held
+  double depth_in_solids = 0;           ///< of the deepest vertex, after the step
   std::vector<Vector> forces_on_solids; ///< by liquids, in the order in which solids were added
   double seconds_of_solver = 0, seconds_of_mesh = 0; ///< elapsed; the only figures that vary
   Improvement_report adaptation;                     ///< of the mesh, before the step

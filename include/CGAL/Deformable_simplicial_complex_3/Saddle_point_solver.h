@@ -84,6 +84,7 @@ public:
   }
 
   /// Solves for v and p. Returns how often it had to be refined.
+  /// \throws Error if the solution is not finite
   unsigned solve(const Vector& f, const Vector& s, Vector& v, Vector& p) const {
     static constexpr unsigned refinements = 2; // each is nearer by what c was changed by
     Vector right(f.size() + s.size());
@@ -91,6 +92,9 @@ public:
     Vector x = m_solver.solve(right);
     for (unsigned k = 0; k < refinements; ++k)
       x += m_solver.solve(right - m_whole.selfadjointView<Eigen::Lower>() * x);
+    if (!x.allFinite())
+      throw Error("the equations of the flow have no finite solution: the step may be too short or "
+                  "too long for numbers, or cells flat");
     v = x.head(f.size());
     p = x.tail(s.size());
     return refinements;
@@ -123,7 +127,11 @@ public:
   using Vector = System::Vector;      ///< unknowns
 
   /// \param tolerance of the residual, relative to that of the right side
-  explicit Iterative_saddle_point_solver(double tolerance = 1e-12) : m_tolerance(tolerance) {}
+  /// \throws Error if it is not between 0 and 1
+  explicit Iterative_saddle_point_solver(double tolerance = 1e-12) : m_tolerance(tolerance) {
+    if (!(tolerance > 0 && tolerance < 1))
+      throw Error("the tolerance of a solver is out of range: use more than 0 and less than 1");
+  }
 
   /// Takes a matrix. \throws Error if it is not definite where it should be.
   void factorize(System&& system) {

@@ -12,14 +12,16 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -44,6 +46,45 @@ enum class Solid_side {
   outside ///< liquids are in it
 };
 
+namespace internal {
+
+// Of any length, even if its square is no number. \throws Error if it is zero or not finite
+inline Wall_3::Vector unit_vector(const Wall_3::Vector& v, const char* name) {
+  const double largest = (std::max)({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
+  const Wall_3::Vector scaled = v / largest, result = scaled / std::sqrt(scaled.squared_length());
+  if (!std::isfinite(result.squared_length()))
+    throw Error("the " + std::string(name) + " of a solid is zero or not finite");
+  return result;
+}
+
+template <class Coordinates> void require_place(const Coordinates& c, const char* name) {
+  if (!std::isfinite(c.x()) || !std::isfinite(c.y()) || !std::isfinite(c.z()))
+    throw Error("the " + std::string(name) + " of a solid is not finite");
+}
+
+// What is nearer to a center or an axis than a radius, or farther.
+class Radius
+{
+public:
+  Radius(double radius, Solid_side side)
+      : m_radius(radius), m_sign(side == Solid_side::inside ? 1 : -1) {
+    if (!(radius > 0) || !std::isfinite(radius))
+      throw Error("the radius of a solid is not positive and finite");
+  }
+
+  // As seen from the center or axis; none if the point is there.
+  void walls(const Wall_3::Vector& way, std::vector<Wall_3>& result) const {
+    const double r = std::sqrt(way.squared_length());
+    if (r > 0)
+      result.push_back({m_sign * (r - m_radius), m_sign / r * way});
+  }
+
+private:
+  double m_radius, m_sign;
+};
+
+} // namespace internal
+
 /// \ingroup PkgDeformableSimplicialComplex3Ref
 /// Everything behind a plane. \cgalModels `Solid_3`
 class Plane_solid_3
@@ -53,11 +94,10 @@ public:
   using Vector = Simple_cartesian<double>::Vector_3; ///< of space
 
   /// The plane through `point`; liquids are where `normal` points.
-  /// \throws Error if the normal is zero or not finite
+  /// \throws Error if the normal is zero, or something not finite
   Plane_solid_3(const Point& point, const Vector& normal)
-      : m_point(point), m_normal(normal / std::sqrt(normal.squared_length())) {
-    if (!std::isfinite(m_normal.squared_length()))
-      throw Error("the normal of a plane is zero or not finite");
+      : m_point(point), m_normal(internal::unit_vector(normal, "normal")) {
+    internal::require_place(point, "point");
   }
 
   /// Appends the wall. Constant time.
@@ -80,11 +120,12 @@ public:
 
   /// \param box what liquids are in
   /// \param is_open whether there is no wall above, at its largest z
-  /// \throws Error if the box is empty
+  /// \throws Error if the box is empty or not finite
   explicit Tank_solid_3(const Bbox_3& box, bool is_open = false) : m_box(box), m_is_open(is_open) {
     for (int axis = 0; axis < 3; ++axis)
-      if (!(box.max(axis) > box.min(axis)))
-        throw Error("the box of a tank is empty");
+      if (!(box.max(axis) > box.min(axis)) || !std::isfinite(box.min(axis)) ||
+          !std::isfinite(box.max(axis)))
+        throw Error("the box of a tank is empty or not finite");
   }
 
   /// Appends the walls. Constant time.
@@ -110,24 +151,20 @@ public:
   using Point = Simple_cartesian<double>::Point_3;   ///< of space
   using Vector = Simple_cartesian<double>::Vector_3; ///< of space
 
-  /// \throws Error if the radius is not positive
+  /// \throws Error if the radius is not positive, or something not finite
   Ball_solid_3(const Point& center, double radius, Solid_side side)
-      : m_center(center), m_radius(radius), m_sign(side == Solid_side::inside ? 1 : -1) {
-    if (!(radius > 0) || !std::isfinite(radius))
-      throw Error("the radius of a solid is not positive and finite");
+      : m_center(center), m_radius(radius, side) {
+    internal::require_place(center, "center");
   }
 
   /// Appends the wall; none at the center. Constant time.
   void walls(const Point& p, double /*t*/, std::vector<Wall_3>& result) const {
-    const Vector from_center = p - m_center;
-    const double r = std::sqrt(from_center.squared_length());
-    if (r > 0)
-      result.push_back({m_sign * (r - m_radius), m_sign / r * from_center});
+    m_radius.walls(p - m_center, result);
   }
 
 private:
   Point m_center;
-  double m_radius, m_sign;
+  internal::Radius m_radius;
 };
 
 /// \ingroup PkgDeformableSimplicialComplex3Ref
@@ -138,28 +175,22 @@ public:
   using Point = Simple_cartesian<double>::Point_3;   ///< of space
   using Vector = Simple_cartesian<double>::Vector_3; ///< of space
 
-  /// \throws Error if the axis is zero or not finite, or the radius is not positive
+  /// \throws Error if the axis is zero, the radius not positive, or something not finite
   Cylinder_solid_3(const Point& point, const Vector& axis, double radius, Solid_side side)
-      : m_point(point), m_axis(axis / std::sqrt(axis.squared_length())), m_radius(radius),
-        m_sign(side == Solid_side::inside ? 1 : -1) {
-    if (!std::isfinite(m_axis.squared_length()))
-      throw Error("the axis of a cylinder is zero or not finite");
-    if (!(radius > 0) || !std::isfinite(radius))
-      throw Error("the radius of a solid is not positive and finite");
+      : m_point(point), m_axis(internal::unit_vector(axis, "axis")), m_radius(radius, side) {
+    internal::require_place(point, "point");
   }
 
   /// Appends the wall; none on the axis. Constant time.
   void walls(const Point& p, double /*t*/, std::vector<Wall_3>& result) const {
-    const Vector from = p - m_point, across = from - (from * m_axis) * m_axis;
-    const double r = std::sqrt(across.squared_length());
-    if (r > 0)
-      result.push_back({m_sign * (r - m_radius), m_sign / r * across});
+    const Vector from = p - m_point;
+    m_radius.walls(from - (from * m_axis) * m_axis, result);
   }
 
 private:
   Point m_point;
   Vector m_axis;
-  double m_radius, m_sign;
+  internal::Radius m_radius;
 };
 
 /// \ingroup PkgDeformableSimplicialComplex3Ref
@@ -172,7 +203,9 @@ public:
   using Vector = Simple_cartesian<double>::Vector_3; ///< of space
   using Mesh = Surface_mesh<Point>;                  ///< of triangles
 
-  /// \throws Error if the mesh is not closed, has no triangles or others. n log n.
+  /// Triangles may be oriented outwards or inwards. Where walls meet at an angle, a point sees the
+  /// nearest one. \throws Error if the mesh is not closed, has no triangles or others, or not
+  /// finite points. n log n.
   Mesh_solid_3(Mesh mesh, Solid_side side)
       : m_data(std::make_shared<Data>(std::move(mesh))),
         m_sign(side == Solid_side::inside ? 1 : -1) {}
@@ -215,6 +248,10 @@ private:
       if (mesh.number_of_faces() == 0 || !is_closed(mesh) || !is_triangle_mesh(mesh))
         throw Error(
             "the mesh of a solid is not closed, has no facets, or some that are no triangles");
+      for (const auto v : mesh.vertices())
+        internal::require_place(mesh.point(v), "mesh");
+      if (!Polygon_mesh_processing::is_outward_oriented(mesh))
+        Polygon_mesh_processing::reverse_face_orientations(mesh);
       return mesh;
     }
   };
@@ -235,10 +272,15 @@ public:
   /// \param solid at time 0
   /// \param velocity of `center`
   /// \param center that it turns about, at time 0
-  /// \param angular_velocity along the axis, in radians; zero if it does not turn
+  /// \param angular_velocity along the axis, in radians in a unit of time; zero if it does not turn
+  /// \throws Error if something is not finite
   Moving_solid_3(const Solid& solid, const Vector& velocity, const Point& center = Point(0, 0, 0),
                  const Vector& angular_velocity = Vector(0, 0, 0))
-      : m_solid(solid), m_velocity(velocity), m_center(center), m_turn(angular_velocity) {}
+      : m_solid(solid), m_velocity(velocity), m_center(center), m_turn(angular_velocity) {
+    internal::require_place(velocity, "velocity");
+    internal::require_place(center, "center");
+    internal::require_place(angular_velocity, "angular velocity");
+  }
 
   /// Appends the walls at time t.
   void walls(const Point& p, double t, std::vector<Wall_3>& result) const {

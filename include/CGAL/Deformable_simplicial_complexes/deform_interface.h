@@ -20,6 +20,27 @@
 
 namespace CGAL {
 
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// What `deform_interface()` reads from its named parameters, checked.
+template <class Complex, class NamedParameters>
+Deformation_options<Complex> deformation_options(const Complex& dsc, const NamedParameters& np) {
+  namespace tags = internal_np;
+  return {quality_parameter(np, tags::quality_threshold, defaults::Quality_threshold::in_motion),
+          quality_parameter(np, tags::relabeling_threshold, defaults::relabeling_threshold),
+          angle_parameter(np, tags::minimum_angle, defaults::minimum_angle, 30, "smallest angle"),
+          angle_parameter(np, tags::minimum_facet_angle, defaults::Minimum_facet_angle::in_motion,
+                          30, "smallest angle of a facet"),
+          parameter_or(np, tags::manifold_interface, false),
+          parameter_or(np, tags::collision_order, false),
+          parameter_or(np, tags::topology_control, Allow_topology_changes()),
+          space_motion(dsc, CGAL::parameters::get_parameter(np, tags::flow))};
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
@@ -134,20 +155,7 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
   const unsigned maximum_number_of_passes =
       internal::count_parameter(np, tags::maximum_number_of_passes, "maximum_number_of_passes",
                                 defaults::maximum_number_of_passes);
-  const internal::Deformation_options<Complex> options = {
-      internal::quality_parameter(np, tags::quality_threshold,
-                                  defaults::Quality_threshold::in_motion),
-      internal::quality_parameter(np, tags::relabeling_threshold, defaults::relabeling_threshold),
-      internal::angle_parameter(np, tags::minimum_angle, defaults::minimum_angle, 30,
-                                "smallest angle"),
-      internal::angle_parameter(np, tags::minimum_facet_angle,
-                                defaults::Minimum_facet_angle::in_motion, 30,
-                                "smallest angle of a facet"),
-      internal::parameter_or(np, tags::manifold_interface, false),
-      internal::parameter_or(np, tags::collision_order, false),
-      internal::parameter_or(np, tags::topology_control,
-                             Deformable_simplicial_complexes::Allow_topology_changes()),
-      internal::space_motion(dsc, parameters::get_parameter(np, tags::flow))};
+  const auto options = internal::deformation_options(dsc, np);
   const unsigned number_of_threads = internal::count_parameter(
       np, tags::number_of_threads, "number_of_threads", defaults::number_of_threads);
 

@@ -6,12 +6,14 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_FLUID_MESH_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Fluid_properties_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 
 #include <Eigen/Core>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -52,14 +54,22 @@ template <class Complex> struct Fluid_mesh_3
   std::vector<Facet> facets;           // in the order of interface_facets()
   std::vector<Index> vertex_of_pressure;
   std::vector<char> is_on_interface; // by vertex
+  // Where the sides of the domain are, in the order of `Boundary_class`, if it is a box; not finite
+  // otherwise.
+  std::array<double, 6> sides;
 
   // n log n. \pre components are up to date
   Fluid_mesh_3(const Complex& complex, const Fluid_properties_3& properties) {
     const auto all_vertices = complex.vertices();
     const auto all_cells = complex.cells();
     static constexpr Index none = Index(-1);
-    for (Vertex_handle v : all_vertices)
+    sides.fill(std::numeric_limits<double>::infinity());
+    for (Vertex_handle v : all_vertices) {
       v->set_scratch_index(none);
+      for (std::size_t side = 0; side < sides.size(); ++side)
+        if (v->boundary_class() >> side & 1)
+          sides[side] = complex.position(v)[int(side / 2)];
+    }
     for (auto c : all_cells)
       if (properties.liquid(c->label()))
         for (int i = 0; i < 4; ++i)
@@ -89,6 +99,14 @@ template <class Complex> struct Fluid_mesh_3
     for (Vertex_handle v : vertices)
       result.push_back(eigen_vector(complex.position(v)));
     return result;
+  }
+
+  // Velocities, or accelerations, without what would leave the sides of the domain.
+  void keep_on_sides(Vectors_3& vectors) const {
+    for (std::size_t v = 0; v < vectors.size(); ++v)
+      for (int axis = 0; axis < 3; ++axis)
+        if (Boundary_class::fixes(vertices[v]->boundary_class(), axis))
+          vectors[v][axis] = 0;
   }
 
 private:

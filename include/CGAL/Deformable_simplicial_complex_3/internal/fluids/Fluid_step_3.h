@@ -12,6 +12,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Vertex_constraints_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Wall_contacts_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <Eigen/Core>
 
@@ -33,21 +34,24 @@ public:
   using Contacts = Wall_contacts_3<Complex>;
   using Vector = Eigen::VectorXd;
 
-  // Positions, velocities and accelerations of the vertices of the mesh at the time t.
+  // Positions, velocities and accelerations of the vertices of the mesh at the beginning. Solids
+  // stand still if time does.
   Fluid_step_3(const Mesh& mesh, const Fluid_properties_3& properties,
                const typename Contacts::Solids& solids, const Complex& complex, Solver& solver,
-               const typename Equations::Step& step, double t, const Vectors_3& positions,
-               const Vectors_3& velocities, const Vectors_3& accelerations)
-      : m_mesh(mesh), m_properties(properties), m_solver(solver), m_step(step), m_end(t + step.dt),
-        m_positions(positions), m_before(velocities), m_accelerations(accelerations),
+               const typename Equations::Step& step, double begin, double end,
+               const Vectors_3& positions, const Vectors_3& velocities,
+               const Vectors_3& accelerations)
+      : m_mesh(mesh), m_properties(properties), m_solver(solver), m_step(step), m_begin(begin),
+        m_end(end), m_positions(positions), m_before(velocities), m_accelerations(accelerations),
         m_equations(mesh, properties, step, positions),
-        m_contacts(mesh, solids, complex, positions, t) {
+        m_contacts(mesh, solids, complex, positions, begin) {
     for (std::size_t v = 0; v < positions.size(); ++v)
       m_velocities.push_back(velocities[v] + step.theta * step.dt * accelerations[v]);
     m_pressures = Vector::Zero(Eigen::Index(mesh.vertex_of_pressure.size()));
   }
 
   // Accelerations that are not known, of a step before, are found by repetition.
+  // \throws Error if that has no solution
   void solve(bool knows_accelerations) {
     static constexpr unsigned geometries = 2; // that of the prediction, and of the first solution
     static constexpr unsigned most = 15;
@@ -76,6 +80,8 @@ public:
   const Vector& reactions() const { return m_reactions; }
   unsigned iterations() const { return m_iterations; }
   unsigned solutions() const { return m_solutions; }
+  // Whether what must hold at walls did in the end.
+  bool is_settled() const { return m_is_settled; }
 
   Vectors_3 destinations() const { return at_time(m_step.dt); }
 
@@ -108,6 +114,11 @@ private:
     m_unstopped_velocities = damper.damped(velocities, m_equations.masses(), m_step.dt);
     m_final_velocities = m_unstopped_velocities;
     m_contacts.stop(m_final_velocities);
+    m_mesh.keep_on_sides(m_final_velocities);
+    for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
+      if (!m_final_velocities[v].allFinite() || !m_velocities[v].allFinite())
+        throw Error("the equations of the flow have no finite solution: the step may be too short "
+                    "or too long for numbers, or cells flat");
   }
 
   Vectors_3 at_time(double t) const {
@@ -118,7 +129,7 @@ private:
   }
 
   void assemble() {
-    m_contacts.predict(destinations(), m_end, m_step.dt);
+    m_contacts.predict(destinations(), m_end, m_step.dt, m_end > m_begin);
     m_equations.assemble(at_time(m_step.dt / 2),
                          [&](std::size_t f) { return m_contacts.tension(m_mesh.facets[f]); });
     m_is_factorized = false;
@@ -126,11 +137,12 @@ private:
 
   void solve_with_contacts() {
     static constexpr unsigned rounds = 30;
-    unsigned round = 0;
-    do {
+    m_is_settled = false;
+    for (unsigned round = 0; round < rounds && !m_is_settled; ++round) {
       solve_with_constraints();
-    } while (m_contacts.revise(flat(m_velocities), m_reactions, round) && ++round < rounds &&
-             !(m_is_factorized = false));
+      m_is_settled = !m_contacts.revise(flat(m_velocities), m_reactions, round);
+      m_is_factorized = m_is_factorized && m_is_settled;
+    }
     for (std::size_t v = 0; v < m_velocities.size(); ++v)
       m_accelerations[v] = (m_velocities[v] - m_before[v]) / (m_step.theta * m_step.dt);
   }
@@ -176,14 +188,14 @@ private:
   const Fluid_properties_3& m_properties;
   Solver& m_solver;
   typename Equations::Step m_step;
-  double m_end;
+  double m_begin, m_end; // time
   Vectors_3 m_positions, m_before, m_accelerations, m_velocities, m_unstopped_velocities,
       m_final_velocities;
   Vector m_pressures, m_reactions;
   Equations m_equations;
   Contacts m_contacts;
   Vertex_constraints_3 m_constraints{0};
-  bool m_is_factorized = false;
+  bool m_is_factorized = false, m_is_settled = false;
   unsigned m_iterations = 0, m_solutions = 0;
 };
 

@@ -15,56 +15,23 @@ template <class Complex, class Solver>
 template <class NamedParameters>
 auto Incompressible_fluid<Complex, Solver>::advance(double dt, const NamedParameters& np)
     -> Report {
-  const Options chosen = options(np);
-  if (!(dt > 0) || !std::isfinite(dt))
-    throw Error("the step of time is not positive and finite");
+  Options chosen = options(np);
+  require_step(dt);
+  if (!(m_time + dt > m_time))
+    throw Error("the step of time is too short to change the time");
+  if (m_damped_steps > 0)
+    chosen.implicitness = (std::max)(chosen.implicitness, implicitness_after_change);
   Report report;
-  report.dt = dt;
   const auto begin = Clock::now();
   if (chosen.adaptation_interval > 0 && m_steps % chosen.adaptation_interval == 0)
-    report.adaptation = adapt(chosen.interface_tolerance);
-
-  const Flow flow(*this);
-  report.before = flow.balance(*this, flow.positions, flow.velocities, m_time);
-  const double theta = m_damped_steps == 0
-                           ? chosen.implicitness
-                           : (std::max)(chosen.implicitness, implicitness_after_change);
-  const auto begin_of_solver = Clock::now();
-  Step step(flow.mesh, m_properties, m_solids, m_complex, m_solver, {dt, theta}, m_time,
-            flow.positions, flow.velocities, flow.accelerations);
-  step.solve(m_knows_accelerations);
-  report.seconds_of_solver = seconds_since(begin_of_solver);
-
-  m_time += dt;
+    adapt(chosen.interface_tolerance, np, report);
+  if (!m_knows_accelerations)
+    make_admissible(dt);
+  step(dt, m_time + dt, chosen.implicitness, np, report);
   ++m_steps;
   m_damped_steps -= m_damped_steps > 0;
-  const Vectors after = step.final_velocities();
-  store(flow, after, dt);
-  Vectors destinations = step.destinations();
-  step.contacts().put_out(destinations, m_time);
-  report.moved = flow.balance(*this, destinations, after, m_time);
-  note_momenta(flow, [&](const internal::Masses_3& masses) { return step.final_momentum(masses); });
-  report.deformation = move(flow.mesh, step.contacts(), destinations, np);
   if (!report.deformation.events.empty())
     m_damped_steps = steps_after_change;
-  report.lost_volume = follow_parts();
-  report.volume_correction = restore_volumes(np);
-  report.greatest_correction = restore_momenta();
-  m_motion.keep(m_complex.vertices());
-
-  report.time = m_time;
-  report.solutions = step.solutions();
-  report.iterations = step.iterations();
-  report.contacts = step.contacts().number_of_held();
-  for (const auto& force : step.contacts().forces(step.reactions()))
-    report.forces_on_solids.push_back(vector(force));
-  for (std::size_t v = 0; v < after.size(); ++v) {
-    report.greatest_velocity = (std::max)(report.greatest_velocity, after[v].norm());
-    report.greatest_change_of_velocity =
-        (std::max)(report.greatest_change_of_velocity, (after[v] - flow.velocities[v]).norm());
-  }
-  report.after = balance();
-  report.depth_in_solids = depth_in_solids();
   report.seconds_of_mesh = seconds_since(begin) - report.seconds_of_solver;
   return report;
 }
@@ -74,26 +41,134 @@ template <class NamedParameters>
 double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps,
                                                     const NamedParameters& np) {
   static constexpr double rest = 1e-14; // of the first step
+  const Options chosen = options(np);
+  require_step(dt);
+  Report report;
+  m_motion = internal::Fluid_motion_3();
+  m_knows_accelerations = false;
+  if (chosen.adaptation_interval > 0)
+    adapt(chosen.interface_tolerance, np, report);
   double first = 0, velocity = 0;
-  const double time = m_time;
-  const std::uint64_t number = m_steps;
+  internal::Fixed_point_accelerator accelerator;
   for (unsigned k = 0; k < steps; ++k) {
+    const std::vector<std::size_t> before = stamps_of_interface();
+    const Eigen::VectorXd from = coordinates_of_interface();
+    report = {};
+    step(dt, m_time, 1, np, report);
     m_motion = internal::Fluid_motion_3();
-    velocity = advance(dt, np.implicitness(1.).adaptation_interval(0u)).greatest_velocity;
+    m_knows_accelerations = false;
+    velocity = report.greatest_velocity;
     first = k == 0 ? velocity : first;
     if (velocity <= rest * first)
       break;
+    if (before != stamps_of_interface()) {
+      accelerator.forget();
+      continue;
+    }
+    const Eigen::VectorXd to = coordinates_of_interface();
+    const double energy = balance().energy();
+    move_interface(accelerator.next(from, to), np, report);
+    if (!(balance().energy() <= energy)) {
+      accelerator.forget();
+      move_interface(to, np, report);
+    }
   }
-  m_motion = internal::Fluid_motion_3();
-  m_knows_accelerations = false;
-  m_time = time;
-  m_steps = number;
   return velocity;
 }
 
 template <class Complex, class Solver>
+std::vector<std::size_t> Incompressible_fluid<Complex, Solver>::stamps_of_interface() const {
+  std::vector<std::size_t> result;
+  for (Vertex_handle v : m_complex.interface_vertices())
+    result.push_back(v->time_stamp());
+  return result;
+}
+
+template <class Complex, class Solver>
+Eigen::VectorXd Incompressible_fluid<Complex, Solver>::coordinates_of_interface() const {
+  const auto vertices = m_complex.interface_vertices();
+  Eigen::VectorXd result(3 * Eigen::Index(vertices.size()));
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    result.segment<3>(3 * Eigen::Index(v)) =
+        internal::eigen_vector(m_complex.position(vertices[v]));
+  return result;
+}
+
+// Solids stand still if time does.
+template <class Complex, class Solver>
+template <class NamedParameters>
+void Incompressible_fluid<Complex, Solver>::step(double dt, double end, double implicitness,
+                                                 const NamedParameters& np, Report& report) {
+  const Flow flow(*this, m_properties);
+  report.dt = dt;
+  report.time = end;
+  report.before = report.moved = flow.balance(*this, flow.positions, flow.velocities, m_time);
+  report.after = report.before;
+  if (flow.mesh.facets.empty()) { // nothing is left that could move
+    m_time = end;
+    return;
+  }
+  const auto begin_of_solver = Clock::now();
+  Step step(flow.mesh, m_properties, m_solids, m_complex, m_solver, {dt, implicitness}, m_time, end,
+            flow.positions, flow.velocities, flow.accelerations);
+  step.solve(m_knows_accelerations);
+  report.seconds_of_solver += seconds_since(begin_of_solver);
+
+  m_time = end;
+  const Vectors after = step.final_velocities();
+  store(flow, after, dt);
+  Vectors destinations = step.destinations();
+  step.contacts().put_out(destinations, m_time);
+  report.moved = flow.balance(*this, destinations, after, m_time);
+  note_momenta(flow, [&](const internal::Masses_3& masses) { return step.final_momentum(masses); });
+  auto events = std::move(report.deformation.events); // of the adaptation
+  report.deformation = move(flow.mesh, step.contacts(), destinations, np);
+  events.insert(events.end(), report.deformation.events.begin(), report.deformation.events.end());
+  report.deformation.events = std::move(events);
+  report.lost_volume += follow_parts();
+  restore_volumes(np, report);
+  report.greatest_correction = restore_momenta();
+  m_motion.keep(m_complex.vertices());
+
+  report.solutions = step.solutions();
+  report.iterations = step.iterations();
+  report.contacts = step.contacts().number_of_held();
+  report.contacts_settled = step.is_settled();
+  for (const auto& force : step.contacts().forces(step.reactions()))
+    report.forces_on_solids.push_back(vector(force));
+  for (std::size_t v = 0; v < after.size(); ++v) {
+    report.greatest_velocity = (std::max)(report.greatest_velocity, after[v].norm());
+    report.greatest_change_of_velocity =
+        (std::max)(report.greatest_change_of_velocity, (after[v] - flow.velocities[v]).norm());
+  }
+  report.after = balance();
+  report.depth_in_solids = depth_in_solids();
+}
+
+// Given velocities may change volumes and enter walls: the nearest ones that do not, as masses
+// weigh them, are those of a step in which nothing but pressure acts.
+template <class Complex, class Solver>
+void Incompressible_fluid<Complex, Solver>::make_admissible(double dt) {
+  Properties inviscid;
+  for (const auto& [label, liquid] : m_properties.liquids())
+    inviscid.set_liquid(label, {liquid.density, 0});
+  const Flow flow(*this, inviscid);
+  if (std::all_of(flow.velocities.begin(), flow.velocities.end(),
+                  [](const Eigen::Vector3d& v) { return v.isZero(0); }))
+    return;
+  Step step(flow.mesh, inviscid, m_solids, m_complex, m_solver, {dt, 1}, m_time, m_time + dt,
+            flow.positions, flow.velocities, flow.accelerations);
+  step.solve(true);
+  const Vectors& velocities = step.final_velocities();
+  for (std::size_t v = 0; v < velocities.size(); ++v)
+    m_motion.set(flow.mesh.vertices[v], velocities[v], Eigen::Vector3d::Zero());
+  note_momenta(flow, [&](const internal::Masses_3& masses) { return step.final_momentum(masses); });
+  restore_momenta();
+}
+
+template <class Complex, class Solver>
 double Incompressible_fluid<Complex, Solver>::largest_step(double part) const {
-  const Flow flow(*this);
+  const Flow flow(*this, m_properties);
   double result = std::numeric_limits<double>::infinity();
   for (std::size_t v = 0; v < flow.positions.size(); ++v) {
     const double spacing = flow.mesh.vertices[v]->spacing(),
@@ -110,7 +185,7 @@ double Incompressible_fluid<Complex, Solver>::largest_step(double part) const {
 
 template <class Complex, class Solver>
 double Incompressible_fluid<Complex, Solver>::depth_in_solids() const {
-  const Flow flow(*this);
+  const Flow flow(*this, m_properties);
   const Contacts contacts(flow.mesh, m_solids, m_complex, flow.positions, m_time);
   double result = 0;
   for (std::size_t v = 0; v < flow.positions.size(); ++v)
@@ -140,7 +215,9 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
   const auto present = Ledger::measure(updated_complex(), m_properties);
   bool fits = state.motion.size() == vertices.size() && state.volumes.size() == present.size() &&
               std::isfinite(state.time);
-  for (const auto& [part, volume] : state.volumes)
+  const Ledger::Volumes volumes(state.volumes.begin(), state.volumes.end());
+  fits = fits && volumes.size() == present.size(); // none of them twice
+  for (const auto& [part, volume] : volumes)
     fits = fits && present.count(part) > 0 && volume > 0 && std::isfinite(volume);
   for (const auto& value : state.motion)
     fits =
@@ -152,7 +229,7 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
   for (std::size_t v = 0; v < vertices.size(); ++v)
     motion.put(vertices[v]->time_stamp(), internal::Fluid_motion_3::Value(state.motion[v].data()));
   m_motion = std::move(motion);
-  m_ledger.set_volumes({state.volumes.begin(), state.volumes.end()});
+  m_ledger.set_volumes(volumes);
   m_complex.take_component_lineage();
   m_time = state.time;
   m_steps = state.steps;
@@ -162,9 +239,12 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
 
 template <class Complex, class Solver>
 template <class NamedParameters>
-auto Incompressible_fluid<Complex, Solver>::options(const NamedParameters& np) -> Options {
+auto Incompressible_fluid<Complex, Solver>::options(const NamedParameters& np) const -> Options {
   namespace tags = internal_np;
   using Defaults = internal::defaults::Adaptive_advection<3>;
+  internal::deformation_options(m_complex, np); // throws before anything is changed
+  internal::count_parameter(np, tags::number_of_threads, "number_of_threads",
+                            internal::defaults::number_of_threads);
   const Options result = {
       internal::number_parameter(np, tags::implicitness, internal::defaults::implicitness),
       internal::number_parameter(np, tags::interface_tolerance, Defaults::interface_tolerance),
@@ -180,20 +260,22 @@ auto Incompressible_fluid<Complex, Solver>::options(const NamedParameters& np) -
 // The interface where it is worn, and inside of liquids edges about as long as those of the
 // interface: in the beginning, and later where the flow has stretched them a lot.
 template <class Complex, class Solver>
-Improvement_report Incompressible_fluid<Complex, Solver>::adapt(double tolerance) {
+template <class NamedParameters>
+void Incompressible_fluid<Complex, Solver>::adapt(double tolerance, const NamedParameters& np,
+                                                  Report& report) {
   // In mean edges of the interface. What is split later is collapsed to no less than it was.
   static constexpr double longest_of_new = 1.7, longest = 2.5, shortest = .3;
   static constexpr double quality = .3; // of tetrahedra, as of new meshes
   using Defaults = internal::defaults::Adaptive_advection<3>;
   if (m_complex.interface_vertices().empty())
-    return {};
+    return;
   internal::require_interface_edge(m_complex);
-  const Flow flow(*this);
+  const Flow flow(*this, m_properties);
   note_momenta(flow, [&](const internal::Masses_3& masses) {
     return internal::momentum(masses, flow.positions, flow.velocities);
   });
   Carrier carried = carrier();
-  Improvement_report result;
+  Improvement_report& result = report.adaptation;
   const internal::Adaptation_options adaptation = {tolerance, Defaults::feature_angle};
   if (tolerance > 0 &&
       internal::is_worn(m_complex, Interface_snapshot<Complex>(m_complex), adaptation))
@@ -213,9 +295,9 @@ Improvement_report Incompressible_fluid<Complex, Solver>::adapt(double tolerance
     result =
         result +
         improve_mesh(m_complex, parameters::quality_threshold(quality).visitor(std::ref(carried)));
-  follow_parts();
+  report.lost_volume += follow_parts();
+  restore_volumes(np, report);
   restore_momenta();
-  return result;
 }
 
 template <class Complex, class Solver>
@@ -261,57 +343,73 @@ Deformation_report<Complex> Incompressible_fluid<Complex, Solver>::move(const Me
     return found != inside.end() ? found->second : Approximate_point(unknown, unknown, unknown);
   };
   Carrier carried = carrier();
-  return deform_interface_to(m_complex, parts.snapshot(), to,
-                             np.flow(flow).visitor(std::ref(carried)));
+  try {
+    return deform_interface_to(m_complex, parts.snapshot(), to,
+                               np.flow(flow).visitor(std::ref(carried)));
+  } catch (...) {
+    follow_parts();
+    throw;
+  }
 }
 
-// Where changes of the mesh have altered them. Returns by how much, relative, at the most.
+// Where changes of the mesh have altered them.
 template <class Complex, class Solver>
 template <class NamedParameters>
-double Incompressible_fluid<Complex, Solver>::restore_volumes(const NamedParameters& np) {
+void Incompressible_fluid<Complex, Solver>::restore_volumes(const NamedParameters& np,
+                                                            Report& report) {
   static constexpr double rounding = 1e-14;
   static constexpr int rounds = 3;
-  double result = 0;
   for (int k = 0; k <= rounds; ++k) {
-    const Mesh mesh(updated_complex(), m_properties);
-    const Vectors positions = mesh.positions(m_complex);
-    const Contacts contacts(mesh, m_solids, m_complex, positions, m_time);
-    std::unordered_map<std::size_t, Approximate_point> touching; // by time stamp
-    Vectors out = positions;
-    contacts.put_out(out, m_time);
-    bool is_in_solid = false;
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-      is_in_solid = is_in_solid || contacts.depth(v, positions[v], m_time) > 0;
-      if (contacts.touches(v))
-        touching.emplace(mesh.vertices[v]->time_stamp(), point(out[v]));
-    }
-    const Part_interface parts(m_complex, m_properties);
-    const double error = parts.error(m_ledger.volumes());
-    result = (std::max)(result, k == 0 ? error : 0);
-    if (k == rounds || (error <= rounding && !is_in_solid))
+    report.volume_error = Part_interface(updated_complex(), m_properties).error(m_ledger.volumes());
+    if (k == 0)
+      report.volume_correction = (std::max)(report.volume_correction, report.volume_error);
+    if (k == rounds || (report.volume_error <= rounding && !(depth_in_solids() > 0)))
       break;
-    const auto from = parts.snapshot().positions(m_complex);
-    auto to = from;
-    std::vector<char> is_held(to.size(), false);
-    for (std::size_t v = 0; v < to.size(); ++v)
-      if (const auto found = touching.find(parts.snapshot().vertices[v]->time_stamp());
-          found != touching.end()) {
-        is_held[v] = true;
-        to[v] = found->second;
-      }
-    parts.restore(
-        m_ledger.volumes(), from, [&](std::size_t v) { return is_held[v] != 0; }, to);
-    // The mesh stays as it is if it can.
-    Carrier carried = carrier();
-    deform_interface_to(m_complex, parts.snapshot(), to,
-                        np.quality_threshold(0.)
-                            .relabeling_threshold(0.)
-                            .minimum_angle(0.)
-                            .minimum_facet_angle(0.)
-                            .visitor(std::ref(carried)));
-    follow_parts();
+    move_interface(coordinates_of_interface(), np, report);
   }
-  return result;
+}
+
+// To about given coordinates: out of solids, and so that parts have their volumes. The mesh stays
+// as it is if it can.
+template <class Complex, class Solver>
+template <class NamedParameters>
+void Incompressible_fluid<Complex, Solver>::move_interface(const Eigen::VectorXd& coordinates,
+                                                           const NamedParameters& np,
+                                                           Report& report) {
+  const Mesh mesh(updated_complex(), m_properties);
+  Vectors positions = mesh.positions(m_complex);
+  const Contacts contacts(mesh, m_solids, m_complex, positions, m_time);
+  std::unordered_map<std::size_t, std::size_t> number; // in the mesh, by time stamp
+  for (std::size_t v = 0; v < positions.size(); ++v)
+    number.emplace(mesh.vertices[v]->time_stamp(), v);
+  const Part_interface parts(m_complex, m_properties);
+  const auto& vertices = parts.snapshot().vertices;
+  for (std::size_t k = 0; k < vertices.size(); ++k)
+    if (const auto found = number.find(vertices[k]->time_stamp()); found != number.end())
+      positions[found->second] = coordinates.segment<3>(3 * Eigen::Index(k));
+  contacts.put_out(positions, m_time);
+
+  std::vector<Approximate_point> to;
+  std::vector<char> is_held(vertices.size(), false);
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    const auto found = number.find(vertices[k]->time_stamp());
+    to.push_back(found != number.end() ? point(positions[found->second])
+                                       : m_complex.position(vertices[k]));
+    is_held[k] = found != number.end() && contacts.touches(found->second);
+  }
+  parts.restore(
+      m_ledger.volumes(), parts.snapshot().positions(m_complex),
+      [&](std::size_t v) { return is_held[v] != 0; }, to);
+  Carrier carried = carrier();
+  const auto deformation = deform_interface_to(m_complex, parts.snapshot(), to,
+                                               np.quality_threshold(0.)
+                                                   .relabeling_threshold(0.)
+                                                   .minimum_angle(0.)
+                                                   .minimum_facet_angle(0.)
+                                                   .visitor(std::ref(carried)));
+  auto& events = report.deformation.events;
+  events.insert(events.end(), deformation.events.begin(), deformation.events.end());
+  report.lost_volume += follow_parts();
 }
 
 // Those of parts that touch, together.
@@ -347,22 +445,25 @@ double Incompressible_fluid<Complex, Solver>::follow_parts() {
 // velocity.
 template <class Complex, class Solver>
 double Incompressible_fluid<Complex, Solver>::restore_momenta() {
-  const Flow flow(*this);
+  const Flow flow(*this, m_properties);
   const auto& wanted = m_ledger.momenta();
   const auto bodies =
       internal::masses_of_sets(flow.mesh, flow.positions, wanted.size(),
                                [&](std::uint32_t part) { return m_ledger.set_of(part); });
   double result = 0;
+  Vectors velocities = flow.velocities;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     internal::Momentum_3 missing = internal::momentum(bodies[k], flow.positions, flow.velocities);
     missing.linear = wanted[k].linear - missing.linear;
     missing.angular = wanted[k].angular - missing.angular;
     const auto correction = internal::rigid_velocity(bodies[k], flow.positions, missing);
-    for (const auto& [v, mass] : bodies[k]) {
-      const Eigen::Vector3d change = correction.at(flow.positions[v]);
-      result = (std::max)(result, change.norm());
-      m_motion.set(flow.mesh.vertices[v], flow.velocities[v] + change, flow.accelerations[v]);
-    }
+    for (const auto& [v, mass] : bodies[k])
+      velocities[v] = flow.velocities[v] + correction.at(flow.positions[v]);
+  }
+  flow.mesh.keep_on_sides(velocities);
+  for (std::size_t v = 0; v < velocities.size(); ++v) {
+    result = (std::max)(result, (velocities[v] - flow.velocities[v]).norm());
+    m_motion.set(flow.mesh.vertices[v], velocities[v], flow.accelerations[v]);
   }
   return result;
 }

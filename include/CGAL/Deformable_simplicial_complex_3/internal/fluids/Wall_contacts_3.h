@@ -8,10 +8,12 @@
 #include <CGAL/Deformable_simplicial_complex_3/Solids_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_mesh_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Vertex_constraints_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <tuple>
@@ -34,7 +36,8 @@ struct Any_solid_3
 };
 
 // Where the surface of a liquid touches solids: vertices must not enter them, and only those that
-// would are held back. Which ones, is found by trying: see `revise()`.
+// would are held back. Which ones, is found by trying: see `revise()`. The sides of the domain are
+// walls, too, for what does not lie on them: it keeps off, as the mesh needs room there.
 template <class Complex> class Wall_contacts_3
 {
 public:
@@ -44,10 +47,8 @@ public:
   // At a time.
   Wall_contacts_3(const Mesh& mesh, const Solids& solids, const Complex& complex,
                   const Vectors_3& positions, double time)
-      : m_solids(solids), m_positions(positions), m_spacings(positions.size(), 0),
+      : m_mesh(mesh), m_solids(solids), m_positions(positions), m_spacings(positions.size(), 0),
         m_touched(positions.size()) {
-    if (solids.empty())
-      return;
     for (const auto& facet : mesh.facets)
       if (facet.is_free)
         for (auto v : facet.vertices) {
@@ -57,14 +58,20 @@ public:
     for (std::size_t v = 0; v < positions.size(); ++v)
       for_each_wall(v, positions[v], time,
                     [&](std::size_t solid, std::size_t wall, const Wall_3& w) {
-                      if (w.distance <= touching * m_spacings[v])
+                      if (!is_side(solid) && w.distance <= touching * m_spacings[v])
                         m_touched[v].emplace_back(solid, wall);
                     });
+    m_adheres.assign(positions.size(), false);
+    for (const auto& facet : mesh.facets)
+      if (tension(facet) < facet.tension)
+        for (auto v : facet.vertices)
+          m_adheres[v] = true;
   }
 
   // What must hold for velocities by which vertices go for some time, the walls being those where
-  // they are expected to arrive. What touches a wall is held until `revise()` lets it go.
-  void predict(const Vectors_3& expected, double time, double dt) {
+  // they are expected to arrive; they may stand still. What touches a wall is held until `revise()`
+  // lets it go.
+  void predict(const Vectors_3& expected, double time, double dt, bool walls_move) {
     static constexpr double near = .5; // spacings: beyond, the next prediction will find it
     const std::vector<Contact> before = std::move(m_contacts);
     m_contacts.clear();
@@ -82,7 +89,7 @@ public:
             const Eigen::Vector3d normal = eigen_vector(w.normal);
             m_contacts.push_back({v, solid, wall, normal,
                                   (normal.dot(expected[v] - m_positions[v]) - w.distance) / dt,
-                                  eigen_vector(w.velocity),
+                                  (walls_move ? 1. : 0.) * eigen_vector(w.velocity),
                                   is_known ? known->is_active : touches || w.distance < 0});
           });
   }
@@ -91,7 +98,7 @@ public:
     for (const Contact& c : m_contacts)
       if (c.is_active) {
         constraints.add(c.vertex, {c.normal, c.least});
-        if (m_solids[c.solid].sticks) {
+        if (sticks(c.solid)) {
           const Eigen::Vector3d along = c.normal.unitOrthogonal();
           for (const Eigen::Vector3d& d : {along, Eigen::Vector3d(c.normal.cross(along))})
             constraints.add(c.vertex, {d, d.dot(c.wall_velocity)});
@@ -99,8 +106,9 @@ public:
       }
   }
 
-  // Holds what would enter a wall, and lets go what a wall would have to pull. Returns whether
-  // there was any. After some rounds nothing is let go any more, so that they end.
+  // Holds what would enter a wall, and lets go what a wall would have to pull, but for what wets
+  // it: that would gain the energy of a surface from nothing. Returns whether there was any. After
+  // some rounds nothing is let go any more, so that they end.
   bool revise(const Eigen::VectorXd& velocities, const Eigen::VectorXd& reactions, unsigned round) {
     static constexpr unsigned rounds_of_release = 8;
     static constexpr double rounding = 1e-9;
@@ -111,7 +119,7 @@ public:
       const Eigen::Index row = 3 * Eigen::Index(c.vertex);
       const double excess = c.normal.dot(velocities.segment<3>(row)) - c.least;
       if (!c.is_active ? excess < -slowest
-                       : round < rounds_of_release && m_solids[c.solid].separates &&
+                       : round < rounds_of_release && separates(c.solid) && !m_adheres[c.vertex] &&
                              push(c, reactions) < -weakest) {
         c.is_active = !c.is_active;
         is_revised = true;
@@ -125,9 +133,8 @@ public:
     for (const Contact& c : m_contacts)
       if (c.is_active) {
         Eigen::Vector3d& v = velocities[c.vertex];
-        v = m_solids[c.solid].sticks
-                ? c.wall_velocity
-                : Eigen::Vector3d(v - c.normal * c.normal.dot(v - c.wall_velocity));
+        v = sticks(c.solid) ? c.wall_velocity
+                            : Eigen::Vector3d(v - c.normal * c.normal.dot(v - c.wall_velocity));
       }
   }
 
@@ -147,18 +154,20 @@ public:
   // equation, the tensions of wet and dry wall differ by that of the surface times the cosine of
   // the contact angle.
   double tension(const typename Mesh::Facet& facet) const {
-    for (const auto& [solid, wall] : m_touched[facet.vertices[0]])
-      if (is_touching(facet.vertices[1], solid, wall) &&
-          is_touching(facet.vertices[2], solid, wall))
-        return -m_solids[solid].cosine * facet.tension;
+    if (facet.is_free)
+      for (const auto& [solid, wall] : m_touched[facet.vertices[0]])
+        if (is_touching(facet.vertices[1], solid, wall) &&
+            is_touching(facet.vertices[2], solid, wall))
+          return -m_solids[solid].cosine * facet.tension;
     return facet.tension;
   }
 
   // How deep a vertex would be in a solid; 0 for outside.
   double depth(std::size_t v, const Eigen::Vector3d& p, double time) const {
     double result = 0;
-    for_each_wall(v, p, time, [&](std::size_t, std::size_t, const Wall_3& w) {
-      result = (std::max)(result, -w.distance);
+    for_each_wall(v, p, time, [&](std::size_t solid, std::size_t, const Wall_3& w) {
+      if (!is_side(solid))
+        result = (std::max)(result, -w.distance);
     });
     return result;
   }
@@ -175,17 +184,30 @@ public:
     return false;
   }
 
+  // Vertices.
   std::size_t number_of_held() const {
-    return std::size_t(std::count_if(m_contacts.begin(), m_contacts.end(),
-                                     [](const Contact& c) { return c.is_active; }));
+    std::size_t result = 0;
+    for (std::size_t v = 0; v < m_positions.size(); ++v)
+      result += is_held(v);
+    return result;
   }
 
-  // Of liquids on each solid: the opposite of what holds vertices back.
+  // Of liquids on each solid: the opposite of what holds vertices back, across walls and, where
+  // liquids stick, along them.
   Vectors_3 forces(const Eigen::VectorXd& reactions) const {
     Vectors_3 result(m_solids.size(), Eigen::Vector3d::Zero());
+    Eigen::VectorXd left = reactions; // along walls
     for (const Contact& c : m_contacts)
       if (c.is_active)
+        left.segment<3>(3 * Eigen::Index(c.vertex)) -= push(c, reactions) * c.normal;
+    for (const Contact& c : m_contacts)
+      if (c.is_active && !is_side(c.solid)) {
         result[c.solid] -= push(c, reactions) * c.normal;
+        if (sticks(c.solid)) {
+          result[c.solid] -= left.segment<3>(3 * Eigen::Index(c.vertex));
+          left.segment<3>(3 * Eigen::Index(c.vertex)).setZero();
+        }
+      }
     return result;
   }
 
@@ -193,6 +215,9 @@ private:
   // How near a vertex is to a wall that it touches, in spacings of the interface: above what the
   // improvement of a mesh moves vertices off a curved wall.
   static constexpr double touching = 1e-3;
+  // How far what does not lie on a side of the domain keeps off, in the same unit, unless it is
+  // nearer already.
+  static constexpr double clearance = .25;
 
   struct Contact
   {
@@ -207,6 +232,11 @@ private:
     }
   };
 
+  // The sides of the domain come after the solids.
+  bool is_side(std::size_t solid) const { return solid == m_solids.size(); }
+  bool sticks(std::size_t solid) const { return !is_side(solid) && m_solids[solid].sticks; }
+  bool separates(std::size_t solid) const { return is_side(solid) || m_solids[solid].separates; }
+
   // Of vertices between liquid and void.
   template <class Function>
   void for_each_wall(std::size_t v, const Eigen::Vector3d& p, double time,
@@ -220,6 +250,17 @@ private:
       for (std::size_t wall = 0; wall < walls.size(); ++wall)
         function(solid, wall, walls[wall]);
     }
+    for (int axis = 0; axis < 3; ++axis)
+      if (!Boundary_class::fixes(m_mesh.vertices[v]->boundary_class(), axis))
+        for (int side : {0, 1}) {
+          const double sign = side == 0 ? 1 : -1, at = m_mesh.sides[2 * axis + side],
+                       nearest = (std::min)(clearance * m_spacings[v],
+                                            sign * (m_positions[v][axis] - at));
+          if (std::isfinite(at))
+            function(m_solids.size(), std::size_t(2 * axis + side),
+                     {sign * (p[axis] - at) - nearest,
+                      sign * Wall_3::Vector(axis == 0, axis == 1, axis == 2)});
+        }
   }
 
   bool is_touching(std::size_t v, std::size_t solid, std::size_t wall) const {
@@ -256,9 +297,11 @@ private:
     return matrix.completeOrthogonalDecomposition().solve(r)(own);
   }
 
+  const Mesh& m_mesh;
   const Solids& m_solids;
   Vectors_3 m_positions;
   std::vector<double> m_spacings; // by vertex; 0 for those that are not between liquid and void
+  std::vector<char> m_adheres;    // by vertex: whether it wets a wall
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> m_touched; // solids and walls
   std::vector<Contact> m_contacts;                                         // by place
 };

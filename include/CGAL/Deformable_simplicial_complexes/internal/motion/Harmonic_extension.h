@@ -154,13 +154,13 @@ private:
     return vertices;
   }
 
-  // Of a cell: from the list of positions where there is one, as cells are not in the order in which
-  // they are stored.
+  // Of a cell: from the list of positions where there is one, as cells are not in the order in
+  // which they are stored.
   typename Linear_element<Complex>::Corners corners(std::size_t k) const {
     typename Linear_element<Complex>::Corners result;
     for (int i = 0; i < Complex::corners; ++i)
       if constexpr (Complex::Domain::has_outside) {
-        std::array<double, d> coordinates;
+        std::array<double, d> coordinates = {};
         const Vector& p = m_vertices.positions[m_cells[k].vertices[i]];
         std::copy(p.data(), p.data() + d, coordinates.begin());
         result[i] = CGAL::ORIGIN + vector_of<Complex>(coordinates);
