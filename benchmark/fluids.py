@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Compares scenes of `dsc fluid` with exact solutions and prints a row of a table for each.
 
-Usage: fluids.py DSC [PART...], of droplets, decay, waves, sloshing, dam. Scenes are those of the
-program with the changes that the rows name.
+Usage: fluids.py DSC [--data DIR] [PART...], of droplets, decay, rest, waves, jets, sessile, sloshing,
+dam, bubble, figures, speed. Scenes are those of the program with the changes that the rows name;
+figures need the meshes bunny00.off and armadillo.off of CGAL in DIR.
 """
 
 import cmath
@@ -14,15 +15,19 @@ import sys
 import tempfile
 
 
+data = "."
+
+
 def run(dsc, name, change):
-    """The steps that the program reports of one of its scenes, changed."""
+    """The steps that the program reports of one of its scenes, changed. If it ends with an error,
+    which it prints, those until then."""
     scene = json.loads(subprocess.check_output([dsc, "fluid", "--print", name]))
     change(scene)
     with tempfile.TemporaryDirectory() as folder:
         files = [os.path.join(folder, f) for f in ("scene.json", "report.json")]
         with open(files[0], "w") as out:
             json.dump(scene, out)
-        subprocess.run([dsc, "fluid", files[0], "--report", files[1], "--quiet"], check=True)
+        subprocess.run([dsc, "fluid", files[0], "--report", files[1], "--quiet", "--data", data])
         with open(files[1]) as report:
             return json.load(report)["steps"]
 
@@ -206,10 +211,211 @@ def dam(dsc):
         print(f"| {t} | {z} | {computed:.3f} | {100 * (computed / z - 1):.1f} |", flush=True)
 
 
+def greatest(steps, field):
+    return max(step[field] for step in steps[1:])
+
+
+def relative_change(values):
+    return max(abs(v / values[0] - 1) for v in values)
+
+
+def spinning_extents(time):
+    """Of a ball of liquid that turns once in 2 pi and has no surface tension: an ellipsoid, its motion
+    linear in space (Dirichlet). Its radius across and along the axis."""
+
+    def multiply(a, b):
+        return [[sum(a[i][k] * b[k][j] for k in range(3)) for j in range(3)] for i in range(3)]
+
+    def inverse(a):
+        rows = [solve(a, [float(i == j) for i in range(3)]) for j in range(3)]
+        return [[rows[j][i] for j in range(3)] for i in range(3)]
+
+    def acceleration(f, g):  # that of the least effort that keeps the determinant
+        h = inverse(f)
+        hg = multiply(h, g)
+        pressure = (sum(multiply(hg, hg)[i][i] for i in range(3)) /
+                    sum(h[i][j] ** 2 for i in range(3) for j in range(3)))
+        return [[pressure * h[j][i] for j in range(3)] for i in range(3)]
+
+    def moved(a, b, s):
+        return [[a[i][j] + s * b[i][j] for j in range(3)] for i in range(3)]
+
+    f = [[float(i == j) for j in range(3)] for i in range(3)]
+    g = [[0., -1., 0.], [1., 0., 0.], [0., 0., 0.]]
+    n = 1000
+    dt = time / n
+    for _ in range(n):  # Runge and Kutta
+        k1 = g, acceleration(f, g)
+        k2 = moved(g, k1[1], dt / 2), acceleration(moved(f, k1[0], dt / 2), moved(g, k1[1], dt / 2))
+        k3 = moved(g, k2[1], dt / 2), acceleration(moved(f, k2[0], dt / 2), moved(g, k2[1], dt / 2))
+        k4 = moved(g, k3[1], dt), acceleration(moved(f, k3[0], dt), moved(g, k3[1], dt))
+        for k, s in ((k1, 1), (k2, 2), (k3, 2), (k4, 1)):
+            f, g = moved(f, k[0], s * dt / 6), moved(g, k[1], s * dt / 6)
+    return math.hypot(f[0][0], f[0][1]), f[2][2]
+
+
+def rest(dsc):
+    print("| scene | what | value |")
+    print("| --- " * 3 + "|")
+
+    def droplet_scene(scene):
+        scene["relaxation"] = {"time_step": 1, "steps": 150}
+        scene["end"] = 1
+
+    def tank_scene(scene):
+        scene["liquids"][0]["shape"]["to"] = [1, .5, 1]
+        scene["solids"][0]["box"] = [0, 0, 0, 1, .5, 2]
+        scene["end"] = .4
+
+    def bowl_scene(scene):
+        scene["liquids"][0]["shape"] = {"type": "ball", "center": [0, 0, 0], "radius": 1,
+                                        "triangles": 1280}
+        scene["surface_tension"] = 0
+        scene["gravity"] = [0, 0, -1]
+        scene["solids"] = [{"type": "ball", "center": [0, 0, 0], "radius": 1, "liquid": "inside",
+                            "separates": False}]
+        scene["relaxation"] = {"time_step": 1, "steps": 150}
+        scene["end"] = 1
+
+    for name, scene, change in (("relaxed drop", "droplet", droplet_scene),
+                                ("filled tank", "dam-break", tank_scene),
+                                ("filled bowl", "droplet", bowl_scene)):
+        found = run(dsc, scene, change)
+        print(f"| {name} | greatest velocity, {len(found) - 1} steps | "
+              f"{greatest(found, 'greatest_velocity'):.1e} |", flush=True)
+
+    def fall(scene):
+        scene["surface_tension"], scene["gravity"] = 0, [0, 0, -1]
+        scene["liquids"][0]["velocity"] = [.1, 0, 0]
+        scene["end"] = 1
+
+    found = run(dsc, "droplet", fall)
+    way = [b - a for a, b in zip(found[0]["extent"][1], found[-1]["extent"][1])]
+    print(f"| free fall for a time of 1 | error of the way | "
+          f"{max(abs(way[0] - .1), abs(way[2] + .5)):.1e} |", flush=True)
+    found = run(dsc, "spinning", lambda scene: None)
+    across, along = spinning_extents(found[-1]["time"])
+    for field in ("momentum", "angular_momentum"):
+        drift = max(abs(a - b) for s in found for a, b in zip(s[field], found[1][field]))
+        print(f"| spinning drop | change of {field.replace('_', ' ')}, of {found[1]['angular_momentum'][2]:.2f} "
+              f"| {drift:.1e} |", flush=True)
+    print(f"| | error of its radius across the axis, {across:.4f} | "
+          f"{found[-1]['extent'][1][0] / across - 1:.4f} |")
+    print(f"| | error of its radius along the axis, {along:.4f} | "
+          f"{found[-1]['extent'][1][2] / along - 1:.4f} |", flush=True)
+
+
+def jets(dsc):
+    print("| kR | growth | exact | error (%) | drops and what is between them, volumes |")
+    print("| --- " * 5 + "|")
+    for k, exact, end in ((.5, .301558, 20), (.697019, .343339, 16)):
+        length = 2 * math.pi / k
+
+        def change(scene):
+            shape = scene["liquids"][0]["shape"]
+            shape["to"], shape["wave_length"] = [length, 0, 0], length
+            scene["domain"][3] = length + 1
+            scene["solids"][1]["point"] = [length, 0, 0]
+            scene["end"] = end
+
+        found = run(dsc, "jet", change)
+
+        def amplitude(step):  # the greatest radius is sqrt(1 - a^2 / 2) + a
+            r = (step["extent"][1][1] - step["extent"][0][1]) / 2
+            a = r - 1
+            for _ in range(9):
+                a = r - math.sqrt(1 - a * a / 2)
+            return a
+
+        a = [(s["time"], amplitude(s)) for s in found]
+        late = next((t, x) for t, x in a if x > 4 * a[0][1])
+        growth = math.acosh(late[1] / a[0][1]) / late[0]
+        drops = ", ".join(f"{p['volume']:.2f}" for p in found[-1]["parts"])
+        print(f"| {k} | {growth:.4f} | {exact} | {100 * (growth / exact - 1):.1f} | {drops} |",
+              flush=True)
+
+
+def sessile(dsc):
+    print("| angle | radius of the sphere over that of the ball | exact | error (%) |")
+    print("| --- " * 4 + "|")
+    for angle, exact in ((60, 1.856636), (90, 1.259921), (120, 1.058267)):
+
+        def change(scene):
+            scene["solids"][0]["contact_angle"] = angle
+
+        found = run(dsc, "sessile", change)
+        (x0, y0, _), (x1, y1, z1) = found[-1]["extent"]
+        half = (x1 - x0 + y1 - y0) / 4
+        # Of the cap with this height and volume: V = pi h^2 (R - h / 3).
+        volume = found[-1]["volume"]
+        radius = volume / math.pi / z1 ** 2 + z1 / 3
+        ball = (3 * volume / 4 / math.pi) ** (1 / 3)
+        print(f"| {angle} | {radius / ball:.4f} | {exact} | {100 * (radius / ball / exact - 1):.2f} |"
+              f" half width {half:.3f}, velocity {found[-1]['greatest_velocity']:.1e}", flush=True)
+
+
+def bubble(dsc):
+    found = run(dsc, "bubble", lambda scene: None)
+    part = next(p for p in found[-1]["parts"] if p["label"] == 1)
+    (x0, y0, z0), (x1, y1, z1) = part["extent"]
+    print("| at a time of 3 | computed | Basilisk, axisymmetric | error (%) |")
+    print("| --- " * 4 + "|")
+    for name, value, reference in (("lowest", z0, 1.324), ("highest", z1, 1.676),
+                                   ("radius", (x1 - x0 + y1 - y0) / 4, .2957)):
+        print(f"| {name} | {value:.4f} | {reference} | {100 * (value / reference - 1):.1f} |",
+              flush=True)
+
+
+def figures(dsc):
+    print("| scene | steps | time | volume, change | energy, greatest rise in a step (%) | momentum, "
+          "change | angular momentum, change | correction of velocities over their change | depth in "
+          "solids | changes of topology | vertices | seconds a step |")
+    print("| --- " * 12 + "|")
+    for name in ("bunny", "collision", "bowl", "crown"):
+        found = run(dsc, name, lambda scene: None)
+        rises = [(b["energy"] - a["energy"]) / abs(found[0]["energy"])
+                 for a, b in zip(found, found[1:])]
+        drifts = [max(abs(a - b) for s in found for a, b in zip(s[field], found[0][field]))
+                  for field in ("momentum", "angular_momentum")]
+        seconds = sum(s["seconds_of_solver"] + s["seconds_of_mesh"] for s in found[1:])
+        correction = max(s["greatest_correction"] / s["greatest_change_of_velocity"]
+                         for s in found[1:])
+        print(f"| {name} | {len(found) - 1} | {found[-1]['time']:.3g} | "
+              f"{relative_change([s['volume'] for s in found]):.1e} | {100 * max(rises):.3f} | "
+              f"{drifts[0]:.1e} | {drifts[1]:.1e} | {correction:.4f} | "
+              f"{greatest(found, 'depth_in_solids'):.1e} | {sum(len(s['events']) for s in found[1:])} | "
+              f"{max(s['vertices'] for s in found)} | {seconds / (len(found) - 1):.2f} |", flush=True)
+
+
+def speed(dsc):
+    print("| vertices | of them in the liquid's surface | seconds a step | of the solver | iterations |")
+    print("| --- " * 5 + "|")
+    for triangles in (700, 4200, 20000):
+
+        def change(scene):
+            scene["liquids"][0]["shape"]["triangles"] = triangles
+            scene["time_step"] = 2 / triangles ** .75
+            scene["end"] = 6 * scene["time_step"]
+
+        found = run(dsc, "droplet", change)[2:]  # without the first step
+        n = len(found)
+        solver = sum(s["seconds_of_solver"] for s in found) / n
+        mesh = sum(s["seconds_of_mesh"] for s in found) / n
+        print(f"| {found[-1]['vertices']} | {found[-1]['interface_triangles'] // 2 + 2} | "
+              f"{solver + mesh:.2f} | {solver:.2f} | {sum(s['iterations'] for s in found) // n} |",
+              flush=True)
+
+
 def main():
-    parts = {"droplets": droplets, "decay": decay, "waves": waves, "sloshing": sloshing, "dam": dam}
-    for part in sys.argv[2:] or parts:
-        parts[part](sys.argv[1])
+    global data
+    parts = {"droplets": droplets, "decay": decay, "rest": rest, "waves": waves, "jets": jets,
+             "sessile": sessile, "sloshing": sloshing, "dam": dam, "bubble": bubble,
+             "figures": figures, "speed": speed}
+    dsc, *wanted = sys.argv[1:]
+    if wanted and wanted[0] == "--data":
+        data, wanted = wanted[1], wanted[2:]
+    for part in wanted or parts:
+        parts[part](dsc)
         print()
 
 

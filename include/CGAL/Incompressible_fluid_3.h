@@ -10,10 +10,10 @@
 #include <CGAL/Deformable_simplicial_complex_3/Fluid_report_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Saddle_point_solver.h>
 #include <CGAL/Deformable_simplicial_complex_3/Solids_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Body_momenta_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Body_momenta_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_step_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fixed_point_accelerator.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_motion_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_step_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Part_interface_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Part_ledger_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>

@@ -81,19 +81,30 @@ Json events_json(const Fluid::Report& report) {
   return result;
 }
 
-/// The extent of the surfaces of liquids.
-Json extent_json(const Complex& complex) {
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::array<double, 3> least = {infinity, infinity, infinity},
-                        largest = {-infinity, -infinity, -infinity};
-  for (const auto v : complex.interface_vertices()) {
-    const auto p = complex.position(v);
+/// The least and largest coordinates of points.
+class Extent
+{
+public:
+  void add(const Complex::Approximate_point& p) {
     for (int i = 0; i < 3; ++i) {
-      least[std::size_t(i)] = std::min(least[std::size_t(i)], p[i]);
-      largest[std::size_t(i)] = std::max(largest[std::size_t(i)], p[i]);
+      m_least[std::size_t(i)] = std::min(m_least[std::size_t(i)], p[i]);
+      m_largest[std::size_t(i)] = std::max(m_largest[std::size_t(i)], p[i]);
     }
   }
-  return {least, largest};
+  Json json() const { return {m_least, m_largest}; }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> m_least = {infinity, infinity, infinity},
+                        m_largest = {-infinity, -infinity, -infinity};
+};
+
+/// Of the surfaces of liquids.
+Json extent_json(const Complex& complex) {
+  Extent result;
+  for (const auto v : complex.interface_vertices())
+    result.add(complex.position(v));
+  return result.json();
 }
 
 /// The amplitude of a Legendre polynomial in the distances of the interface from a point: a mean by
@@ -161,15 +172,27 @@ Json probes_json(const Fluid_scene& scene, const Complex& complex) {
 
 Json parts_json(const Fluid& fluid) {
   Json result = Json::array();
-  std::map<std::uint32_t, double> present;
-  std::map<std::uint32_t, int> labels;
+  struct Part
+  {
+    int label = 0;
+    double volume = 0;
+    Extent extent;
+  };
+  std::map<std::uint32_t, Part> present;
   for (const auto c : fluid.complex().cells()) {
-    present[c->component()] += fluid.complex().measure(c);
-    labels[c->component()] = c->label();
+    Part& part = present[c->component()];
+    part.label = c->label();
+    part.volume += fluid.complex().measure(c);
+    for (int i = 0; i < 4; ++i)
+      part.extent.add(fluid.complex().position(c->vertex(i)));
   }
-  for (const auto& [part, volume] : fluid.volumes())
-    result.push_back(
-        {{"label", labels[part]}, {"volume", present[part]}, {"wanted_volume", volume}});
+  for (const auto& [number, volume] : fluid.volumes()) {
+    const Part& part = present[number];
+    result.push_back({{"label", part.label},
+                      {"volume", part.volume},
+                      {"wanted_volume", volume},
+                      {"extent", part.extent.json()}});
+  }
   return result;
 }
 

@@ -20,6 +20,7 @@ namespace dsc {
 namespace {
 
 Fluid_shape read_shape(Json_fields& liquid, bool& is_surroundings) {
+  static constexpr double most_amplitude = .5; // of radii
   Json_fields shape = liquid.object("shape");
   const std::string type = shape.text("type");
   Fluid_shape result;
@@ -30,9 +31,8 @@ Fluid_shape read_shape(Json_fields& liquid, bool& is_surroundings) {
     ball.mode = shape.count("mode", 0);
     ball.amplitude = shape.number("amplitude", 0);
     ball.triangles = shape.count("triangles", 0);
-    static constexpr double most = .5;
     static constexpr std::size_t highest = 100;
-    if (!(std::abs(ball.amplitude) <= most))
+    if (!(std::abs(ball.amplitude) <= most_amplitude))
       shape.refuse("amplitude", "at most 0.5 is possible");
     if (ball.mode > highest)
       shape.refuse("mode", "at most 100 is possible");
@@ -43,6 +43,17 @@ Fluid_shape read_shape(Json_fields& liquid, bool& is_surroundings) {
       if (!(box.to[i] > box.from[i]))
         shape.refuse("to", "the box is empty");
     result = box;
+  } else if (type == "cylinder") {
+    Cylinder_shape column{shape.numbers<3>("from"), shape.numbers<3>("to"),
+                          shape.positive("radius"), shape.number("amplitude", 0),
+                          shape.number("wave_length", 0)};
+    if (column.from == column.to)
+      shape.refuse("to", "the cylinder has no length");
+    if (!(std::abs(column.amplitude) <= most_amplitude))
+      shape.refuse("amplitude", "at most 0.5 is possible");
+    if (!(column.wave_length >= 0) || (column.amplitude != 0 && column.wave_length == 0))
+      shape.refuse("wave_length", "a positive number is needed");
+    result = column;
   } else if (type == "file") {
     File_shape file;
     file.file = shape.text("file");
@@ -59,7 +70,7 @@ Fluid_shape read_shape(Json_fields& liquid, bool& is_surroundings) {
     is_surroundings = true;
     result = Surroundings();
   } else {
-    shape.refuse("type", "use ball, box, file, pool or surroundings");
+    shape.refuse("type", "use ball, box, cylinder, file, pool or surroundings");
   }
   shape.close();
   return result;

@@ -32,6 +32,14 @@ struct Box_shape
   std::array<double, 3> from, to;
 };
 
+/// From one center of a cap to the other. Its radius is times 1 + amplitude cos(2 pi s /
+/// wave_length) at a distance s from the first cap.
+struct Cylinder_shape
+{
+  std::array<double, 3> from, to;
+  double radius, amplitude, wave_length;
+};
+
 /// A closed surface, to be fitted into a ball.
 struct File_shape
 {
@@ -52,7 +60,8 @@ struct Surroundings
 {
 };
 
-using Fluid_shape = std::variant<Ball_shape, Box_shape, File_shape, Pool_shape, Surroundings>;
+using Fluid_shape =
+    std::variant<Ball_shape, Box_shape, Cylinder_shape, File_shape, Pool_shape, Surroundings>;
 
 struct Scene_liquid
 {

@@ -114,6 +114,24 @@ const std::vector<Named_scene>& named_scenes() {
   "time_step": 0.006,
   "end": 0.798
 })json"},
+      {"jet", R"json({
+  "title": "a thread of liquid that surface tension tears into drops (Rayleigh and Plateau)",
+  "domain": [-1, -3, -3, 13.5663706, 3, 3],
+  "edge": 0.25,
+  "liquids": [{
+    "shape": {"type": "cylinder", "from": [0, 0, 0], "to": [12.5663706, 0, 0], "radius": 1,
+              "amplitude": 0.02, "wave_length": 12.5663706},
+    "density": 1
+  }],
+  "surface_tension": 1,
+  "solids": [
+    {"type": "plane", "point": [0, 0, 0], "normal": [1, 0, 0], "separates": false},
+    {"type": "plane", "point": [12.5663706, 0, 0], "normal": [-1, 0, 0], "separates": false}
+  ],
+  "time_step": 0.1,
+  "cfl": 0.5,
+  "end": 20
+})json"},
       {"sloshing", R"json({
   "title": "water that sloshes in a tank, the slowest wave",
   "domain": [0, 0, 0, 1, 1, 1],
@@ -129,16 +147,23 @@ const std::vector<Named_scene>& named_scenes() {
   "end": 11.2
 })json"},
       {"bubble", R"json({
-  "title": "a light liquid that rises in a heavy one, in a closed box",
-  "domain": [-0.5, -0.5, 0, 0.5, 0.5, 2],
-  "edge": 0.1,
+  "title": "a light liquid that rises in a heavy one, in a closed cylinder with slippery walls",
+  "domain": [-0.8, -0.8, -0.3, 0.8, 0.8, 2.3],
+  "edge": 0.08,
   "liquids": [
-    {"label": 1, "shape": {"type": "ball", "center": [0, 0, 0.5], "radius": 0.25}, "density": 100,
+    {"shape": {"type": "ball", "center": [0, 0, 0.5], "radius": 0.25}, "density": 100,
      "viscosity": 1},
-    {"shape": {"type": "surroundings"}, "density": 1000, "viscosity": 10}
+    {"shape": {"type": "cylinder", "from": [0, 0, 0], "to": [0, 0, 2], "radius": 0.5},
+     "density": 1000, "viscosity": 10}
   ],
-  "surface_tension": 24.5,
+  "surface_tension": [{"labels": [1, 2], "value": 24.5}],
   "gravity": [0, 0, -0.98],
+  "solids": [
+    {"type": "cylinder", "point": [0, 0, 0], "axis": [0, 0, 1], "radius": 0.5, "liquid": "inside",
+     "separates": false},
+    {"type": "plane", "point": [0, 0, 0], "normal": [0, 0, 1], "separates": false},
+    {"type": "plane", "point": [0, 0, 2], "normal": [0, 0, -1], "separates": false}
+  ],
   "time_step": 0.02,
   "cfl": 0.5,
   "end": 3

@@ -5,7 +5,7 @@
 #include "fluid_start.h"
 
 #include "errors.h"
-#include "legendre.h"
+#include "fluid_shapes.h"
 #include "surface.h"
 #include "velocity_expressions.h"
 
@@ -41,82 +41,15 @@ std::string place_of(const std::string& file, const std::string& folder) {
                                               : (std::filesystem::path(folder) / path).string();
 }
 
-/// How many parts of about the length of an edge a shape is cut into, in some directions together.
-/// \throws Input_error if that is more than any computer could hold
-std::size_t number_of_parts(double parts) {
-  static constexpr double most = 1e8;
-  if (!(parts <= most))
-    throw Input_error("the edges of the scene are too short for its shapes, or for its domain");
-  return std::size_t(std::lround(std::max(1., parts)));
-}
-
-Surface ball_surface(const Ball_shape& ball, double edge) {
-  // Equilateral triangles that cover the sphere.
-  const double area = std::sqrt(3.) / 4 * edge * edge / (ball.radius * ball.radius);
-  Run_start start;
-  start.ball = Ball{ball.center, ball.radius};
-  start.triangles =
-      ball.triangles > 0 ? ball.triangles : number_of_parts(std::max(20., 4 * CGAL_PI / area));
-  Surface surface = start_surfaces(start).front();
-  const Surface_point center(ball.center[0], ball.center[1], ball.center[2]);
-  if (ball.mode > 0)
-    for (Surface_point& p : surface.points)
-      p = center + (1 + ball.amplitude * legendre(ball.mode, (p.z() - center.z()) / ball.radius)) *
-                       (p - center);
-  return surface;
-}
-
-Surface box_surface(const Box_shape& shape, double edge) {
-  std::array<int, 3> n;
-  for (std::size_t i = 0; i < 3; ++i)
-    n[i] = int(number_of_parts((shape.to[i] - shape.from[i]) / edge));
-  number_of_parts(double(n[0]) * n[1] + double(n[1]) * n[2] + double(n[2]) * n[0]);
-  Surface surface;
-  std::map<std::array<int, 3>, std::size_t> known;
-  const auto point = [&](const std::array<int, 3>& at) {
-    const auto [place, is_new] = known.emplace(at, surface.points.size());
-    if (is_new) {
-      std::array<double, 3> p;
-      for (std::size_t i = 0; i < 3; ++i)
-        p[i] = at[i] == n[i] ? shape.to[i]
-                             : shape.from[i] + (shape.to[i] - shape.from[i]) * at[i] / n[i];
-      surface.points.emplace_back(p[0], p[1], p[2]);
-    }
-    return place->second;
-  };
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-    for (int side : {0, n[axis]})
-      for (int i = 0; i < n[u]; ++i)
-        for (int j = 0; j < n[v]; ++j) {
-          const auto corner = [&](int a, int b) {
-            std::array<int, 3> at;
-            at[axis] = side;
-            at[u] = i + a;
-            at[v] = j + b;
-            return point(at);
-          };
-          const std::size_t a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
-          // Diagonals in turns, so that no direction is another than the others.
-          if ((i + j) % 2 == 0) {
-            surface.triangles.push_back({a, b, c});
-            surface.triangles.push_back({a, c, d});
-          } else {
-            surface.triangles.push_back({a, b, d});
-            surface.triangles.push_back({b, c, d});
-          }
-        }
-  }
-  return surface;
-}
-
 Complex complex_of_surfaces(const Fluid_scene& scene, const std::string& folder) {
   std::vector<Surface> surfaces;
   for (const Scene_liquid& liquid : scene.liquids) {
     if (const auto* ball = std::get_if<Ball_shape>(&liquid.shape)) {
-      surfaces.push_back(ball_surface(*ball, scene.edge));
+      surfaces.push_back(surface_of(*ball, scene.edge));
     } else if (const auto* block = std::get_if<Box_shape>(&liquid.shape)) {
-      surfaces.push_back(box_surface(*block, scene.edge));
+      surfaces.push_back(surface_of(*block, scene.edge));
+    } else if (const auto* column = std::get_if<Cylinder_shape>(&liquid.shape)) {
+      surfaces.push_back(surface_of(*column, scene.edge));
     } else if (const auto* file = std::get_if<File_shape>(&liquid.shape)) {
       Run_start start;
       start.inputs = {place_of(file->file, folder)};
@@ -193,6 +126,14 @@ bool is_about(const Fluid_shape& shape, const Point& p) {
   if (const auto* block = std::get_if<Box_shape>(&shape))
     return p.x() > block->from[0] && p.x() < block->to[0] && p.y() > block->from[1] &&
            p.y() < block->to[1] && p.z() > block->from[2] && p.z() < block->to[2];
+  if (const auto* column = std::get_if<Cylinder_shape>(&shape)) {
+    const Point from(column->from[0], column->from[1], column->from[2]),
+        to(column->to[0], column->to[1], column->to[2]);
+    const double part = (p - from) * (to - from) / (to - from).squared_length();
+    return part > 0 && part < 1 &&
+           (p - from - part * (to - from)).squared_length() <
+               std::pow(column->radius * (1 + std::abs(column->amplitude)), 2);
+  }
   if (const auto* pool = std::get_if<Pool_shape>(&shape))
     return p.z() < pool->level;
   return true;
@@ -204,10 +145,12 @@ Complex complex_of_places(const Fluid_scene& scene) {
                   (scene.domain[5] - scene.domain[2]) / std::pow(scene.edge, 3));
   for (const Scene_liquid& liquid : scene.liquids) {
     const auto* ball = std::get_if<Ball_shape>(&liquid.shape);
-    if (std::holds_alternative<File_shape>(liquid.shape) ||
+    const auto* column = std::get_if<Cylinder_shape>(&liquid.shape);
+    if (std::holds_alternative<File_shape>(liquid.shape) || (column && column->amplitude != 0) ||
         (ball && (ball->mode > 0 || ball->triangles > 0)))
-      throw Input_error("beside a pool there can be boxes and round balls with the edges of the "
-                        "scene, but no modes, numbers of triangles or shapes of files");
+      throw Input_error("beside a pool there can be boxes, round balls and straight cylinders with "
+                        "the edges of the scene, but no modes, amplitudes, numbers of triangles or "
+                        "shapes of files");
   }
   const auto label_at = [&](const Point& p) {
     int result = 0;

@@ -272,7 +272,7 @@ void Incompressible_fluid<Complex, Solver>::adapt(double tolerance, const NamedP
   internal::require_interface_edge(m_complex);
   const Flow flow(*this, m_properties);
   note_momenta(flow, [&](const internal::Masses_3& masses) {
-    return internal::momentum(masses, flow.positions, flow.velocities);
+    return internal::momentum(flow.mesh, masses, flow.positions, flow.velocities);
   });
   Carrier carried = carrier();
   Improvement_report& result = report.adaptation;
@@ -453,11 +453,12 @@ double Incompressible_fluid<Complex, Solver>::restore_momenta() {
   double result = 0;
   Vectors velocities = flow.velocities;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    internal::Momentum_3 missing = internal::momentum(bodies[k], flow.positions, flow.velocities);
+    internal::Momentum_3 missing =
+        internal::momentum(flow.mesh, bodies[k], flow.positions, flow.velocities);
     missing.linear = wanted[k].linear - missing.linear;
     missing.angular = wanted[k].angular - missing.angular;
-    const auto correction = internal::rigid_velocity(bodies[k], flow.positions, missing);
-    for (const auto& [v, mass] : bodies[k])
+    const auto correction = internal::rigid_velocity(flow.mesh, bodies[k], flow.positions, missing);
+    for (const auto& [v, mass] : bodies[k].of_vertices)
       velocities[v] = flow.velocities[v] + correction.at(flow.positions[v]);
   }
   flow.mesh.keep_on_sides(velocities);

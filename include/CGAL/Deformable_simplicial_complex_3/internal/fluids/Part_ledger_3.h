@@ -6,7 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_PART_LEDGER_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Fluid_properties_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Body_momenta_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Body_momenta_3.h>
 
 #include <cstddef>
 #include <cstdint>

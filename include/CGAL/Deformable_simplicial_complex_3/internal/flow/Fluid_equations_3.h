@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_FLUID_EQUATIONS_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_FLUID_EQUATIONS_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_FLUID_EQUATIONS_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_FLUID_EQUATIONS_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_mesh_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_mesh_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/Facet_tension.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/Linear_element.h>
 
@@ -28,8 +28,8 @@ x to x + dt v, and the pressures p:
    A v - B^T p = f,   A = M / (theta dt) + K + theta dt L,  f = M (u / (theta dt) + g) - L x + w
    B v + C p   = s
 
-M are the masses of vertices, K is viscosity, L x the gradient of the energy of surfaces, w that of
-walls that are wet. Each row of B is the gradient of a quarter of the volume around a vertex, so
+M are masses, see `Fluid_mesh_3`, K is viscosity, L x the gradient of the energy of surfaces, w that
+of walls that are wet. Each row of B is the gradient of a quarter of the volume around a vertex, so
 that B v = 0 keeps it. That alone permits pressures that nothing feels: C, which sums up to nothing,
 is made of the residual of the equation of motion, and vanishes with it, where the gradient of p is
 that of gravity less acceleration (T. J. R. Hughes, L. P. Franca, M. Balestra, "A new finite element
@@ -70,7 +70,8 @@ public:
     b.reserve(48 * m_mesh.cells.size());
     c.reserve(16 * m_mesh.cells.size());
     for (std::size_t v = 0; v < m_masses.size(); ++v)
-      add_block(a, v, v, m_masses[v] / (m_step.theta * m_step.dt) * Eigen::Matrix3d::Identity());
+      add_block(a, v, v,
+                (1 - Mesh::part_at_middle) * rate(m_masses[v]) * Eigen::Matrix3d::Identity());
     m_forces = Vector::Zero(3 * Eigen::Index(m_masses.size()));
     m_stabilization.clear();
     m_stiffness.assign(m_masses.size(), 0);
@@ -95,7 +96,7 @@ public:
   Vector inertia() const {
     Vector result(m_forces.size());
     for (std::size_t v = 0; v < m_masses.size(); ++v)
-      at(result, v).setConstant(m_masses[v] / (m_step.theta * m_step.dt) + m_stiffness[v]);
+      at(result, v).setConstant(rate(m_masses[v]) + m_stiffness[v]);
     return result;
   }
   Vector viscosity() const {
@@ -112,7 +113,14 @@ public:
   Vector forces(const Vectors_3& velocities) const {
     Vector result = m_forces;
     for (std::size_t v = 0; v < m_masses.size(); ++v)
-      at(result, v) += m_masses[v] * (velocities[v] / (m_step.theta * m_step.dt) + m_gravity);
+      at(result, v) +=
+          (1 - Mesh::part_at_middle) * rate(m_masses[v]) * velocities[v] + m_masses[v] * m_gravity;
+    for (std::size_t k = 0; k < m_mesh.cells.size(); ++k) {
+      const Eigen::Vector3d share =
+          Mesh::part_at_middle * rate(quarter_mass(k)) * m_mesh.middle(k, velocities);
+      for (auto v : m_mesh.cells[k].vertices)
+        at(result, v) += share;
+    }
     return result;
   }
 
@@ -121,10 +129,8 @@ public:
     Vector result = Vector::Zero(m_c.rows());
     for (std::size_t k = 0; k < m_mesh.cells.size(); ++k) {
       const auto& cell = m_mesh.cells[k];
-      Eigen::Vector3d a = Eigen::Vector3d::Zero();
-      for (auto v : cell.vertices)
-        a += accelerations[v] / 4;
-      const Eigen::Vector3d force = cell.liquid->density * (m_gravity - a);
+      const Eigen::Vector3d force =
+          cell.liquid->density * (m_gravity - m_mesh.middle(k, accelerations));
       for (std::size_t i = 0; i < 4; ++i)
         result(cell.pressures[i]) += m_stabilization[k][i].dot(force);
     }
@@ -136,6 +142,12 @@ public:
   }
 
 private:
+  // What changes a velocity in the step by 1.
+  double rate(double mass) const { return mass / (m_step.theta * m_step.dt); }
+  double quarter_mass(std::size_t k) const {
+    return m_mesh.cells[k].liquid->density * m_elements[k].lumped_mass();
+  }
+
   using Entries = std::vector<Eigen::Triplet<double>>;
   using Element = Linear_element<Complex>;
 
@@ -186,6 +198,8 @@ private:
       for (std::size_t j = 0; j < 4; ++j) {
         c.emplace_back(cell.pressures[i], cell.pressures[j],
                        tau * volume * gradients[i].dot(gradients[j]));
+        add_block(a, cell.vertices[i], cell.vertices[j],
+                  Mesh::part_at_middle / 4 * rate(quarter_mass(k)) * Eigen::Matrix3d::Identity());
         if (viscosity > 0)
           add_block(a, cell.vertices[i], cell.vertices[j],
                     viscosity * volume *
@@ -240,4 +254,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_FLUID_EQUATIONS_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_FLUID_EQUATIONS_3_H

@@ -2,11 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_BODY_MOMENTA_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_BODY_MOMENTA_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_BODY_MOMENTA_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_BODY_MOMENTA_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Fluid_report_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_mesh_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_mesh_3.h>
 
 #include <Eigen/Dense>
 
@@ -26,8 +26,22 @@ struct Momentum_3
   Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = Eigen::Vector3d::Zero();
 };
 
-// Vertices and their masses, each vertex once.
-using Masses_3 = std::vector<std::pair<std::size_t, double>>;
+// What a body consists of, see `Fluid_mesh_3::part_at_middle`: vertices, each once, and cells, and
+// their masses.
+struct Masses_3
+{
+  std::vector<std::pair<std::size_t, double>> of_vertices, of_middles;
+};
+
+// `f(mass, a, b)` with the values of two fields there.
+template <class Mesh, class Function>
+void for_each_mass(const Mesh& mesh, const Masses_3& masses, const Vectors_3& a, const Vectors_3& b,
+                   const Function& f) {
+  for (const auto& [v, m] : masses.of_vertices)
+    f(m, a[v], b[v]);
+  for (const auto& [k, m] : masses.of_middles)
+    f(m, mesh.middle(k, a), mesh.middle(k, b));
+}
 
 template <class Cell> double volume(const Cell& cell, const Vectors_3& positions) {
   const auto& v = cell.vertices;
@@ -35,38 +49,43 @@ template <class Cell> double volume(const Cell& cell, const Vectors_3& positions
   return (positions[v[1]] - o).cross(positions[v[2]] - o).dot(positions[v[3]] - o) / 6;
 }
 
-// Of the cells of each set, by a function from components to sets. A quarter of the mass of a cell
-// goes with each corner.
+// Of the cells of each set, by a function from components to sets.
 template <class Mesh, class SetOf>
 std::vector<Masses_3> masses_of_sets(const Mesh& mesh, const Vectors_3& positions,
                                      std::size_t number_of_sets, const SetOf& set_of) {
   std::vector<Masses_3> result(number_of_sets);
-  for (const auto& cell : mesh.cells) {
-    const double share = cell.liquid->density * volume(cell, positions) / 4;
+  for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
+    const auto& cell = mesh.cells[k];
+    Masses_3& masses = result[set_of(cell.component)];
+    const double mass = cell.liquid->density * volume(cell, positions);
+    masses.of_middles.emplace_back(k, Mesh::part_at_middle * mass);
     for (auto v : cell.vertices)
-      result[set_of(cell.component)].emplace_back(v, share);
+      masses.of_vertices.emplace_back(v, (1 - Mesh::part_at_middle) * mass / 4);
   }
   for (Masses_3& masses : result) {
-    std::stable_sort(masses.begin(), masses.end(),
+    auto& all = masses.of_vertices;
+    std::stable_sort(all.begin(), all.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
-    Masses_3 sums;
-    for (const auto& [v, m] : masses)
+    std::vector<std::pair<std::size_t, double>> sums;
+    for (const auto& [v, m] : all)
       if (!sums.empty() && sums.back().first == v)
         sums.back().second += m;
       else
         sums.emplace_back(v, m);
-    masses.swap(sums);
+    all.swap(sums);
   }
   return result;
 }
 
-inline Momentum_3 momentum(const Masses_3& masses, const Vectors_3& positions,
-                           const Vectors_3& velocities) {
+template <class Mesh>
+Momentum_3 momentum(const Mesh& mesh, const Masses_3& masses, const Vectors_3& positions,
+                    const Vectors_3& velocities) {
   Momentum_3 result;
-  for (const auto& [v, m] : masses) {
-    result.linear += m * velocities[v];
-    result.angular += m * positions[v].cross(velocities[v]);
-  }
+  for_each_mass(mesh, masses, positions, velocities,
+                [&](double m, const Eigen::Vector3d& p, const Eigen::Vector3d& v) {
+                  result.linear += m * v;
+                  result.angular += m * p.cross(v);
+                });
   return result;
 }
 
@@ -79,16 +98,17 @@ Fluid_balance_3 balance(const Mesh& mesh, const Fluid_properties_3& properties,
   const Masses_3 masses =
       masses_of_sets(mesh, positions, 1, [](std::uint32_t) { return std::size_t(0); }).front();
   const Eigen::Vector3d gravity(properties.gravity().data());
-  const Momentum_3 sum = momentum(masses, positions, velocities);
+  const Momentum_3 sum = momentum(mesh, masses, positions, velocities);
   const auto vector = [](const Eigen::Vector3d& v) {
     return Fluid_balance_3::Vector(v.x(), v.y(), v.z());
   };
   result.momentum = vector(sum.linear);
   result.angular_momentum = vector(sum.angular);
-  for (const auto& [v, m] : masses) {
-    result.kinetic_energy += m * velocities[v].squaredNorm() / 2;
-    result.potential_energy -= m * gravity.dot(positions[v]);
-  }
+  for_each_mass(mesh, masses, positions, velocities,
+                [&](double m, const Eigen::Vector3d& p, const Eigen::Vector3d& v) {
+                  result.kinetic_energy += m * v.squaredNorm() / 2;
+                  result.potential_energy -= m * gravity.dot(p);
+                });
   for (const auto& cell : mesh.cells)
     result.volume += volume(cell, positions);
   for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
@@ -110,22 +130,27 @@ struct Rigid_velocity_3
 };
 
 // That by which masses have a momentum.
-inline Rigid_velocity_3 rigid_velocity(const Masses_3& masses, const Vectors_3& positions,
-                                       const Momentum_3& momentum) {
+template <class Mesh>
+Rigid_velocity_3 rigid_velocity(const Mesh& mesh, const Masses_3& masses,
+                                const Vectors_3& positions, const Momentum_3& momentum) {
   Rigid_velocity_3 result;
   double mass = 0;
-  for (const auto& [v, m] : masses) {
+  const auto for_each = [&](const auto& f) {
+    for_each_mass(mesh, masses, positions, positions,
+                  [&](double m, const Eigen::Vector3d& p, const Eigen::Vector3d&) { f(m, p); });
+  };
+  for_each([&](double m, const Eigen::Vector3d& p) {
     mass += m;
-    result.center += m * positions[v];
-  }
+    result.center += m * p;
+  });
   if (!(mass > 0))
     return result;
   result.center /= mass;
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
-  for (const auto& [v, m] : masses) {
-    const Eigen::Vector3d r = positions[v] - result.center;
+  for_each([&](double m, const Eigen::Vector3d& p) {
+    const Eigen::Vector3d r = p - result.center;
     inertia += m * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
-  }
+  });
   result.linear = momentum.linear / mass;
   result.angular = inertia.completeOrthogonalDecomposition().solve(
       momentum.angular - result.center.cross(momentum.linear));
@@ -136,4 +161,4 @@ inline Rigid_velocity_3 rigid_velocity(const Masses_3& masses, const Vectors_3& 
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_BODY_MOMENTA_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_BODY_MOMENTA_3_H

@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_ROUGHNESS_DAMPER_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_ROUGHNESS_DAMPER_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_ROUGHNESS_DAMPER_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_ROUGHNESS_DAMPER_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_mesh_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_mesh_3.h>
 
 #include <Eigen/Dense>
 
@@ -133,4 +133,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_ROUGHNESS_DAMPER_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_ROUGHNESS_DAMPER_3_H

@@ -2,15 +2,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_FLUID_STEP_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_FLUID_STEP_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_FLUID_STEP_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_FLUID_STEP_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Body_momenta_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_equations_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_mesh_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Roughness_damper_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Vertex_constraints_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Wall_contacts_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Body_momenta_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_equations_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_mesh_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Roughness_damper_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Vertex_constraints_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Wall_contacts_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
@@ -91,16 +91,19 @@ public:
   // What sets of masses have in the end: what they had, and what gravity and walls have given them.
   // What vertices of a set exchange sums up to nothing.
   Momentum_3 final_momentum(const Masses_3& masses) const {
-    Momentum_3 result = momentum(masses, m_positions, m_before);
     const Vectors_3 half_way = at_time(m_step.dt / 2), end = at_time(m_step.dt);
+    Momentum_3 result = momentum(m_mesh, masses, m_positions, m_before);
+    const Momentum_3 stopped = momentum(m_mesh, masses, end, m_final_velocities),
+                     unstopped = momentum(m_mesh, masses, end, m_unstopped_velocities);
+    result.linear += stopped.linear - unstopped.linear;
+    result.angular += stopped.angular - unstopped.angular;
     const Eigen::Vector3d gravity(m_properties.gravity().data());
-    for (const auto& [v, m] : masses) {
-      const double share = m / m_equations.masses()[v];
+    for (const auto& [v, m] : masses.of_vertices) {
+      const double mass = m / (1 - Mesh::part_at_middle), share = mass / m_equations.masses()[v];
       const Eigen::Vector3d pushed =
-          m_step.dt * (m * gravity + share * m_reactions.segment<3>(3 * Eigen::Index(v)));
-      const Eigen::Vector3d stop = m * (m_final_velocities[v] - m_unstopped_velocities[v]);
-      result.linear += pushed + stop;
-      result.angular += half_way[v].cross(pushed) + end[v].cross(stop);
+          m_step.dt * (mass * gravity + share * m_reactions.segment<3>(3 * Eigen::Index(v)));
+      result.linear += pushed;
+      result.angular += half_way[v].cross(pushed);
     }
     return result;
   }
@@ -203,4 +206,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_FLUID_STEP_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_FLUID_STEP_3_H

@@ -2,12 +2,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_WALL_CONTACTS_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_WALL_CONTACTS_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_WALL_CONTACTS_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_WALL_CONTACTS_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Solids_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_mesh_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Vertex_constraints_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_mesh_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Vertex_constraints_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 
 #include <Eigen/Dense>
@@ -310,4 +310,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_WALL_CONTACTS_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_WALL_CONTACTS_3_H

@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fluid_shapes.h"
+
+#include "errors.h"
+#include "legendre.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace dsc {
+
+std::size_t number_of_parts(double parts) {
+  static constexpr double most = 1e8;
+  if (!(parts <= most))
+    throw Input_error("the edges of the scene are too short for its shapes, or for its domain");
+  return std::size_t(std::lround(std::max(1., parts)));
+}
+
+Surface surface_of(const Ball_shape& ball, double edge) {
+  // Equilateral triangles that cover the sphere.
+  const double area = std::sqrt(3.) / 4 * edge * edge / (ball.radius * ball.radius);
+  Run_start start;
+  start.ball = Ball{ball.center, ball.radius};
+  start.triangles =
+      ball.triangles > 0 ? ball.triangles : number_of_parts(std::max(20., 4 * CGAL_PI / area));
+  Surface surface = start_surfaces(start).front();
+  const Surface_point center(ball.center[0], ball.center[1], ball.center[2]);
+  if (ball.mode > 0)
+    for (Surface_point& p : surface.points)
+      p = center + (1 + ball.amplitude * legendre(ball.mode, (p.z() - center.z()) / ball.radius)) *
+                       (p - center);
+  return surface;
+}
+
+Surface surface_of(const Box_shape& shape, double edge) {
+  std::array<int, 3> n;
+  for (std::size_t i = 0; i < 3; ++i)
+    n[i] = int(number_of_parts((shape.to[i] - shape.from[i]) / edge));
+  number_of_parts(double(n[0]) * n[1] + double(n[1]) * n[2] + double(n[2]) * n[0]);
+  Surface surface;
+  std::map<std::array<int, 3>, std::size_t> known;
+  const auto point = [&](const std::array<int, 3>& at) {
+    const auto [place, is_new] = known.emplace(at, surface.points.size());
+    if (is_new) {
+      std::array<double, 3> p;
+      for (std::size_t i = 0; i < 3; ++i)
+        p[i] = at[i] == n[i] ? shape.to[i]
+                             : shape.from[i] + (shape.to[i] - shape.from[i]) * at[i] / n[i];
+      surface.points.emplace_back(p[0], p[1], p[2]);
+    }
+    return place->second;
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (int side : {0, n[axis]})
+      for (int i = 0; i < n[u]; ++i)
+        for (int j = 0; j < n[v]; ++j) {
+          const auto corner = [&](int a, int b) {
+            std::array<int, 3> at;
+            at[axis] = side;
+            at[u] = i + a;
+            at[v] = j + b;
+            return point(at);
+          };
+          const std::size_t a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
+          // Diagonals in turns, so that no direction is another than the others.
+          if ((i + j) % 2 == 0) {
+            surface.triangles.push_back({a, b, c});
+            surface.triangles.push_back({a, c, d});
+          } else {
+            surface.triangles.push_back({a, b, d});
+            surface.triangles.push_back({b, c, d});
+          }
+        }
+  }
+  return surface;
+}
+
+/// The caps are of rings around their centers, of six triangles, eighteen and so on, so that all
+/// are about equilateral; those of the mantle are turned by half an edge from ring to ring.
+Surface surface_of(const Cylinder_shape& shape, double edge) {
+  const Surface_point from(shape.from[0], shape.from[1], shape.from[2]),
+      to(shape.to[0], shape.to[1], shape.to[2]);
+  const auto axis = to - from;
+  const double length = std::sqrt(axis.squared_length());
+  const auto along = axis / length;
+  // Across the axis, from the coordinate that it has least of.
+  std::array<double, 3> unit = {};
+  unit[std::size_t(std::abs(along.x()) <= std::min(std::abs(along.y()), std::abs(along.z())) ? 0
+                   : std::abs(along.y()) <= std::abs(along.z())                              ? 1
+                                                                : 2)] = 1;
+  auto u = CGAL::cross_product(along, decltype(along)(unit[0], unit[1], unit[2]));
+  u = u / std::sqrt(u.squared_length());
+  const auto v = CGAL::cross_product(along, u);
+
+  const std::size_t rings = number_of_parts(shape.radius / edge), around = 6 * rings,
+                    layers = number_of_parts(length / (std::sqrt(.75) * edge));
+  number_of_parts(double(around) * double(layers + rings));
+  Surface surface;
+  const auto add = [&](double height, double radius, double angle) {
+    const double scale =
+        radius *
+        (1 + shape.amplitude *
+                 (shape.wave_length > 0 ? std::cos(2 * CGAL_PI * height / shape.wave_length) : 1));
+    surface.points.push_back(from + height * along + scale * std::cos(angle) * u +
+                             scale * std::sin(angle) * v);
+    return surface.points.size() - 1;
+  };
+  using Ring = std::vector<std::size_t>;
+  const auto ring = [&](double height, double radius, std::size_t size, double first_angle) {
+    Ring result;
+    for (std::size_t k = 0; k < size; ++k)
+      result.push_back(add(height, radius, first_angle + 2 * CGAL_PI * double(k) / double(size)));
+    return result;
+  };
+  const auto add_triangle = [&](std::size_t a, std::size_t b, std::size_t c, bool is_turned) {
+    surface.triangles.push_back(is_turned ? std::array<std::size_t, 3>{a, c, b}
+                                          : std::array<std::size_t, 3>{a, b, c});
+  };
+  const auto add_cap = [&](double height, double first_angle, const Ring& rim, bool is_turned) {
+    Ring inner = {add(height, 0, 0)};
+    for (std::size_t i = 1; i <= rings; ++i) {
+      const Ring outer =
+          i == rings ? rim
+                     : ring(height, shape.radius * double(i) / double(rings), 6 * i, first_angle);
+      for (std::size_t sector = 0; sector < 6; ++sector)
+        for (std::size_t k = 0; k < i; ++k) {
+          const auto at = [&](const Ring& r, std::size_t size, std::size_t index) {
+            return size == 0 ? r[0] : r[(sector * size + index) % r.size()];
+          };
+          add_triangle(at(inner, i - 1, k), at(outer, i, k), at(outer, i, k + 1), is_turned);
+          if (k + 1 < i)
+            add_triangle(at(inner, i - 1, k), at(outer, i, k + 1), at(inner, i - 1, k + 1),
+                         is_turned);
+        }
+      inner = outer;
+    }
+  };
+  const double half = CGAL_PI / double(around);
+  Ring below = ring(0, shape.radius, around, 0);
+  add_cap(0, 0, below, true);
+  for (std::size_t layer = 1; layer <= layers; ++layer) {
+    const bool is_ahead = layer % 2 == 1;
+    const Ring above = ring(layer == layers ? length : length * double(layer) / double(layers),
+                            shape.radius, around, is_ahead ? half : 0);
+    for (std::size_t k = 0; k < around; ++k) {
+      const std::size_t next = (k + 1) % around;
+      if (is_ahead) {
+        add_triangle(below[k], below[next], above[k], false);
+        add_triangle(below[next], above[next], above[k], false);
+      } else {
+        add_triangle(below[k], above[next], above[k], false);
+        add_triangle(below[k], below[next], above[next], false);
+      }
+    }
+    below = above;
+  }
+  add_cap(length, layers % 2 == 1 ? half : 0, below, false);
+  return surface;
+}
+
+} // namespace dsc
