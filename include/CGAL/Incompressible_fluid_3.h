@@ -301,6 +301,11 @@ private:
   static Vector vector(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
   static Approximate_point point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
+  // How long edges of the interface are there, inside of liquids about so.
+  double edge_at(Vertex_handle v) const {
+    return v->spacing() > 0 ? v->spacing() : m_complex.mean_interface_edge();
+  }
+
   // Numbers of components are caches of the complex.
   const Complex& updated_complex() const {
     m_complex.update_components();
@@ -323,7 +328,8 @@ private:
   void adapt(double tolerance, const NamedParameters& np, Report& report);
   void make_admissible(double dt);
   template <class NamedParameters>
-  void step(double dt, double end, double implicitness, const NamedParameters& np, Report& report);
+  void step(double dt, double end, double implicitness, double longest_way,
+            const NamedParameters& np, Report& report);
   void store(const Flow& flow, const Vectors& velocities, double dt);
   template <class NamedParameters>
   Deformation_report<Complex> move(const Mesh& mesh, const Contacts& contacts,

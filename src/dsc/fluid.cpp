@@ -22,6 +22,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -391,6 +392,10 @@ int execute(const Fluid_options& options) {
         throw;
       }
       run.complex->forget();
+      if (fluid.volumes().empty())
+        throw std::runtime_error("no liquid is left after the step " +
+                                 std::to_string(first + done) +
+                                 ": edges may be too long for it, or steps");
       progress.show(unsigned(parts * (fluid.time() - start_time) / (end - start_time)));
       if ((first + done) % options.every == 0)
         write_files();

@@ -162,7 +162,7 @@ const std::vector<Named_scene>& named_scenes() {
     {"type": "cylinder", "point": [0, 0, 0], "axis": [0, 0, 1], "radius": 0.5, "liquid": "inside",
      "separates": false},
     {"type": "plane", "point": [0, 0, 0], "normal": [0, 0, 1], "separates": false},
-    {"type": "plane", "point": [0, 0, 2], "normal": [0, 0, -1], "separates": false}
+    {"type": "plane", "point": [0, 0, 2], "normal": [0, 0, -1]}
   ],
   "time_step": 0.02,
   "cfl": 0.5,

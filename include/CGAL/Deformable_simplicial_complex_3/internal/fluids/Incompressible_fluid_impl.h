@@ -27,7 +27,7 @@ auto Incompressible_fluid<Complex, Solver>::advance(double dt, const NamedParame
     adapt(chosen.interface_tolerance, np, report);
   if (!m_knows_accelerations)
     make_admissible(dt);
-  step(dt, m_time + dt, chosen.implicitness, np, report);
+  step(dt, m_time + dt, chosen.implicitness, std::numeric_limits<double>::infinity(), np, report);
   ++m_steps;
   m_damped_steps -= m_damped_steps > 0;
   if (!report.deformation.events.empty())
@@ -40,7 +40,8 @@ template <class Complex, class Solver>
 template <class NamedParameters>
 double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps,
                                                     const NamedParameters& np) {
-  static constexpr double rest = 1e-14; // of the first step
+  static constexpr double rest = 1e-14;     // of the first step
+  static constexpr double longest_way = .3; // edges in a step, as forces change on it
   const Options chosen = options(np);
   require_step(dt);
   Report report;
@@ -54,7 +55,7 @@ double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps,
     const std::vector<std::size_t> before = stamps_of_interface();
     const Eigen::VectorXd from = coordinates_of_interface();
     report = {};
-    step(dt, m_time, 1, np, report);
+    step(dt, m_time, 1, longest_way, np, report);
     m_motion = internal::Fluid_motion_3();
     m_knows_accelerations = false;
     velocity = report.greatest_velocity;
@@ -94,11 +95,12 @@ Eigen::VectorXd Incompressible_fluid<Complex, Solver>::coordinates_of_interface(
   return result;
 }
 
-// Solids stand still if time does.
+// Solids stand still if time does. Ways are cut down to the longest one, in edges.
 template <class Complex, class Solver>
 template <class NamedParameters>
 void Incompressible_fluid<Complex, Solver>::step(double dt, double end, double implicitness,
-                                                 const NamedParameters& np, Report& report) {
+                                                 double longest_way, const NamedParameters& np,
+                                                 Report& report) {
   const Flow flow(*this, m_properties);
   report.dt = dt;
   report.time = end;
@@ -118,6 +120,12 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, double i
   const Vectors after = step.final_velocities();
   store(flow, after, dt);
   Vectors destinations = step.destinations();
+  double part = 1;
+  for (std::size_t v = 0; v < destinations.size(); ++v)
+    part = (std::min)(part, longest_way * edge_at(flow.mesh.vertices[v]) /
+                                (destinations[v] - flow.positions[v]).norm());
+  for (std::size_t v = 0; v < destinations.size() && part < 1; ++v)
+    destinations[v] = flow.positions[v] + part * (destinations[v] - flow.positions[v]);
   step.contacts().put_out(destinations, m_time);
   report.moved = flow.balance(*this, destinations, after, m_time);
   note_momenta(flow, [&](const internal::Masses_3& masses) { return step.final_momentum(masses); });
@@ -171,8 +179,7 @@ double Incompressible_fluid<Complex, Solver>::largest_step(double part) const {
   const Flow flow(*this, m_properties);
   double result = std::numeric_limits<double>::infinity();
   for (std::size_t v = 0; v < flow.positions.size(); ++v) {
-    const double spacing = flow.mesh.vertices[v]->spacing(),
-                 length = part * (spacing > 0 ? spacing : m_complex.mean_interface_edge()),
+    const double length = part * edge_at(flow.mesh.vertices[v]),
                  velocity = flow.velocities[v].norm(), acceleration = flow.accelerations[v].norm();
     // length = velocity t + acceleration t^2 / 2
     if (velocity > 0 || acceleration > 0)
