@@ -36,6 +36,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <memory>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -215,7 +216,8 @@ public:
   \return what it did.
   \throws Error if a parameter is out of its range or `dt` too short to change the time, with
           nothing changed; or if the equations cannot be solved, with the state of before the step
-          but for adaptation of the mesh. What `topology_control` throws leaves a valid complex.
+          but for adaptation of the mesh and given velocities, which may be admissible by then. What
+  `topology_control` throws leaves a valid complex.
 
   Some dozens of iterations of a linear solver, almost linear in the number of vertices of liquids,
   and the deformation.
@@ -326,7 +328,7 @@ private:
   template <class NamedParameters> Options options(const NamedParameters& np) const;
   template <class NamedParameters>
   void adapt(double tolerance, const NamedParameters& np, Report& report);
-  void make_admissible(double dt);
+  void make_admissible(double dt, Report& report);
   template <class NamedParameters>
   void step(double dt, double end, double implicitness, double longest_way,
             const NamedParameters& np, Report& report);
@@ -334,6 +336,10 @@ private:
   template <class NamedParameters>
   Deformation_report<Complex> move(const Mesh& mesh, const Contacts& contacts,
                                    const Vectors& destinations, const NamedParameters& np);
+  template <class NamedParameters>
+  Deformation_report<Complex> deform_followed(const Interface_snapshot<Complex>& interface_,
+                                              const std::vector<Approximate_point>& to,
+                                              const NamedParameters& np);
   template <class NamedParameters> void restore_volumes(const NamedParameters& np, Report& report);
   template <class NamedParameters>
   void move_interface(const Eigen::VectorXd& coordinates, const NamedParameters& np,

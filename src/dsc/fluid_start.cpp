@@ -67,11 +67,15 @@ Complex complex_of_surfaces(const Fluid_scene& scene, const std::string& folder)
       surfaces, CGAL::Tetgen_tetrahedralizer_3(), parameters::enclosing_box(box(scene.domain)));
 }
 
+void require_inside(const Fluid_scene& scene, const Pool_shape& pool) {
+  if (!(pool.level > scene.domain[2] && pool.level < scene.domain[5]))
+    throw Input_error("the level of the pool is not inside the domain");
+}
+
 /// Cubes, each of six tetrahedra, which have a plane at a level between them.
 Complex complex_of_pool(const Fluid_scene& scene, int label, const Pool_shape& pool) {
   const auto& d = scene.domain;
-  if (!(pool.level > d[2] && pool.level < d[5]))
-    throw Input_error("the level of the pool is not inside the domain");
+  require_inside(scene, pool);
   const auto number = [&](double length) { return number_of_parts(length / scene.edge); };
   const std::size_t nx = number(d[3] - d[0]), ny = number(d[4] - d[1]),
                     below = number(pool.level - d[2]), nz = below + number(d[5] - pool.level);
@@ -146,6 +150,11 @@ Complex complex_of_places(const Fluid_scene& scene) {
   for (const Scene_liquid& liquid : scene.liquids) {
     const auto* ball = std::get_if<Ball_shape>(&liquid.shape);
     const auto* column = std::get_if<Cylinder_shape>(&liquid.shape);
+    if (const auto* pool = std::get_if<Pool_shape>(&liquid.shape)) {
+      require_inside(scene, *pool);
+      if (!pool->height.empty())
+        throw Input_error("the pool of a scene with other shapes is flat; leave its height out");
+    }
     if (std::holds_alternative<File_shape>(liquid.shape) || (column && column->amplitude != 0) ||
         (ball && (ball->mode > 0 || ball->triangles > 0)))
       throw Input_error("beside a pool there can be boxes, round balls and straight cylinders with "

@@ -76,6 +76,17 @@ TEST(Fluid, falls_freely) {
   EXPECT_TRUE(complex.is_valid());
 }
 
+// Whatever the implicitness, a drop that flies does not begin to spin.
+TEST(Fluid, flies_without_spinning) {
+  Complex complex = sphere(8, .4);
+  Fluid fluid(complex, liquid(1, 0, 0, 10));
+  fluid.set_velocities([](Complex::Vertex_handle) { return Vector(1, 0, 0); });
+  for (int k = 0; k < 5; ++k)
+    fluid.advance(.02, parameters::implicitness(1.));
+  for (auto v : vertices_of_liquids(complex))
+    EXPECT_LT(length(fluid.velocity(v) - Vector(1, 0, -1)), 1e-10);
+}
+
 TEST(Fluid, in_a_tank_rests) {
   Complex complex = block();
   Fluid fluid(complex, liquid(2, 0, 0, 1));

@@ -53,7 +53,7 @@ TEST_F(Fluids, scenes_are_listed_and_printed) {
   const Outcome list = run("fluid --list");
   EXPECT_EQ(list.exit_code, 0);
   for (const char* name : {"droplet", "bunny", "collision", "bowl", "dam-break", "crown",
-                           "capillary-wave", "bubble", "sessile"}) {
+                           "capillary-wave", "bubble", "sessile", "jet"}) {
     EXPECT_NE(list.out.find(name), std::string::npos) << name;
     const Outcome scene = run("fluid --print " + std::string(name));
     EXPECT_EQ(scene.exit_code, 0) << scene.err;
@@ -97,6 +97,45 @@ TEST_F(Fluids, run_is_resumed_to_the_same_bits) {
   EXPECT_TRUE(fs::exists(path("parts/interface.pvd")));
   // Nothing is written over another run.
   EXPECT_NE(run("fluid " + file + " --output " + path("whole").string()).exit_code, 0);
+}
+
+TEST_F(Fluids, run_that_is_killed_is_resumed_to_the_same_bits) {
+  const std::string file = write_scene(scene()), parts = path("parts").string(),
+                    whole = path("whole").string(), checkpoint = parts + "/checkpoint.dsc";
+  const Outcome killed =
+      run("fluid " + file + " --end 1000 --output " + parts, "timeout -s KILL 1");
+  ASSERT_NE(killed.exit_code, 0);
+  const Outcome rest = run("fluid --resume " + checkpoint + " --end 1000 --steps 3 --output " +
+                           parts + " --report " + path("report.json").string());
+  ASSERT_EQ(rest.exit_code, 0) << rest.err;
+  const int steps = report("report.json").at("steps").back().at("step");
+  EXPECT_GT(steps, 3);
+  ASSERT_EQ(
+      run("fluid " + file + " --end 1000 --steps " + std::to_string(steps) + " --output " + whole)
+          .exit_code,
+      0);
+  EXPECT_EQ(contents(checkpoint), contents(whole + "/checkpoint.dsc"));
+}
+
+TEST_F(Fluids, cylinder_stands_between_plates) {
+  Json json = scene();
+  json["liquids"][0]["shape"] = Json::parse(R"json({"type": "cylinder", "from": [0, 0, -1],
+    "to": [0, 0, 1], "radius": 0.8, "amplitude": 0.1, "wave_length": 4})json");
+  json["liquids"][0].erase("velocity");
+  json["gravity"] = {0, 0, 0};
+  json["solids"] = Json::parse(R"json([
+    {"type": "plane", "point": [0, 0, -1], "normal": [0, 0, 1]},
+    {"type": "plane", "point": [0, 0, 1], "normal": [0, 0, -1]}])json");
+  const Outcome outcome =
+      run("fluid " + write_scene(json) + " --steps 2 --report " + path("report.json").string());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json report = Json::parse(contents(path("report.json")));
+  const Json& start = report.at("steps")[0];
+  EXPECT_NEAR(start.at("extent")[1][0].get<double>(), .86, .03);
+  EXPECT_NEAR(start.at("volume").get<double>(), 4.02, .6);
+  EXPECT_NEAR(start.at("parts")[0].at("extent")[1][2].get<double>(), 1, 1e-12);
+  json["liquids"][0]["shape"]["to"] = {0, 0, -1};
+  expect_refusal(json, "no length");
 }
 
 TEST_F(Fluids, pool_fills_its_part_of_the_domain) {
@@ -150,6 +189,18 @@ TEST_F(Fluids, wrong_scenes_are_refused_by_name) {
   json = scene();
   json["time_step"] = 0;
   expect_refusal(json, "time_step");
+  json = scene();
+  json["liquids"].push_back(json["liquids"][0]);
+  json["liquids"][1]["density"] = 2;
+  json["liquids"][1]["label"] = 1;
+  expect_refusal(json, "one density");
+  json = scene();
+  json["surface_tension"] = Json::parse(R"json([{"labels": [0, 1.7], "value": 1}])json");
+  expect_refusal(json, "whole numbers");
+  json = scene();
+  json["edge"] = 1e-9;
+  json["liquids"][0]["shape"].erase("triangles");
+  expect_refusal(json, "too short");
   write("broken.json", "{\"domain\": [0, 0");
   EXPECT_NE(run("fluid " + path("broken.json").string()).exit_code, 0);
   EXPECT_NE(run("fluid no-such-scene").exit_code, 0);

@@ -37,7 +37,8 @@ struct Saddle_point_system
   Matrix a;         ///< of velocities: masses over time, viscosity and surface tension
   Matrix b;         ///< the gradients of volumes, a row for each pressure
   Matrix c;         ///< of pressures
-  Vector inertia;   ///< the diagonal of `a` without the part of viscosity
+  Vector inertia;   ///< about the diagonal of `a` without the part of viscosity: of masses, sums of
+                    ///< rows
   Vector viscosity; ///< for each pressure the viscosity over a quarter of the volume around
 };
 

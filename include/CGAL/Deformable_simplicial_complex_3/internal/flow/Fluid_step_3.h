@@ -77,7 +77,6 @@ public:
   }
 
   const Contacts& contacts() const { return m_contacts; }
-  const Vector& reactions() const { return m_reactions; }
   unsigned iterations() const { return m_iterations; }
   unsigned solutions() const { return m_solutions; }
   // Whether what must hold at walls did in the end.
@@ -88,23 +87,43 @@ public:
   // Where the step ends.
   const Vectors_3& final_velocities() const { return m_final_velocities; }
 
-  // What sets of masses have in the end: what they had, and what gravity and walls have given them.
-  // What vertices of a set exchange sums up to nothing.
-  Momentum_3 final_momentum(const Masses_3& masses) const {
-    const Vectors_3 half_way = at_time(m_step.dt / 2), end = at_time(m_step.dt);
+  // What the equations were solved for: where forces are taken.
+  const Vectors_3& solved_velocities() const { return m_velocities; }
+
+  // What sets of masses have in the end but for what walls stop: what they had, and what gravity
+  // and walls have given them. What vertices of a set exchange sums up to nothing.
+  Momentum_3 pushed_momentum(const Masses_3& masses) const {
     Momentum_3 result = momentum(m_mesh, masses, m_positions, m_before);
-    const Momentum_3 stopped = momentum(m_mesh, masses, end, m_final_velocities),
-                     unstopped = momentum(m_mesh, masses, end, m_unstopped_velocities);
-    result.linear += stopped.linear - unstopped.linear;
-    result.angular += stopped.angular - unstopped.angular;
+    // The places where pushes change angular momentum by what the whole step does.
+    const Vectors_3 arms = at_time((1 - m_step.theta) * m_step.dt);
     const Eigen::Vector3d gravity(m_properties.gravity().data());
     for (const auto& [v, m] : masses.of_vertices) {
       const double mass = m / (1 - Mesh::part_at_middle), share = mass / m_equations.masses()[v];
       const Eigen::Vector3d pushed =
           m_step.dt * (mass * gravity + share * m_reactions.segment<3>(3 * Eigen::Index(v)));
       result.linear += pushed;
-      result.angular += half_way[v].cross(pushed);
+      result.angular += arms[v].cross(pushed);
     }
+    return result;
+  }
+
+  // And with that.
+  Momentum_3 final_momentum(const Masses_3& masses) const {
+    const Vectors_3 end = destinations();
+    Momentum_3 result = pushed_momentum(masses);
+    const Momentum_3 stopped = momentum(m_mesh, masses, end, m_final_velocities),
+                     unstopped = momentum(m_mesh, masses, end, m_unstopped_velocities);
+    result.linear += stopped.linear - unstopped.linear;
+    result.angular += stopped.angular - unstopped.angular;
+    return result;
+  }
+
+  // Of walls and sides of the domain on vertices, the mean of the step.
+  Vector forces_on_vertices() const {
+    Vector result = m_reactions;
+    for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
+      result.segment<3>(3 * Eigen::Index(v)) +=
+          m_equations.masses()[v] / m_step.dt * (m_final_velocities[v] - m_unstopped_velocities[v]);
     return result;
   }
 

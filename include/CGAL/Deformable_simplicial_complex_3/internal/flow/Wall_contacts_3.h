@@ -114,18 +114,19 @@ public:
     static constexpr double rounding = 1e-9;
     const double slowest = rounding * velocities.lpNorm<Eigen::Infinity>(),
                  weakest = rounding * reactions.lpNorm<Eigen::Infinity>();
-    bool is_revised = false;
+    std::vector<Contact*> revised;
     for (Contact& c : m_contacts) {
       const Eigen::Index row = 3 * Eigen::Index(c.vertex);
       const double excess = c.normal.dot(velocities.segment<3>(row)) - c.least;
       if (!c.is_active ? excess < -slowest
                        : round < rounds_of_release && separates(c.solid) && !m_adheres[c.vertex] &&
                              push(c, reactions) < -weakest) {
-        c.is_active = !c.is_active;
-        is_revised = true;
+        revised.push_back(&c);
       }
     }
-    return is_revised;
+    for (Contact* c : revised)
+      c->is_active = !c->is_active;
+    return !revised.empty();
   }
 
   // The velocity of what is held is that of the wall, where the step ends.
@@ -275,7 +276,7 @@ private:
     return c != m_contacts.end() && c->place() == place && c->is_active;
   }
 
-  // The part of a contact in what holds its vertex, where several do.
+  // The part of a contact in what holds its vertex, where several do, or sides of the domain.
   double push(const Contact& contact, const Eigen::VectorXd& reactions) const {
     std::vector<Eigen::Vector3d> normals;
     Eigen::Index own = 0;
@@ -288,6 +289,9 @@ private:
           own = Eigen::Index(normals.size());
         normals.push_back(c->normal);
       }
+    for (int axis = 0; axis < 3; ++axis)
+      if (Boundary_class::fixes(m_mesh.vertices[contact.vertex]->boundary_class(), axis))
+        normals.push_back(Eigen::Vector3d::Unit(axis));
     const Eigen::Vector3d r = reactions.segment<3>(3 * Eigen::Index(contact.vertex));
     if (normals.size() == 1)
       return r.dot(contact.normal);

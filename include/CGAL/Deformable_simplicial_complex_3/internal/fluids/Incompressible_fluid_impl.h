@@ -26,7 +26,7 @@ auto Incompressible_fluid<Complex, Solver>::advance(double dt, const NamedParame
   if (chosen.adaptation_interval > 0 && m_steps % chosen.adaptation_interval == 0)
     adapt(chosen.interface_tolerance, np, report);
   if (!m_knows_accelerations)
-    make_admissible(dt);
+    make_admissible(dt, report);
   step(dt, m_time + dt, chosen.implicitness, std::numeric_limits<double>::infinity(), np, report);
   ++m_steps;
   m_damped_steps -= m_damped_steps > 0;
@@ -45,8 +45,12 @@ double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps,
   const Options chosen = options(np);
   require_step(dt);
   Report report;
-  m_motion = internal::Fluid_motion_3();
-  m_knows_accelerations = false;
+  const auto stop = [this](void*) {
+    m_motion = internal::Fluid_motion_3();
+    m_knows_accelerations = false;
+  };
+  const std::unique_ptr<void, decltype(stop)> stops_in_the_end(this, stop);
+  stop(this);
   if (chosen.adaptation_interval > 0)
     adapt(chosen.interface_tolerance, np, report);
   double first = 0, velocity = 0;
@@ -56,8 +60,7 @@ double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps,
     const Eigen::VectorXd from = coordinates_of_interface();
     report = {};
     step(dt, m_time, 1, longest_way, np, report);
-    m_motion = internal::Fluid_motion_3();
-    m_knows_accelerations = false;
+    stop(this);
     velocity = report.greatest_velocity;
     first = k == 0 ? velocity : first;
     if (velocity <= rest * first)
@@ -69,6 +72,10 @@ double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps,
     const Eigen::VectorXd to = coordinates_of_interface();
     const double energy = balance().energy();
     move_interface(accelerator.next(from, to), np, report);
+    if (before != stamps_of_interface()) {
+      accelerator.forget();
+      continue;
+    }
     if (!(balance().energy() <= energy)) {
       accelerator.forget();
       move_interface(to, np, report);
@@ -106,6 +113,7 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, double i
   report.time = end;
   report.before = report.moved = flow.balance(*this, flow.positions, flow.velocities, m_time);
   report.after = report.before;
+  report.forces_on_solids.assign(m_solids.size(), Vector(0, 0, 0));
   if (flow.mesh.facets.empty()) { // nothing is left that could move
     m_time = end;
     return;
@@ -135,28 +143,29 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, double i
   report.deformation.events = std::move(events);
   report.lost_volume += follow_parts();
   restore_volumes(np, report);
-  report.greatest_correction = restore_momenta();
-  m_motion.keep(m_complex.vertices());
+  report.greatest_correction = (std::max)(report.greatest_correction, restore_momenta());
 
-  report.solutions = step.solutions();
-  report.iterations = step.iterations();
+  report.solutions += step.solutions();
+  report.iterations += step.iterations();
   report.contacts = step.contacts().number_of_held();
   report.contacts_settled = step.is_settled();
-  for (const auto& force : step.contacts().forces(step.reactions()))
-    report.forces_on_solids.push_back(vector(force));
+  const Vectors forces = step.contacts().forces(step.forces_on_vertices());
+  std::transform(forces.begin(), forces.end(), report.forces_on_solids.begin(), vector);
   for (std::size_t v = 0; v < after.size(); ++v) {
     report.greatest_velocity = (std::max)(report.greatest_velocity, after[v].norm());
     report.greatest_change_of_velocity =
         (std::max)(report.greatest_change_of_velocity, (after[v] - flow.velocities[v]).norm());
   }
-  report.after = balance();
+  const Flow last(*this, m_properties);
+  report.after = last.balance(*this, last.positions, last.velocities, m_time);
+  m_motion.keep(last.mesh.vertices);
   report.depth_in_solids = depth_in_solids();
 }
 
 // Given velocities may change volumes and enter walls: the nearest ones that do not, as masses
 // weigh them, are those of a step in which nothing but pressure acts.
 template <class Complex, class Solver>
-void Incompressible_fluid<Complex, Solver>::make_admissible(double dt) {
+void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, Report& report) {
   Properties inviscid;
   for (const auto& [label, liquid] : m_properties.liquids())
     inviscid.set_liquid(label, {liquid.density, 0});
@@ -166,11 +175,16 @@ void Incompressible_fluid<Complex, Solver>::make_admissible(double dt) {
     return;
   Step step(flow.mesh, inviscid, m_solids, m_complex, m_solver, {dt, 1}, m_time, m_time + dt,
             flow.positions, flow.velocities, flow.accelerations);
+  const auto begin = Clock::now();
   step.solve(true);
-  const Vectors& velocities = step.final_velocities();
+  report.seconds_of_solver += seconds_since(begin);
+  report.solutions += step.solutions();
+  report.iterations += step.iterations();
+  const Vectors& velocities = step.solved_velocities();
   for (std::size_t v = 0; v < velocities.size(); ++v)
     m_motion.set(flow.mesh.vertices[v], velocities[v], Eigen::Vector3d::Zero());
-  note_momenta(flow, [&](const internal::Masses_3& masses) { return step.final_momentum(masses); });
+  note_momenta(flow,
+               [&](const internal::Masses_3& masses) { return step.pushed_momentum(masses); });
   restore_momenta();
 }
 
@@ -304,7 +318,7 @@ void Incompressible_fluid<Complex, Solver>::adapt(double tolerance, const NamedP
         improve_mesh(m_complex, parameters::quality_threshold(quality).visitor(std::ref(carried)));
   report.lost_volume += follow_parts();
   restore_volumes(np, report);
-  restore_momenta();
+  report.greatest_correction = (std::max)(report.greatest_correction, restore_momenta());
 }
 
 template <class Complex, class Solver>
@@ -349,10 +363,18 @@ Deformation_report<Complex> Incompressible_fluid<Complex, Solver>::move(const Me
     const auto found = inside.find(v->time_stamp());
     return found != inside.end() ? found->second : Approximate_point(unknown, unknown, unknown);
   };
+  return deform_followed(parts.snapshot(), to, np.flow(flow));
+}
+
+// Carries velocities. If it throws, parts are still those of the ledger.
+template <class Complex, class Solver>
+template <class NamedParameters>
+Deformation_report<Complex> Incompressible_fluid<Complex, Solver>::deform_followed(
+    const Interface_snapshot<Complex>& interface_, const std::vector<Approximate_point>& to,
+    const NamedParameters& np) {
   Carrier carried = carrier();
   try {
-    return deform_interface_to(m_complex, parts.snapshot(), to,
-                               np.flow(flow).visitor(std::ref(carried)));
+    return deform_interface_to(m_complex, interface_, to, np.visitor(std::ref(carried)));
   } catch (...) {
     follow_parts();
     throw;
@@ -407,13 +429,9 @@ void Incompressible_fluid<Complex, Solver>::move_interface(const Eigen::VectorXd
   parts.restore(
       m_ledger.volumes(), parts.snapshot().positions(m_complex),
       [&](std::size_t v) { return is_held[v] != 0; }, to);
-  Carrier carried = carrier();
-  const auto deformation = deform_interface_to(m_complex, parts.snapshot(), to,
-                                               np.quality_threshold(0.)
-                                                   .relabeling_threshold(0.)
-                                                   .minimum_angle(0.)
-                                                   .minimum_facet_angle(0.)
-                                                   .visitor(std::ref(carried)));
+  const auto deformation = deform_followed(
+      parts.snapshot(), to,
+      np.quality_threshold(0.).relabeling_threshold(0.).minimum_angle(0.).minimum_facet_angle(0.));
   auto& events = report.deformation.events;
   events.insert(events.end(), deformation.events.begin(), deformation.events.end());
   report.lost_volume += follow_parts();
@@ -453,10 +471,24 @@ double Incompressible_fluid<Complex, Solver>::follow_parts() {
 template <class Complex, class Solver>
 double Incompressible_fluid<Complex, Solver>::restore_momenta() {
   const Flow flow(*this, m_properties);
-  const auto& wanted = m_ledger.momenta();
+  // Of parts that touch by now, together, as their vertices are the same.
+  internal::Number_groups sets(m_ledger.momenta().size());
+  std::vector<std::size_t> set_of_vertex(flow.positions.size(), sets.size());
+  for (const auto& cell : flow.mesh.cells)
+    for (auto v : cell.vertices) {
+      const std::size_t set = m_ledger.set_of(cell.component);
+      if (set_of_vertex[v] < sets.size())
+        sets.join(set, set_of_vertex[v]);
+      set_of_vertex[v] = set;
+    }
+  std::vector<internal::Momentum_3> wanted(sets.size());
+  for (std::size_t k = 0; k < sets.size(); ++k) {
+    wanted[sets.of(k)].linear += m_ledger.momenta()[k].linear;
+    wanted[sets.of(k)].angular += m_ledger.momenta()[k].angular;
+  }
   const auto bodies =
       internal::masses_of_sets(flow.mesh, flow.positions, wanted.size(),
-                               [&](std::uint32_t part) { return m_ledger.set_of(part); });
+                               [&](std::uint32_t part) { return sets.of(m_ledger.set_of(part)); });
   double result = 0;
   Vectors velocities = flow.velocities;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
