@@ -2,7 +2,7 @@
 """Compares scenes of `dsc fluid` with exact solutions and prints a row of a table for each.
 
 Usage: fluids.py DSC [--data DIR] [PART...], of droplets, decay, rest, waves, jets, sessile, sloshing,
-dam, bubble, figures, speed. Scenes are those of the program with the changes that the rows name;
+dam, bubble, figures, speed, subdivision. Scenes are those of the program with the changes that the rows name;
 figures need the meshes bunny00.off and armadillo.off of CGAL in DIR.
 """
 
@@ -306,10 +306,10 @@ def rest(dsc):
           f"{found[-1]['extent'][1][2] / along - 1:.4f} |", flush=True)
 
 
-def jets(dsc):
+def jets(dsc, cases=((.5, .301558, 20), (.697019, .343339, 16))):
     print("| kR | growth | exact | error (%) | drops and what is between them, volumes |")
     print("| --- " * 5 + "|")
-    for k, exact, end in ((.5, .301558, 20), (.697019, .343339, 16)):
+    for k, exact, end in cases:
         length = 2 * math.pi / k
 
         def change(scene):
@@ -404,11 +404,49 @@ def speed(dsc):
               flush=True)
 
 
+def subdivision(dsc):
+    print("| ball | subdivided | triangles | distance from the sphere, rms over the radius | volume over "
+          "that of the sphere |")
+    print("| --- " * 5 + "|")
+
+    def one_step(scene):  # a step of no time, to have a complex of the ball
+        scene["liquids"][0]["shape"]["amplitude"] = 0
+        scene["liquids"][0]["shape"]["triangles"] = triangles
+        scene["surface_tension"] = 0
+        scene["time_step"] = scene["end"] = 1e-3
+        scene["adaptation_interval"] = 0
+
+    for triangles in (320, 1280):
+        scene = json.loads(subprocess.check_output([dsc, "fluid", "--print", "droplet"]))
+        one_step(scene)
+        with tempfile.TemporaryDirectory() as folder:
+            file, out = os.path.join(folder, "scene.json"), os.path.join(folder, "run")
+            with open(file, "w") as stream:
+                json.dump(scene, stream)
+            subprocess.run([dsc, "fluid", file, "--quiet", "--output", out], check=True)
+            for n in range(3):
+                surface = os.path.join(folder, f"ball{n}.off")
+                subprocess.run([dsc, "convert", "--quiet", os.path.join(out, "checkpoint.dsc"), surface] +
+                               (["--subdivide", str(n)] if n else []), check=True)
+                with open(surface) as stream:
+                    words = stream.read().split()[1:]
+                v, f = int(words[0]), int(words[1])
+                points = [tuple(map(float, words[3 + 3 * i:6 + 3 * i])) for i in range(v)]
+                first = 3 + 3 * v
+                facets = [[points[int(w)] for w in words[first + 4 * i + 1:first + 4 * i + 4]]
+                          for i in range(f)]
+                volume = sum(a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+                             a[2] * (b[0] * c[1] - b[1] * c[0]) for a, b, c in facets) / 6
+                error = math.sqrt(sum((math.dist(p, (0, 0, 0)) - 1) ** 2 for p in points) / v)
+                print(f"| {triangles} | {n} times | {f} | {error:.5f} | "
+                      f"{abs(volume) / (4 / 3 * math.pi):.5f} |", flush=True)
+
+
 def main():
     global data
     parts = {"droplets": droplets, "decay": decay, "rest": rest, "waves": waves, "jets": jets,
              "sessile": sessile, "sloshing": sloshing, "dam": dam, "bubble": bubble,
-             "figures": figures, "speed": speed}
+             "figures": figures, "speed": speed, "subdivision": subdivision}
     dsc, *wanted = sys.argv[1:]
     if wanted and wanted[0] == "--data":
         data, wanted = wanted[1], wanted[2:]

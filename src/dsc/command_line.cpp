@@ -52,18 +52,18 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   CLI::App* convert = app.add_subcommand("convert", "Write a checkpoint in another format");
   convert->add_option("CHECKPOINT", convert_options.checkpoint, "File to read")->required();
   convert
-      ->add_option(
-          "OUT", convert_options.output,
-          "Interface (.off, .obj, .ply, .stl), its picture (.png) or tetrahedra (.vtu, .mesh); in the "
-          "plane regions "
-          "(.wkt, .poly), a picture (.svg) or triangles (.vtu)")
+      ->add_option("OUT", convert_options.output,
+                   "Interface (.off, .obj, .ply, .stl), its picture (.png) or tetrahedra (.vtu, "
+                   ".mesh); in the "
+                   "plane regions "
+                   "(.wkt, .poly), a picture (.svg) or triangles (.vtu)")
       ->required();
   convert
       ->add_option(
           "--subdivide", convert_options.subdivisions,
           "Divide each triangle of the interface into four so many times, by Loop's scheme, "
           "which makes it smooth")
-      ->check(CLI::Range(1, 5));
+      ->check(CLI::Range(1, most_subdivisions));
   convert->add_flag("--quiet", convert_options.quiet, "Print nothing but errors");
 
   Improve_options improve_options;
@@ -169,16 +169,22 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
       ->add_option("--threads", fluid_options.threads,
                    "Number of threads (default: all cores); the result is the same")
       ->check(CLI::Range(1, 1024));
-  fluid->add_option("--output", fluid_options.output,
-                    "Folder for the steps, to be shown with ParaView, and the checkpoint");
+  CLI::Option* fluid_output =
+      fluid->add_option("--output", fluid_options.output,
+                        "Folder for the steps, to be shown with ParaView, and the checkpoint");
+  fluid
+      ->add_option("--subdivide", fluid_options.subdivisions,
+                   "Write a smooth surface (.ply) of each of these steps, too: of four triangles "
+                   "for each so many times, by Loop's scheme")
+      ->check(CLI::Range(1, most_subdivisions))
+      ->needs(fluid_output);
   fluid->add_option("--every", fluid_options.every, "Write each of so many steps")
       ->check(CLI::Range(1, INT_MAX))
       ->capture_default_str();
   fluid->add_option("--resume", fluid_options.resume, "Go on from a checkpoint, to the same bits");
   fluid->add_option("--report", fluid_options.report,
                     "JSON file with energies, momenta, volumes and contacts of each step");
-  fluid->add_option("--picture", fluid_options.picture,
-                    "Picture of the liquids in the end (.png)");
+  fluid->add_option("--picture", fluid_options.picture, "Picture of the liquids in the end (.png)");
   fluid->add_flag("--quiet", fluid_options.quiet, "Print nothing but errors");
 
   if (argc < 2) {

@@ -341,7 +341,7 @@ int execute(const Fluid_options& options) {
   catch_interrupts();
   std::optional<Output_folder> folder;
   if (!options.output.empty())
-    folder.emplace(options.output, options.resume);
+    folder.emplace(options.output, options.resume, options.subdivisions);
   if (!options.report.empty())
     require_place_of_report(options.report, {options.resume});
   if (!options.picture.empty())

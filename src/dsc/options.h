@@ -17,6 +17,8 @@
 
 namespace dsc {
 
+constexpr int most_subdivisions = 5; ///< of a surface: each makes four triangles of one
+
 /// Turn about an axis through the centre of the domain, in the plane about that.
 struct Rotation
 {
@@ -126,8 +128,9 @@ struct Run_options
   unsigned threads = 1;                        ///< to use
   std::string output;                          ///< folder; empty for no files
   unsigned every = 1;
-  std::string report;  ///< file; empty for none
-  std::string picture; ///< file; empty for none
+  int subdivisions = 0; ///< for smooth surfaces there, by Loop's scheme; none if 0
+  std::string report;   ///< file; empty for none
+  std::string picture;  ///< file; empty for none
   bool quiet = false;
 };
 
@@ -180,8 +183,8 @@ struct Reconstruct_options
   double tolerance = .03; ///< in spacings of the points
   unsigned steps = 80;    ///< at the most
   unsigned threads = 1;
-  std::string folder; ///< for the steps; empty for none
-  std::string report; ///< file; empty for none
+  std::string folder;  ///< for the steps; empty for none
+  std::string report;  ///< file; empty for none
   std::string picture; ///< file; empty for none
   bool quiet = false;
 };
@@ -198,9 +201,10 @@ struct Fluid_options
   unsigned threads = 1; ///< to use
   std::string output;   ///< folder; empty for no files
   unsigned every = 1;
-  std::string resume; ///< a checkpoint
-  std::string report; ///< file; empty for none
-  std::string picture; ///< file; empty for none
+  int subdivisions = 0; ///< for smooth surfaces there, by Loop's scheme; none if 0
+  std::string resume;   ///< a checkpoint
+  std::string report;   ///< file; empty for none
+  std::string picture;  ///< file; empty for none
   bool quiet = false;
 };
 

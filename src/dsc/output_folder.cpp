@@ -45,8 +45,9 @@ std::string numbered(const char* format, unsigned step) {
 
 } // namespace
 
-Output_folder::Output_folder(const std::string& path, const std::string& resume)
-    : m_path(path), m_volume(file("volume.pvd")), m_interface(file("interface.pvd")) {
+Output_folder::Output_folder(const std::string& path, const std::string& resume, int subdivisions)
+    : m_path(path), m_subdivisions(subdivisions), m_volume(file("volume.pvd")),
+      m_interface(file("interface.pvd")) {
   std::error_code error;
   fs::create_directories(path, error);
   if (error || !fs::is_directory(path, error))
@@ -78,6 +79,8 @@ void Output_folder::write(const Tracked_complex& complex, const Run_position& po
     complex.write_volume_vtu(volume);
     complex.write_interface_vtu(interface);
     complex.write_picture(file(numbered("picture_%06u", position.step)));
+    if (m_subdivisions > 0)
+      complex.write_subdivided(file(numbered("smooth_%06u.ply", position.step)), m_subdivisions);
     m_volume.append(position.time, volume);
     m_interface.append(position.time, interface);
     m_last_time = position.time;

@@ -16,13 +16,14 @@
 namespace dsc {
 
 /// The files of a run: one pair of VTU files for each written step, in the plane also a picture,
-/// the two collections of them, and the checkpoint of the last.
+/// and if asked for a smooth surface; the two collections of them, and the checkpoint of the last.
 class Output_folder
 {
 public:
   /// Creates the folder if need be. \throws Input_error if nothing can be written there, or if it
   /// holds another run than that of the checkpoint `resume`
-  Output_folder(const std::string& path, const std::string& resume);
+  /// \param subdivisions of the interface, for a smooth surface; none if 0
+  Output_folder(const std::string& path, const std::string& resume, int subdivisions);
 
   /// Goes on with the collections of an earlier run in this folder, up to a moment.
   void keep_until(double time);
@@ -41,6 +42,7 @@ private:
   std::string file(const std::string& name) const;
 
   std::string m_path;
+  int m_subdivisions;
   CGAL::IO::PVD_series m_volume, m_interface;
   double m_last_time = -std::numeric_limits<double>::infinity(); // in the collections
   double m_checkpoint_time = m_last_time;

@@ -123,7 +123,7 @@ int execute(const Run_options& asked) {
   // What cannot work is refused before anything is computed.
   std::optional<Output_folder> folder;
   if (!options.output.empty())
-    folder.emplace(options.output, options.resume);
+    folder.emplace(options.output, options.resume, options.subdivisions);
   if (!options.report.empty()) {
     std::vector<std::string> precious = options.start.inputs;
     precious.push_back(options.resume);

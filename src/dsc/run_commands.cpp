@@ -144,6 +144,12 @@ CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
       ->check(CLI::Range(1, INT_MAX))
       ->needs(output)
       ->capture_default_str();
+  command
+      ->add_option("--subdivide", m_options.subdivisions,
+                   "Write a smooth surface (.ply) of each of these steps, too, in space: of four "
+                   "triangles for each so many times, by Loop's scheme")
+      ->check(CLI::Range(1, most_subdivisions))
+      ->needs(output);
   command->add_option("--picture", m_options.picture,
                       "Picture of the interface in the end, in space (.png)");
   command->add_option("--report", m_options.report, "JSON file with what happened in each step");

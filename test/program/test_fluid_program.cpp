@@ -86,8 +86,10 @@ TEST_F(Fluids, run_is_resumed_to_the_same_bits) {
   const std::string file = write_scene(scene());
   ASSERT_EQ(run("fluid " + file + " --output " + path("whole").string() + " --threads 1").exit_code,
             0);
-  const Outcome half = run("fluid " + file + " --steps 4 --output " + path("parts").string());
+  const Outcome half =
+      run("fluid " + file + " --steps 4 --subdivide 1 --output " + path("parts").string());
   ASSERT_EQ(half.exit_code, 0) << half.err;
+  EXPECT_TRUE(fs::exists(path("parts/smooth_000004.ply")));
   const std::string checkpoint = path("parts/checkpoint.dsc").string();
   const Outcome rest =
       run("fluid --resume " + checkpoint + " --output " + path("parts").string() + " --threads 2");
