@@ -462,8 +462,8 @@ void Incompressible_fluid<Complex, Solver>::note_momenta(const Flow& flow,
 // Returns the volume of parts that are gone.
 template <class Complex, class Solver>
 double Incompressible_fluid<Complex, Solver>::follow_parts() {
-  return m_ledger.follow(m_complex.take_component_lineage(),
-                         Ledger::measure(m_complex, m_properties));
+  const auto lineage = m_complex.take_component_lineage(); // which brings components up to date
+  return m_ledger.follow(lineage, Ledger::measure(m_complex, m_properties));
 }
 
 // Gives parts the momenta that they own by a rigid motion. Returns the greatest change of a
