@@ -114,13 +114,13 @@ public:
       : m_complex(complex), m_properties(properties) {
     if (properties.liquids().empty())
       throw Error("there is no liquid: tell the density of a label at least");
-    const Mesh mesh(updated_complex(), m_properties);
-    if (mesh.facets.empty())
-      throw Error(mesh.cells.empty()
+    const Flow flow(*this, m_properties);
+    if (flow.mesh.facets.empty())
+      throw Error(flow.mesh.cells.empty()
                       ? "no cell has the label of a liquid"
                       : "liquids fill the domain and have no surface that could move");
     m_complex.take_component_lineage();
-    m_ledger.set_volumes(Ledger::measure(m_complex, m_properties));
+    m_ledger.set_volumes(flow.volumes());
   }
 
   /// Not to be copied.
@@ -171,12 +171,12 @@ public:
   const std::map<std::uint32_t, double>& volumes() const { return m_ledger.volumes(); }
 
   /// How deep a vertex of a liquid's surface is in a solid, the most; 0 if none is. n log n.
-  double depth_in_solids() const;
+  double depth_in_solids() const { return Flow(*this, m_properties).depth_in_solids(*this); }
 
   /*!
   The longest step in which no vertex of a liquid goes farther than a part of the edges of the
   interface: of those that its surface had there when it was built or last made finer or coarser,
-  inside of their mean. Infinite at rest. n log n.
+  inside of their mean. Infinite at rest. Linear.
   \param part "CFL number"; .25 where liquids collide
   */
   double largest_step(double part = .25) const;
@@ -288,12 +288,22 @@ private:
       return internal::balance(mesh, fluid.m_properties, at, with,
                                [&](std::size_t f) { return contacts.tension(mesh.facets[f]); });
     }
+
+    typename Ledger::Volumes volumes() const { return Ledger::measure(mesh, positions); }
+
+    double depth_in_solids(const Incompressible_fluid& fluid) const {
+      const Contacts contacts(mesh, fluid.m_solids, fluid.m_complex, positions, fluid.m_time);
+      double result = 0;
+      for (std::size_t v = 0; v < positions.size(); ++v)
+        result = (std::max)(result, contacts.depth(v, positions[v], fluid.m_time));
+      return result;
+    }
   };
 
   struct Options
   {
     double implicitness, interface_tolerance;
-    unsigned adaptation_interval;
+    unsigned adaptation_interval, number_of_threads;
   };
 
   using Clock = std::chrono::steady_clock;
@@ -328,26 +338,28 @@ private:
   template <class NamedParameters> Options options(const NamedParameters& np) const;
   template <class NamedParameters>
   void adapt(double tolerance, const NamedParameters& np, Report& report);
-  void make_admissible(double dt, Report& report);
+  void make_admissible(double dt, unsigned number_of_threads, Report& report);
   template <class NamedParameters>
   void step(double dt, double end, double implicitness, double longest_way,
             const NamedParameters& np, Report& report);
   void store(const Flow& flow, const Vectors& velocities, double dt);
+  template <class NamedParameters> Flow settle(const NamedParameters& np, Report& report);
   template <class NamedParameters>
-  Deformation_report<Complex> move(const Mesh& mesh, const Contacts& contacts,
+  Deformation_report<Complex> move(const Flow& flow, const Contacts& contacts,
                                    const Vectors& destinations, const NamedParameters& np);
   template <class NamedParameters>
   Deformation_report<Complex> deform_followed(const Interface_snapshot<Complex>& interface_,
                                               const std::vector<Approximate_point>& to,
                                               const NamedParameters& np);
-  template <class NamedParameters> void restore_volumes(const NamedParameters& np, Report& report);
+  template <class NamedParameters>
+  void restore_volumes(Flow& flow, const NamedParameters& np, Report& report);
   template <class NamedParameters>
   void move_interface(const Eigen::VectorXd& coordinates, const NamedParameters& np,
                       Report& report);
   std::vector<std::size_t> stamps_of_interface() const;
   Eigen::VectorXd coordinates_of_interface() const;
-  double follow_parts();
-  double restore_momenta();
+  double follow_parts(const Flow& now);
+  double restore_momenta(Flow& flow);
   template <class MomentumOf> void note_momenta(const Flow& flow, const MomentumOf& momentum_of);
 
   static constexpr std::uint32_t steps_after_change = 4; // of topology, until waves are smooth

@@ -214,7 +214,9 @@ TEST(Fluid, gains_no_energy_at_walls) {
   for (int k = 0; k < 60; ++k) {
     const auto report = fluid.advance(.01);
     EXPECT_LT(report.moved.energy(), report.before.energy()) << k;
-    EXPECT_LT(report.after.energy(), 1.02 * report.moved.energy()) << k;
+    // Changes of the mesh may dry or wet a few facets.
+    const double facet = report.moved.surface_energy / double(complex.interface_facets().size());
+    EXPECT_LT(report.after.energy(), report.moved.energy() + 5 * facet) << k;
     EXPECT_TRUE(report.contacts_settled) << k;
     contacts = (std::max)(contacts, report.contacts);
   }
@@ -440,44 +442,107 @@ TEST(Fluid_solids, of_meshes_are_on_one_side_whatever_their_orientation) {
   }
 }
 
-TEST(Saddle_point_solvers, solve) {
-  const Eigen::Index n = 40, m = 15;
+// A chain of vertices, each with the coupling of coordinates of its own, a pressure between two
+// neighbors, and some of the velocities held.
+dsc::Saddle_point_system chain(Eigen::Index n, bool is_coupled) {
+  const Eigen::Index m = n - 1;
   mesh_helpers::Random random(7);
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n, n), b(m, n), c = Eigen::MatrixXd::Zero(m, m);
+  using Entries = std::vector<Eigen::Triplet<double>>;
+  Entries nodal, coupling, b, c;
+  dsc::Saddle_point_system result;
+  result.inertia = Eigen::VectorXd::Zero(n);
+  result.viscosity = Eigen::VectorXd::Zero(m);
   for (Eigen::Index i = 0; i < n; ++i) {
-    a(i, i) = random(1, 3);
-    for (Eigen::Index j = 0; j < m; ++j)
-      b(j, i) = random(-1, 1);
+    result.inertia(i) = random(2, 3);
+    nodal.emplace_back(i, i, result.inertia(i));
+    const Eigen::Vector3d along(random(-1, 1), random(-1, 1), random(-1, 1));
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k)
+        coupling.emplace_back(3 * i + j, 3 * i + k, along(j) * along(k));
+    if (i % 5 == 1)
+      result.held.push_back({i, Eigen::Matrix3d::Zero()});
+    if (i % 5 == 3) {
+      const Eigen::Vector3d normal = along.normalized();
+      result.held.push_back({i, Eigen::Matrix3d::Identity() - normal * normal.transpose()});
+    }
   }
-  for (Eigen::Index i = 0; i + 1 < n; ++i)
-    a(i, i + 1) = a(i + 1, i) = random(-.3, .3);
-  for (Eigen::Index i = 0; i + 1 < m; ++i) {
-    c(i, i) += .1;
-    c(i + 1, i + 1) += .1;
-    c(i, i + 1) -= .1;
-    c(i + 1, i) -= .1;
+  for (Eigen::Index i = 0; i < m; ++i) {
+    const double link = random(-.5, .5);
+    nodal.emplace_back(i, i + 1, link);
+    nodal.emplace_back(i + 1, i, link);
+    for (int j = 0; j < 6; ++j)
+      b.emplace_back(i, 3 * i + j, random(-1, 1));
+    c.emplace_back(i, i, .3);
+    if (i > 0) {
+      c.emplace_back(i, i - 1, -.1);
+      c.emplace_back(i - 1, i, -.1);
+    }
   }
-  Eigen::VectorXd f(n), s(m);
-  for (Eigen::Index i = 0; i < n; ++i)
-    f(i) = random(-1, 1);
-  for (Eigen::Index i = 0; i < m; ++i)
-    s(i) = random(-1, 1);
-  const auto solve = [&](auto solver) {
-    dsc::Saddle_point_system system;
-    system.a = a.sparseView();
-    system.b = b.sparseView();
-    system.c = c.sparseView();
-    system.inertia = a.diagonal();
-    system.viscosity = Eigen::VectorXd::Zero(m);
-    solver->factorize(std::move(system));
-    Eigen::VectorXd v = Eigen::VectorXd::Zero(n), p = Eigen::VectorXd::Zero(m);
-    solver->solve(f, s, v, p);
-    EXPECT_LT((a * v - b.transpose() * p - f).norm(), 1e-9);
-    EXPECT_LT((b * v + c * p - s).norm(), 1e-9);
+  const auto set = [](dsc::Saddle_point_system::Matrix& matrix, Eigen::Index rows,
+                      Eigen::Index columns, const Entries& entries) {
+    matrix.resize(rows, columns);
+    matrix.setFromTriplets(entries.begin(), entries.end());
   };
-  solve(std::make_unique<dsc::Direct_saddle_point_solver>());
-  solve(std::make_unique<dsc::Iterative_saddle_point_solver>());
-  solve(std::make_unique<dsc::Saddle_point_solver>());
+  set(result.nodal, n, n, nodal);
+  if (is_coupled)
+    set(result.coupling, 3 * n, 3 * n, coupling);
+  set(result.b, m, 3 * n, b);
+  set(result.c, m, m, c);
+  return result;
+}
+
+// By the definition of the system, from matrices that are not sparse.
+template <class Solver> void expect_solution(Eigen::Index n, bool is_coupled) {
+  const dsc::Saddle_point_system system = chain(n, is_coupled);
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(3 * n, 3 * n),
+                  free = Eigen::MatrixXd::Identity(3 * n, 3 * n);
+  const Eigen::MatrixXd nodal = system.nodal, b = system.b, c = system.c;
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j)
+      a.block<3, 3>(3 * i, 3 * j).diagonal().setConstant(nodal(i, j));
+  if (is_coupled)
+    a += Eigen::MatrixXd(system.coupling);
+  for (const auto& h : system.held)
+    free.block<3, 3>(3 * h.vertex, 3 * h.vertex) = h.projection;
+  const Eigen::VectorXd f = Eigen::VectorXd::LinSpaced(3 * n, -1, 2),
+                        s = Eigen::VectorXd::LinSpaced(n - 1, 1, 3);
+  for (unsigned threads : {1u, 2u}) {
+    Solver solver;
+    for (bool is_updated : {false, true}) {
+      if (is_updated)
+        solver.update(dsc::Saddle_point_system(system));
+      else
+        solver.factorize(dsc::Saddle_point_system(system), threads);
+      Eigen::VectorXd v = Eigen::VectorXd::Ones(3 * n), p = Eigen::VectorXd::Zero(n - 1);
+      solver.solve(f, s, v, p, 1e-12);
+      EXPECT_LT((free * (a * v - b.transpose() * p - f)).norm(), 1e-9);
+      EXPECT_LT((b * v + c * p - s).norm(), 1e-9);
+      EXPECT_LT((v - free * v).norm(), 1e-12);
+    }
+  }
+}
+
+TEST(Saddle_point_solvers, solve) {
+  for (bool is_coupled : {false, true}) {
+    expect_solution<dsc::Direct_saddle_point_solver>(20, is_coupled);
+    expect_solution<dsc::Iterative_saddle_point_solver>(20, is_coupled);
+    expect_solution<dsc::Saddle_point_solver>(20, is_coupled);
+  }
+}
+
+TEST(Saddle_point_solvers, threads_change_no_bit) {
+  const Eigen::Index n = 5000; // several blocks
+  std::vector<Eigen::VectorXd> solutions;
+  for (unsigned threads : {1u, 2u, 4u}) {
+    dsc::Iterative_saddle_point_solver solver;
+    solver.factorize(chain(n, true), threads);
+    Eigen::VectorXd v = Eigen::VectorXd::Zero(3 * n), p = Eigen::VectorXd::Zero(n - 1);
+    solver.solve(Eigen::VectorXd::LinSpaced(3 * n, -1, 2), Eigen::VectorXd::LinSpaced(n - 1, 1, 3),
+                 v, p, 1e-12);
+    solutions.push_back(v);
+  }
+  EXPECT_TRUE(solutions[0] == solutions[1]);
+  EXPECT_TRUE(solutions[0] == solutions[2]);
 }
 
 // What components own when they merge and split, by pairs of numbers then and now.

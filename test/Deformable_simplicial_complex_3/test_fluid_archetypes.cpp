@@ -45,10 +45,13 @@ public:
   Solver(const Solver&) = delete;
   Solver& operator=(const Solver&) = delete;
 
-  void factorize(dsc::Saddle_point_system&& system) { m_solver.factorize(std::move(system)); }
+  void factorize(dsc::Saddle_point_system&& system, unsigned number_of_threads) {
+    m_solver.factorize(std::move(system), number_of_threads);
+  }
+  void update(dsc::Saddle_point_system&& system) { m_solver.update(std::move(system)); }
   unsigned solve(const Eigen::VectorXd& f, const Eigen::VectorXd& s, Eigen::VectorXd& v,
-                 Eigen::VectorXd& p) const {
-    return m_solver.solve(f, s, v, p);
+                 Eigen::VectorXd& p, double tolerance) {
+    return m_solver.solve(f, s, v, p, tolerance);
   }
 
 private:

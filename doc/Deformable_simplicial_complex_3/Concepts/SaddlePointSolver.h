@@ -16,25 +16,32 @@ factorized once and solved for one right side or more; two to some dozens of the
 class SaddlePointSolver
 {
 public:
-  /// takes a matrix in place of the one before, for the calls of `solve()` that follow. `a` is positive
-  /// definite, `c` positive semidefinite. Where no surface is free, pressures that are constant are in
-  /// the kernel of the whole; any of them will do.
+  /// takes a system in place of the one before, for the calls of `update()` and `solve()` that follow.
+  /// `a` is positive definite, `c` positive semidefinite. Where no surface is free, pressures that are
+  /// constant are in the kernel of the whole; any of them will do. The number of threads must not
+  /// change a bit of what follows.
   /// \throws CGAL::Deformable_simplicial_complexes::Error if it is singular otherwise
-  void factorize(CGAL::Deformable_simplicial_complexes::Saddle_point_system&& system);
+  void factorize(CGAL::Deformable_simplicial_complexes::Saddle_point_system&& system,
+                 unsigned number_of_threads);
+
+  /// takes a system like that of the last `factorize()`, for the calls of `solve()` that follow: of the
+  /// same size and pattern, with other values, of as little difference as a step of the flow makes, and
+  /// other velocities that are held. What was factorized may serve on to precondition it.
+  /// \throws CGAL::Deformable_simplicial_complexes::Error as `factorize()` does
+  void update(CGAL::Deformable_simplicial_complexes::Saddle_point_system&& system);
 
   /*!
   solves
 
-      (  a  -b^T ) (v)   ( f)
-      ( -b  -c   ) (p) = (-s).
-
-  Volumes are kept as well as this is solved: residuals should be about 1e-12 of the right side.
+      P (a v - b^T p) = P f,    v = P v,
+        -b v - c p    = -s.
 
   \param f,s the right side
   \param v,p a guess, and then the solution
+  \param tolerance of the residual, relative to the right side: volumes are kept as well as that
   \return the number of iterations, for the report
   \throws CGAL::Deformable_simplicial_complexes::Error if there is no solution, or it is not found
   */
   unsigned solve(const Eigen::VectorXd& f, const Eigen::VectorXd& s, Eigen::VectorXd& v,
-                 Eigen::VectorXd& p) const;
+                 Eigen::VectorXd& p, double tolerance);
 };

@@ -5,42 +5,24 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_SADDLE_POINT_SOLVER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_SADDLE_POINT_SOLVER_H
 
+#include <CGAL/Deformable_simplicial_complex_3/Saddle_point_system.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Incomplete_factorization.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/minimal_residuals.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/pressure_matrix.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 
-#include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
-#include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-
-/*!
-\ingroup PkgDeformableSimplicialComplex3Ref
-
-The matrix of a linear system of `Incompressible_fluid_3`,
-
-    (  a  -b^T ) (v)   ( f)
-    ( -b  -c   ) (p) = (-s),
-
-symmetric, `a` positive definite and `c` positive semidefinite; and what tells about its nature.
-*/
-struct Saddle_point_system
-{
-  using Matrix = Eigen::SparseMatrix<double>; ///< stored by columns
-  using Vector = Eigen::VectorXd;             ///< dense
-
-  Matrix a;         ///< of velocities: masses over time, viscosity and surface tension
-  Matrix b;         ///< the gradients of volumes, a row for each pressure
-  Matrix c;         ///< of pressures
-  Vector inertia;   ///< about the diagonal of `a` without the part of viscosity: of masses, sums of
-                    ///< rows
-  Vector viscosity; ///< for each pressure the viscosity over a quarter of the volume around
-};
 
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
@@ -58,38 +40,66 @@ public:
   using Vector = System::Vector;      ///< unknowns
 
   /// Takes a matrix. \throws Error if it is singular, other than for pressures that are constant.
-  /// About n^2 for n unknowns in space, and memory of n^(4/3).
-  void factorize(System&& system) {
-    using Iterator = System::Matrix::InnerIterator;
-    std::vector<Eigen::Triplet<double>> entries; // of the lower triangle
-    const auto n = system.a.rows();
-    for (Eigen::Index j = 0; j < n; ++j) {
-      for (Iterator i(system.a, j); i; ++i)
-        if (i.row() >= j)
-          entries.emplace_back(i.row(), j, i.value());
-      for (Iterator i(system.b, j); i; ++i)
-        entries.emplace_back(n + i.row(), j, -i.value());
+  /// About n^2 for n unknowns in space, and memory of n^(4/3). Takes one thread.
+  void factorize(System&& system, unsigned number_of_threads = 1) {
+    static_cast<void>(number_of_threads);
+    m_system = std::move(system);
+    // Velocities that are held make no difference to others, and have any equation of their own.
+    const Eigen::Index n = 3 * m_system.nodal.rows(), m = m_system.c.rows();
+    std::vector<Eigen::Triplet<double>> entries;
+    for_each_entry(m_system.nodal, [&](Eigen::Index i, Eigen::Index j, double value) {
+      for (int axis = 0; axis < 3; ++axis)
+        entries.emplace_back(3 * i + axis, 3 * j + axis, value);
+    });
+    const auto add = [&entries](Eigen::Index i, Eigen::Index j, double value) {
+      entries.emplace_back(i, j, value);
+    };
+    if (m_system.coupling.rows() > 0)
+      for_each_entry(m_system.coupling, add);
+    Symmetric whole(n + m, n + m);
+    for_each_entry(m_system.b, [&](Eigen::Index i, Eigen::Index j, double value) {
+      add(n + i, j, -value);
+      add(j, n + i, -value);
+    });
+    for_each_entry(m_system.c, [&](Eigen::Index i, Eigen::Index j, double value) {
+      add(n + i, n + j, -value);
+    });
+    whole.setFromTriplets(entries.begin(), entries.end());
+    if (!m_system.held.empty()) {
+      Symmetric free(n + m, n + m), fixed(n + m, n + m);
+      free.setIdentity();
+      entries.clear();
+      for (const auto& h : m_system.held)
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j) {
+            const double value = (i == j) - h.projection(i, j);
+            free.coeffRef(3 * h.vertex + i, 3 * h.vertex + j) -= value;
+            add(3 * h.vertex + i, 3 * h.vertex + j, m_system.inertia(h.vertex) * value);
+          }
+      fixed.setFromTriplets(entries.begin(), entries.end());
+      whole = Symmetric(free * whole * free) + fixed;
     }
-    for (Eigen::Index j = 0; j < system.c.cols(); ++j)
-      for (Iterator i(system.c, j); i; ++i)
-        if (i.row() >= j)
-          entries.emplace_back(n + i.row(), n + j, -i.value());
-    m_whole = System::Matrix(n + system.c.rows(), n + system.c.rows());
-    m_whole.setFromTriplets(entries.begin(), entries.end());
-    System::Matrix definite = m_whole;
-    definite.diagonal().tail(system.c.rows()) *= above_zero;
+    m_whole = whole.triangularView<Eigen::Lower>();
+    Symmetric definite = m_whole;
+    definite.diagonal().tail(m) *= above_zero;
     m_solver.compute(definite);
     if (m_solver.info() != Eigen::Success)
       throw Error("the equations of the flow are singular: a liquid may have no free surface and "
                   "nothing that holds its pressure, or cells may be flat");
   }
 
-  /// Solves for v and p. Returns how often it had to be refined.
+  /// Takes one like that of before. As `factorize()`.
+  void update(System&& system) { factorize(std::move(system)); }
+
+  /// Solves for v and p. Returns how often it had to be refined; the tolerance is not made use of.
   /// \throws Error if the solution is not finite
-  unsigned solve(const Vector& f, const Vector& s, Vector& v, Vector& p) const {
+  unsigned solve(const Vector& f, const Vector& s, Vector& v, Vector& p,
+                 double tolerance = 0) const {
+    static_cast<void>(tolerance);
     static constexpr unsigned refinements = 2; // each is nearer by what c was changed by
     Vector right(f.size() + s.size());
     right << f, -s;
+    m_system.project(right);
     Vector x = m_solver.solve(right);
     for (unsigned k = 0; k < refinements; ++k)
       x += m_solver.solve(right - m_whole.selfadjointView<Eigen::Lower>() * x);
@@ -102,11 +112,21 @@ public:
   }
 
 private:
+  using Symmetric = Eigen::SparseMatrix<double>;
+
+  template <class Function>
+  static void for_each_entry(const System::Matrix& matrix, const Function& f) {
+    for (Eigen::Index row = 0; row < matrix.rows(); ++row)
+      for (System::Matrix::InnerIterator i(matrix, row); i; ++i)
+        f(row, i.col(), i.value());
+  }
+
   // Where no surface is free, pressures may all grow by the same.
   static constexpr double above_zero = 1 + 1e-8;
 
-  Eigen::SimplicialLDLT<System::Matrix> m_solver;
-  System::Matrix m_whole; // lower triangle
+  System m_system;
+  Eigen::SimplicialLDLT<Symmetric> m_solver;
+  Symmetric m_whole; // lower triangle
 };
 
 /*!
@@ -114,10 +134,11 @@ private:
 
 Solves saddle point systems by the method of minimal residuals (C. C. Paige and M. A. Saunders,
 "Solution of sparse indefinite systems of linear equations", SIAM J. Numer. Anal. 12, 1975), for
-velocities preconditioned by an incomplete Cholesky factorization, for pressures by that of what
-masses make of them, and by viscosity (J. Cahouet and J.-P. Chabard, "Some fast 3D finite element
-solvers for the generalized Stokes problem", Int. J. Numer. Methods Fluids 8, 1988). Memory is
-linear in the number of unknowns, time almost.
+velocities preconditioned by an incomplete Cholesky factorization of what treats coordinates alike,
+for pressures by that of what masses make of them, and by viscosity (J. Cahouet and J.-P. Chabard,
+"Some fast 3D finite element solvers for the generalized Stokes problem", Int. J. Numer. Methods
+Fluids 8, 1988). Memory is linear in the number of unknowns, time almost. The number of threads
+changes no bit.
 
 \cgalModels `SaddlePointSolver`
 */
@@ -127,104 +148,112 @@ public:
   using System = Saddle_point_system; ///< what is solved
   using Vector = System::Vector;      ///< unknowns
 
-  /// \param tolerance of the residual, relative to that of the right side
-  /// \throws Error if it is not between 0 and 1
-  explicit Iterative_saddle_point_solver(double tolerance = 1e-12) : m_tolerance(tolerance) {
-    if (!(tolerance > 0 && tolerance < 1))
-      throw Error("the tolerance of a solver is out of range: use more than 0 and less than 1");
-  }
-
   /// Takes a matrix. \throws Error if it is not definite where it should be.
-  void factorize(System&& system) {
-    m_system = std::move(system);
-    m_bt = m_system.b.transpose();
-    m_of_velocities.compute(m_system.a);
-    System::Matrix schur =
-        m_system.b * m_system.inertia.cwiseInverse().asDiagonal() * m_bt + m_system.c;
-    schur.diagonal() *= above_zero;
-    m_of_pressures.compute(schur);
-    if (m_of_velocities.info() != Eigen::Success || m_of_pressures.info() != Eigen::Success)
+  void factorize(System&& system, unsigned number_of_threads = 1) {
+    m_for_each.emplace(number_of_threads);
+    update(std::move(system));
+    std::array<bool, 2> exists;
+    (*m_for_each)(
+        2,
+        [&](std::size_t k) {
+          exists[k] =
+              k == 0
+                  ? m_of_pressures.compute(internal::pressure_matrix(*m_for_each, m_system, m_bt))
+                  : m_of_velocities.compute(free_part(m_system));
+        },
+        2);
+    if (!exists[0] || !exists[1])
       throw Error("the equations of the flow are singular: cells may be flat");
   }
 
+  /// Takes one like that of before, whose factorizations stay. Linear.
+  void update(System&& system) {
+    m_system = std::move(system);
+    m_bt = m_system.b.transpose();
+  }
+
   /// Solves for v and p, which hold a guess. Returns the number of iterations.
+  /// \param tolerance of the residual, relative to the right side, as the preconditioner weighs them
   /// \throws Error if they do not converge
-  unsigned solve(const Vector& f, const Vector& s, Vector& v, Vector& p) const {
-    static constexpr unsigned most = 3000;
+  unsigned solve(const Vector& f, const Vector& s, Vector& v, Vector& p, double tolerance) {
     const Eigen::Index n = f.size(), m = s.size();
     Vector x(n + m), right(n + m);
+    m_system.project(v);
     x << v, p;
     right << f, -s;
-    const double bound = m_tolerance * std::sqrt(right.dot(precondition(right)));
-    Vector r = right - multiply(x), r_before = r;
-    Vector z = precondition(r), w(Vector::Zero(n + m)), w_before = w;
-    double beta = std::sqrt(r.dot(z)), beta_before = 0, eta = beta;
-    double cosine = -1, sine = 0, epsilon = 0, delta_bar = 0;
-    unsigned k = 0;
-    // By the names of Paige and Saunders: r are Lanczos' vectors, not normalized.
-    while (!(std::abs(eta) <= bound)) { // nor for what is no number
-      if (++k > most)
-        throw Error("the equations of the flow cannot be solved by iterations: cells may be too "
-                    "flat, or the step too long");
-      const Vector q = z / beta;
-      Vector next = multiply(q);
-      if (k > 1)
-        next -= beta / beta_before * r_before;
-      const double alpha = q.dot(next);
-      next -= alpha / beta * r;
-      r_before.swap(r);
-      r.swap(next);
-      z = precondition(r);
-      beta_before = beta;
-      beta = std::sqrt((std::max)(0., r.dot(z)));
-      const double epsilon_before = epsilon, delta = cosine * delta_bar + sine * alpha,
-                   gamma_bar = sine * delta_bar - cosine * alpha;
-      epsilon = sine * beta;
-      delta_bar = -cosine * beta;
-      const double gamma = std::hypot(gamma_bar, beta);
-      cosine = gamma_bar / gamma;
-      sine = beta / gamma;
-      const double phi = cosine * eta;
-      eta *= sine;
-      Vector w_next = (q - epsilon_before * w_before - delta * w) / gamma;
-      w_before.swap(w);
-      w.swap(w_next);
-      x += phi * w;
-      if (!(beta > 0))
-        break;
-    }
+    m_system.project(right);
+    const unsigned result = internal::minimal_residuals(
+        *m_for_each, [this](const Vector& in, Vector& out) { multiply(in, out); },
+        [this](const Vector& in, Vector& out) { precondition(in, out); }, right, tolerance, x);
     v = x.head(n);
     p = x.tail(m);
-    return k;
+    return result;
   }
 
 private:
-  Vector multiply(const Vector& x) const {
-    const Eigen::Index n = m_system.a.rows(), m = m_system.c.rows();
-    Vector result(n + m);
-    result.head(n) = m_system.a * x.head(n) - m_bt * x.tail(m);
-    result.tail(m) = -(m_system.b * x.head(n)) - m_system.c * x.tail(m);
+  void multiply(const Vector& x, Vector& y) const {
+    const Eigen::Index n = m_system.nodal.rows(), m = m_system.c.rows();
+    const bool has_coupling = m_system.coupling.rows() > 0;
+    internal::for_each_block(*m_for_each, n + m, [&](Eigen::Index begin, Eigen::Index size) {
+      for (Eigen::Index i = begin; i < begin + size; ++i)
+        if (i < n) {
+          Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+          for (Row k(m_system.nodal, i); k; ++k)
+            sum += k.value() * x.segment<3>(3 * k.col());
+          for (int axis = 0; axis < 3; ++axis) {
+            const Eigen::Index row = 3 * i + axis;
+            y(row) = sum(axis) - product(m_bt, row, x, 3 * n) +
+                     (has_coupling ? product(m_system.coupling, row, x, 0) : 0);
+          }
+        } else
+          y(2 * n + i) = -product(m_system.b, i - n, x, 0) - product(m_system.c, i - n, x, 3 * n);
+    });
+    m_system.project(y);
+  }
+
+  void precondition(const Vector& x, Vector& y) {
+    const Eigen::Index n = 3 * m_system.nodal.rows(), m = m_system.c.rows();
+    (*m_for_each)(
+        2,
+        [&](std::size_t k) {
+          if (k == 0) {
+            m_of_pressures.solve(x.tail(m), y.tail(m));
+            y.tail(m) += m_system.viscosity.cwiseProduct(x.tail(m));
+          } else
+            m_of_velocities.solve(x.head(n), y.head(n));
+        },
+        2);
+    m_system.project(y);
+  }
+
+  // Of a row, with entries of x from one on.
+  static double product(const System::Matrix& matrix, Eigen::Index row, const Vector& x,
+                        Eigen::Index from) {
+    double result = 0;
+    for (Row k(matrix, row); k; ++k)
+      result += k.value() * x(from + k.col());
     return result;
   }
 
-  Vector precondition(const Vector& x) const {
-    const Eigen::Index n = m_system.a.rows(), m = m_system.c.rows();
-    Vector result(n + m);
-    result.head(n) = m_of_velocities.solve(x.head(n));
-    result.tail(m) = m_of_pressures.solve(x.tail(m)) + m_system.viscosity.cwiseProduct(x.tail(m));
+  // What treats coordinates alike, of velocities that are not held at all.
+  static Eigen::SparseMatrix<double> free_part(const System& system) {
+    std::vector<char> is_fixed(std::size_t(system.nodal.rows()), false);
+    for (const auto& h : system.held)
+      is_fixed[std::size_t(h.vertex)] = h.projection.isZero();
+    Eigen::SparseMatrix<double> result = system.nodal.triangularView<Eigen::Lower>();
+    result.prune([&](Eigen::Index i, Eigen::Index j, double) {
+      return i == j || !(is_fixed[std::size_t(i)] || is_fixed[std::size_t(j)]);
+    });
     return result;
   }
 
-  // Where no surface is free, pressures may all grow by the same.
-  static constexpr double above_zero = 1 + 1e-9;
+  using Row = System::Matrix::InnerIterator;
 
-  using Incomplete_factorization =
-      Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::AMDOrdering<int>>;
-
-  double m_tolerance;
   System m_system;
   System::Matrix m_bt; // of b
-  Incomplete_factorization m_of_velocities, m_of_pressures;
+  internal::Incomplete_factorization<3> m_of_velocities;
+  internal::Incomplete_factorization<1> m_of_pressures;
+  std::optional<internal::For_each_index> m_for_each;
 };
 
 /*!
@@ -241,20 +270,29 @@ public:
   using Vector = System::Vector;      ///< unknowns
 
   /// Takes a matrix. \throws Error if it is singular.
-  void factorize(System&& system) {
+  void factorize(System&& system, unsigned number_of_threads = 1) {
     static constexpr Eigen::Index small =
         2000; // unknowns, of 500 vertices: where both take as long
-    m_is_direct = system.a.rows() + system.c.rows() <= small;
+    m_is_direct = 3 * system.nodal.rows() + system.c.rows() <= small;
     if (m_is_direct)
-      m_direct.factorize(std::move(system));
+      m_direct.factorize(std::move(system), number_of_threads);
     else
-      m_iterative.factorize(std::move(system));
+      m_iterative.factorize(std::move(system), number_of_threads);
+  }
+
+  /// Takes one like that of before, which may be made use of.
+  void update(System&& system) {
+    if (m_is_direct)
+      m_direct.update(std::move(system));
+    else
+      m_iterative.update(std::move(system));
   }
 
   /// Solves for v and p, which hold a guess. Returns the number of iterations.
   /// \throws Error if they do not converge
-  unsigned solve(const Vector& f, const Vector& s, Vector& v, Vector& p) const {
-    return m_is_direct ? m_direct.solve(f, s, v, p) : m_iterative.solve(f, s, v, p);
+  unsigned solve(const Vector& f, const Vector& s, Vector& v, Vector& p, double tolerance) {
+    return m_is_direct ? m_direct.solve(f, s, v, p, tolerance)
+                       : m_iterative.solve(f, s, v, p, tolerance);
   }
 
 private:

@@ -49,31 +49,25 @@ template <class Cell> double volume(const Cell& cell, const Vectors_3& positions
   return (positions[v[1]] - o).cross(positions[v[2]] - o).dot(positions[v[3]] - o) / 6;
 }
 
-// Of the cells of each set, by a function from components to sets.
+// Of the cells of each set, by a function from components to sets. \pre no two sets share a vertex
 template <class Mesh, class SetOf>
 std::vector<Masses_3> masses_of_sets(const Mesh& mesh, const Vectors_3& positions,
                                      std::size_t number_of_sets, const SetOf& set_of) {
   std::vector<Masses_3> result(number_of_sets);
+  std::vector<double> masses(positions.size(), 0);
+  std::vector<std::size_t> set_of_vertex(positions.size(), number_of_sets);
   for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
     const auto& cell = mesh.cells[k];
-    Masses_3& masses = result[set_of(cell.component)];
+    const std::size_t set = set_of(cell.component);
     const double mass = cell.liquid->density * volume(cell, positions);
-    masses.of_middles.emplace_back(k, Mesh::part_at_middle * mass);
-    for (auto v : cell.vertices)
-      masses.of_vertices.emplace_back(v, (1 - Mesh::part_at_middle) * mass / 4);
+    result[set].of_middles.emplace_back(k, Mesh::part_at_middle * mass);
+    for (auto v : cell.vertices) {
+      masses[v] += (1 - Mesh::part_at_middle) * mass / 4;
+      set_of_vertex[v] = set;
+    }
   }
-  for (Masses_3& masses : result) {
-    auto& all = masses.of_vertices;
-    std::stable_sort(all.begin(), all.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<std::pair<std::size_t, double>> sums;
-    for (const auto& [v, m] : all)
-      if (!sums.empty() && sums.back().first == v)
-        sums.back().second += m;
-      else
-        sums.emplace_back(v, m);
-    all.swap(sums);
-  }
+  for (std::size_t v = 0; v < positions.size(); ++v)
+    result[set_of_vertex[v]].of_vertices.emplace_back(v, masses[v]);
   return result;
 }
 

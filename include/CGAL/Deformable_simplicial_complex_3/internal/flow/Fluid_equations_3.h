@@ -5,9 +5,12 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_FLUID_EQUATIONS_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_FLUID_EQUATIONS_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/Saddle_point_system.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Cell_rows.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_mesh_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/Facet_tension.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/Linear_element.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 
 #include <Eigen/SparseCore>
 
@@ -40,7 +43,7 @@ template <class Complex> class Fluid_equations_3
 {
 public:
   using Mesh = Fluid_mesh_3<Complex>;
-  using Matrix = Eigen::SparseMatrix<double>;
+  using System = Saddle_point_system;
   using Vector = Eigen::VectorXd;
 
   // dt: step of time; theta: 1/2 for the implicit midpoint rule, 1 for Euler's backward one.
@@ -49,15 +52,30 @@ public:
     double dt, theta;
   };
 
-  Fluid_equations_3(const Mesh& mesh, const Fluid_properties_3& properties, const Step& step,
+  // By `for_each`, on several threads.
+  Fluid_equations_3(const For_each_index& for_each, const Mesh& mesh,
+                    const Fluid_properties_3& properties, const Step& step,
                     const Vectors_3& positions)
-      : m_mesh(mesh), m_gravity(properties.gravity().data()), m_step(step), m_positions(positions) {
-    m_masses.assign(mesh.vertices.size(), 0);
+      : m_for_each(for_each), m_mesh(mesh), m_gravity(properties.gravity().data()), m_step(step),
+        m_positions(positions), m_vertices(corners(&Mesh::Cell::vertices)),
+        m_pressures(corners(&Mesh::Cell::pressures)),
+        m_rows_of_vertices(m_vertices, mesh.vertices.size()),
+        m_rows_of_pressures(m_pressures, mesh.vertex_of_pressure.size()),
+        m_masses(mesh.vertices.size(), 0) {
+    bool is_viscous = false;
     for (const auto& cell : mesh.cells) {
       m_elements.push_back(element(cell, positions));
+      is_viscous = is_viscous || cell.liquid->viscosity > 0;
       for (auto v : cell.vertices)
         m_masses[v] += cell.liquid->density * m_elements.back().lumped_mass();
     }
+    const std::size_t n = m_rows_of_vertices.size(), m = m_rows_of_pressures.size();
+    m_system.nodal = m_rows_of_vertices.zeros<1, 1>(m_vertices, n);
+    m_system.b = m_rows_of_pressures.zeros<1, 3>(m_vertices, n);
+    m_system.c = m_rows_of_pressures.zeros<1, 1>(m_pressures, m);
+    if (is_viscous)
+      m_system.coupling = m_rows_of_vertices.zeros<3, 3>(m_vertices, n);
+    m_terms.resize(mesh.cells.size());
   }
 
   // Of vertices, a quarter of those of the cells around.
@@ -66,48 +84,58 @@ public:
   // The matrices with the vertices at some positions, about half-way. The energies of facets that
   // are wet are tensions in place of those of the mesh.
   template <class TensionOf> void assemble(const Vectors_3& half_way, const TensionOf& tension_of) {
-    Entries a, b, c;
-    b.reserve(48 * m_mesh.cells.size());
-    c.reserve(16 * m_mesh.cells.size());
-    for (std::size_t v = 0; v < m_masses.size(); ++v)
-      add_block(a, v, v,
-                (1 - Mesh::part_at_middle) * rate(m_masses[v]) * Eigen::Matrix3d::Identity());
-    m_forces = Vector::Zero(3 * Eigen::Index(m_masses.size()));
-    m_stabilization.clear();
-    m_stiffness.assign(m_masses.size(), 0);
-    for (std::size_t k = 0; k < m_mesh.cells.size(); ++k)
-      add_cell(k, half_way, a, b, c);
-    for (std::size_t f = 0; f < m_mesh.facets.size(); ++f)
-      add_facet(m_mesh.facets[f], half_way, tension_of(f), a);
-    const Eigen::Index n = m_forces.size(), m = Eigen::Index(m_mesh.vertex_of_pressure.size());
-    m_a = Matrix(n, n);
-    m_a.setFromTriplets(a.begin(), a.end());
-    m_b = Matrix(m, n);
-    m_b.setFromTriplets(b.begin(), b.end());
-    m_c = Matrix(m, m);
-    m_c.setFromTriplets(c.begin(), c.end());
-  }
+    m_for_each(m_terms.size(), [&](std::size_t k) { m_terms[k] = terms(k, half_way); });
+    using Scalar = Eigen::Matrix<double, 1, 1>;
+    m_rows_of_vertices.sum<1, 1>(
+        m_for_each, m_vertices,
+        [this](std::size_t k, std::size_t i, std::size_t j) {
+          const Terms& t = m_terms[k];
+          return Scalar(t.inertia + t.viscosity * t.gradients[i].dot(t.gradients[j]));
+        },
+        m_system.nodal);
+    if (m_system.coupling.rows() > 0)
+      m_rows_of_vertices.sum<3, 3>(
+          m_for_each, m_vertices,
+          [this](std::size_t k, std::size_t i, std::size_t j) {
+            const Terms& t = m_terms[k];
+            return Eigen::Matrix3d(t.viscosity * t.gradients[j] * t.gradients[i].transpose());
+          },
+          m_system.coupling);
+    m_rows_of_pressures.sum<1, 3>(
+        m_for_each, m_vertices,
+        [this](std::size_t k, std::size_t, std::size_t j) {
+          return Eigen::RowVector3d(m_terms[k].changes[j].transpose() / 4);
+        },
+        m_system.b);
+    m_rows_of_pressures.sum<1, 1>(
+        m_for_each, m_pressures,
+        [this](std::size_t k, std::size_t i, std::size_t j) {
+          const Terms& t = m_terms[k];
+          return Scalar(t.stabilization * t.gradients[i].dot(t.gradients[j]));
+        },
+        m_system.c);
 
-  const Matrix& a() const { return m_a; }
-  const Matrix& b() const { return m_b; }
-  const Matrix& c() const { return m_c; }
-  // What multiplies velocities for the sake of masses and surfaces, and pressures for that of
-  // viscosity; see `Saddle_point_system`.
-  Vector inertia() const {
-    Vector result(m_forces.size());
-    for (std::size_t v = 0; v < m_masses.size(); ++v)
-      at(result, v).setConstant(rate(m_masses[v]) + m_stiffness[v]);
-    return result;
-  }
-  Vector viscosity() const {
-    Vector viscosities = Vector::Zero(m_c.rows()), volumes = viscosities;
+    m_system.inertia = Vector::Zero(Eigen::Index(m_masses.size()));
+    for (std::size_t v = 0; v < m_masses.size(); ++v) {
+      m_system.inertia(Eigen::Index(v)) = rate(m_masses[v]);
+      m_system.nodal.coeffRef(Eigen::Index(v), Eigen::Index(v)) +=
+          (1 - Mesh::part_at_middle) * rate(m_masses[v]);
+    }
+    m_system.viscosity = Vector::Zero(m_system.c.rows());
+    Vector volumes = m_system.viscosity;
     for (std::size_t k = 0; k < m_mesh.cells.size(); ++k)
       for (auto p : m_mesh.cells[k].pressures) {
         volumes(p) += m_elements[k].lumped_mass();
-        viscosities(p) = m_mesh.cells[k].liquid->viscosity;
+        m_system.viscosity(p) = m_mesh.cells[k].liquid->viscosity;
       }
-    return viscosities.cwiseQuotient(volumes);
+    m_system.viscosity.array() /= volumes.array();
+    m_forces = Vector::Zero(3 * Eigen::Index(m_masses.size()));
+    for (std::size_t f = 0; f < m_mesh.facets.size(); ++f)
+      add_facet(m_mesh.facets[f], half_way, tension_of(f));
   }
+
+  // Of velocities that are free; `held` is up to the caller.
+  const System& system() const { return m_system; }
 
   // f
   Vector forces(const Vectors_3& velocities) const {
@@ -126,13 +154,13 @@ public:
 
   // s, with the accelerations of vertices.
   Vector stabilization(const Vectors_3& accelerations) const {
-    Vector result = Vector::Zero(m_c.rows());
+    Vector result = Vector::Zero(m_system.c.rows());
     for (std::size_t k = 0; k < m_mesh.cells.size(); ++k) {
       const auto& cell = m_mesh.cells[k];
       const Eigen::Vector3d force =
           cell.liquid->density * (m_gravity - m_mesh.middle(k, accelerations));
       for (std::size_t i = 0; i < 4; ++i)
-        result(cell.pressures[i]) += m_stabilization[k][i].dot(force);
+        result(cell.pressures[i]) += m_terms[k].stabilization * m_terms[k].gradients[i].dot(force);
     }
     return result;
   }
@@ -148,7 +176,6 @@ private:
     return m_mesh.cells[k].liquid->density * m_elements[k].lumped_mass();
   }
 
-  using Entries = std::vector<Eigen::Triplet<double>>;
   using Element = Linear_element<Complex>;
 
   static typename Complex::Approximate_point point(const Eigen::Vector3d& p) {
@@ -161,15 +188,14 @@ private:
     return Element(corners);
   }
 
-  template <class Block>
-  static void add_block(Entries& entries, std::size_t v, std::size_t w, const Block& block) {
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        if (block(i, j) != 0)
-          entries.emplace_back(3 * Eigen::Index(v) + i, 3 * Eigen::Index(w) + j, block(i, j));
-  }
+  // What a cell adds to matrices, see `assemble()`.
+  struct Terms
+  {
+    std::array<Eigen::Vector3d, 4> gradients, changes; // of its functions, and of its volume
+    double inertia, viscosity, stabilization;
+  };
 
-  void add_cell(std::size_t k, const Vectors_3& half_way, Entries& a, Entries& b, Entries& c) {
+  Terms terms(std::size_t k, const Vectors_3& half_way) const {
     // Of a step: how much of its time the pressure needs to level out what it feels not.
     static constexpr double part = .05;
     static constexpr double viscous = 12; // Hughes and others: of h^2 / viscosity
@@ -178,40 +204,22 @@ private:
     const Element moved = element(cell, half_way);
     // A cell that the prediction makes flat is none to divide by.
     const Element& e = moved.measure() > flat * m_elements[k].measure() ? moved : m_elements[k];
-    const double volume = e.measure(), viscosity = cell.liquid->viscosity;
-    std::array<Eigen::Vector3d, 4> gradients;
-    double steepest = 0;
+    Terms result;
+    double steepest = 0; // 1 / steepest is the square of the least height
     for (std::size_t i = 0; i < 4; ++i) {
-      gradients[i] = eigen_vector(e.gradient(int(i)));
-      steepest = (std::max)(steepest, gradients[i].squaredNorm());
-      const Eigen::Vector3d change = eigen_vector(moved.measure_gradient(int(i)));
-      for (auto p : cell.pressures)
-        for (int axis = 0; axis < 3; ++axis)
-          b.emplace_back(p, 3 * Eigen::Index(cell.vertices[i]) + axis, change(axis) / 4);
+      result.gradients[i] = eigen_vector(e.gradient(int(i)));
+      result.changes[i] = eigen_vector(moved.measure_gradient(int(i)));
+      steepest = (std::max)(steepest, result.gradients[i].squaredNorm());
     }
-    // 1 / steepest is the square of the least height.
-    const double tau =
-        1 / (cell.liquid->density / (part * m_step.dt) + viscous * viscosity * steepest);
-    m_stabilization.emplace_back();
-    for (std::size_t i = 0; i < 4; ++i) {
-      m_stabilization.back()[i] = tau * volume * gradients[i];
-      for (std::size_t j = 0; j < 4; ++j) {
-        c.emplace_back(cell.pressures[i], cell.pressures[j],
-                       tau * volume * gradients[i].dot(gradients[j]));
-        add_block(a, cell.vertices[i], cell.vertices[j],
-                  Mesh::part_at_middle / 4 * rate(quarter_mass(k)) * Eigen::Matrix3d::Identity());
-        if (viscosity > 0)
-          add_block(a, cell.vertices[i], cell.vertices[j],
-                    viscosity * volume *
-                        (gradients[i].dot(gradients[j]) * Eigen::Matrix3d::Identity() +
-                         gradients[j] * gradients[i].transpose()));
-      }
-    }
+    result.inertia = Mesh::part_at_middle / 4 * rate(quarter_mass(k));
+    result.viscosity = e.measure() * cell.liquid->viscosity;
+    result.stabilization = e.measure() / (cell.liquid->density / (part * m_step.dt) +
+                                          viscous * cell.liquid->viscosity * steepest);
+    return result;
   }
 
   // Tensions that are negative, of wet walls, are forces of now, as they would not be definite.
-  void add_facet(const typename Mesh::Facet& facet, const Vectors_3& half_way, double tension,
-                 Entries& a) {
+  void add_facet(const typename Mesh::Facet& facet, const Vectors_3& half_way, double tension) {
     if (tension == 0)
       return;
     std::array<typename Complex::Approximate_point, 3> corners;
@@ -226,28 +234,33 @@ private:
       const Eigen::Vector3d pull = weight * (from[w] - from[v]);
       at(m_forces, v) += pull;
       at(m_forces, w) -= pull;
-      m_stiffness[v] += implicit;
-      m_stiffness[w] += implicit;
-      if (implicit != 0)
-        for (int axis = 0; axis < 3; ++axis) {
-          const Eigen::Index i_v = 3 * Eigen::Index(v) + axis, i_w = 3 * Eigen::Index(w) + axis;
-          a.emplace_back(i_v, i_v, implicit);
-          a.emplace_back(i_w, i_w, implicit);
-          a.emplace_back(i_v, i_w, -implicit);
-          a.emplace_back(i_w, i_v, -implicit);
-        }
+      for (const auto& [i, j] : {std::make_pair(v, w), std::make_pair(w, v)}) {
+        m_system.inertia(Eigen::Index(i)) += implicit;
+        m_system.nodal.coeffRef(i, i) += implicit;
+        m_system.nodal.coeffRef(i, j) -= implicit;
+      }
     }
   }
 
+  std::vector<Cell_rows::Corners> corners(Cell_rows::Corners Mesh::Cell::*of_cell) const {
+    std::vector<Cell_rows::Corners> result;
+    for (const auto& cell : m_mesh.cells)
+      result.push_back(cell.*of_cell);
+    return result;
+  }
+
+  const For_each_index& m_for_each;
   const Mesh& m_mesh;
   Eigen::Vector3d m_gravity;
   Step m_step;
   Vectors_3 m_positions;
-  std::vector<Element> m_elements;           // at the beginning
-  std::vector<double> m_masses, m_stiffness; // by vertex
-  Matrix m_a, m_b, m_c;
-  Vector m_forces;                                             // of surfaces
-  std::vector<std::array<Eigen::Vector3d, 4>> m_stabilization; // by cell and corner
+  std::vector<Cell_rows::Corners> m_vertices, m_pressures; // by cell
+  Cell_rows m_rows_of_vertices, m_rows_of_pressures;
+  std::vector<double> m_masses;    // by vertex
+  std::vector<Element> m_elements; // at the beginning
+  std::vector<Terms> m_terms;      // by cell
+  System m_system;
+  Vector m_forces; // of surfaces
 };
 
 } // namespace internal

@@ -10,11 +10,13 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -38,6 +40,7 @@ template <class Complex> struct Fluid_mesh_3
     std::array<Index, 4> vertices;
     std::array<Index, 4> pressures;
     const Liquid* liquid;
+    int label;
     std::uint32_t component;
   };
 
@@ -49,8 +52,8 @@ template <class Complex> struct Fluid_mesh_3
     bool is_free;                  // between liquid and void
   };
 
-  std::vector<Vertex_handle> vertices; // by time stamp
-  std::vector<Cell> cells;             // by time stamp
+  std::vector<Vertex_handle> vertices; // along the x axis: neighbors are near in memory, too
+  std::vector<Cell> cells;             // in the order of their first vertices
   std::vector<Facet> facets;           // in the order of interface_facets()
   std::vector<Index> vertex_of_pressure;
   std::vector<char> is_on_interface; // by vertex
@@ -60,38 +63,29 @@ template <class Complex> struct Fluid_mesh_3
 
   // n log n. \pre components are up to date
   Fluid_mesh_3(const Complex& complex, const Fluid_properties_3& properties) {
-    const auto all_vertices = complex.vertices();
-    const auto all_cells = complex.cells();
     static constexpr Index none = Index(-1);
     sides.fill(std::numeric_limits<double>::infinity());
-    for (Vertex_handle v : all_vertices) {
+    for (Vertex_handle v : complex.finite_vertices()) {
       v->set_scratch_index(none);
       for (std::size_t side = 0; side < sides.size(); ++side)
         if (v->boundary_class() >> side & 1)
           sides[side] = complex.position(v)[int(side / 2)];
     }
-    for (auto c : all_cells)
+    for (auto c : complex.finite_cells())
       if (properties.liquid(c->label()))
         for (int i = 0; i < 4; ++i)
           c->vertex(i)->set_scratch_index(0);
-    for (Vertex_handle v : all_vertices)
-      if (v->scratch_index() != none) {
-        v->set_scratch_index(Index(vertices.size()));
+    for (Vertex_handle v : complex.finite_vertices())
+      if (v->scratch_index() != none)
         vertices.push_back(v);
-        is_on_interface.push_back(v->is_interface());
-      }
-    add_cells(all_cells, properties);
-    for (const auto& f : complex.interface_facets()) {
-      const int behind = f.first->label(), in_front = f.first->neighbor(f.second)->label();
-      const bool is_behind = properties.liquid(behind), is_in_front = properties.liquid(in_front);
-      if (!is_behind && !is_in_front)
-        continue;
-      Facet facet{{}, properties.surface_tension(behind, in_front), is_behind != is_in_front};
-      const auto corners = complex.facet_vertices(f);
-      for (std::size_t i = 0; i < 3; ++i)
-        facet.vertices[i] = corners[i]->scratch_index();
-      facets.push_back(facet);
+    sort_along_axis(complex);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      vertices[i]->set_scratch_index(Index(i));
+      is_on_interface.push_back(vertices[i]->is_interface());
     }
+    add_cells(complex, properties);
+    number_pressures();
+    add_facets(complex, properties);
   }
 
   Vectors_3 positions(const Complex& complex) const {
@@ -125,25 +119,83 @@ template <class Complex> struct Fluid_mesh_3
   }
 
 private:
-  template <class Cells> void add_cells(const Cells& all, const Fluid_properties_3& properties) {
-    std::map<int, std::vector<Index>> pressures; // by label and vertex, plus one
-    for (auto c : all) {
-      const Liquid* liquid = properties.liquid(c->label());
-      if (!liquid)
-        continue;
-      std::vector<Index>& of_label = pressures[c->label()];
-      of_label.resize(vertices.size(), 0);
-      Cell cell{{}, {}, liquid, c->component()};
-      for (std::size_t i = 0; i < 4; ++i) {
-        const Index v = cell.vertices[i] = c->vertex(int(i))->scratch_index();
-        if (of_label[v] == 0) {
-          vertex_of_pressure.push_back(v);
-          of_label[v] = Index(vertex_of_pressure.size());
-        }
-        cell.pressures[i] = of_label[v] - 1;
+  void sort_along_axis(const Complex& complex) {
+    std::vector<std::tuple<double, std::size_t, Vertex_handle>> keys; // no two stamps are the same
+    for (Vertex_handle v : vertices)
+      keys.emplace_back(complex.position(v)[0], v->time_stamp(), v);
+    std::sort(keys.begin(), keys.end(), [](const auto& a, const auto& b) {
+      return std::tie(std::get<0>(a), std::get<1>(a)) < std::tie(std::get<0>(b), std::get<1>(b));
+    });
+    vertices.clear();
+    for (const auto& key : keys)
+      vertices.push_back(std::get<2>(key));
+  }
+
+  // In the order of their first vertices, and then by time stamp.
+  void add_cells(const Complex& complex, const Fluid_properties_3& properties) {
+    std::vector<std::vector<std::pair<std::size_t, typename Complex::Cell_handle>>> by_first(
+        vertices.size());
+    for (auto c : complex.finite_cells())
+      if (properties.liquid(c->label())) {
+        Index first = c->vertex(0)->scratch_index();
+        for (int i = 1; i < 4; ++i)
+          first = (std::min)(first, Index(c->vertex(i)->scratch_index()));
+        by_first[first].emplace_back(c->time_stamp(), c);
       }
-      cells.push_back(cell);
+    for (auto& around : by_first) {
+      std::sort(around.begin(), around.end(),
+                [](const auto& a, const auto& b) { return a.first < b.first; });
+      for (const auto& [stamp, c] : around) {
+        Cell cell{{}, {}, properties.liquid(c->label()), c->label(), c->component()};
+        for (std::size_t i = 0; i < 4; ++i)
+          cell.vertices[i] = c->vertex(int(i))->scratch_index();
+        cells.push_back(cell);
+      }
     }
+  }
+
+  void add_facets(const Complex& complex, const Fluid_properties_3& properties) {
+    for (const auto& f : complex.interface_facets()) {
+      const int behind = f.first->label(), in_front = f.first->neighbor(f.second)->label();
+      const bool is_behind = properties.liquid(behind), is_in_front = properties.liquid(in_front);
+      if (!is_behind && !is_in_front)
+        continue;
+      Facet facet{{}, properties.surface_tension(behind, in_front), is_behind != is_in_front};
+      const auto corners = complex.facet_vertices(f);
+      for (std::size_t i = 0; i < 3; ++i)
+        facet.vertices[i] = corners[i]->scratch_index();
+      facets.push_back(facet);
+    }
+  }
+
+  // In the order of vertices. Most vertices have one.
+  void number_pressures() {
+    std::vector<char> has_first(vertices.size(), false);
+    std::vector<int> first(vertices.size()); // label
+    std::map<std::pair<Index, int>, Index> others;
+    for (const Cell& cell : cells)
+      for (Index v : cell.vertices)
+        if (!has_first[v]) {
+          has_first[v] = true;
+          first[v] = cell.label;
+        } else if (first[v] != cell.label)
+          others.emplace(std::make_pair(v, cell.label), 0);
+    std::vector<Index> number;
+    auto other = others.begin();
+    for (Index v = 0; v < vertices.size(); ++v) {
+      number.push_back(Index(vertex_of_pressure.size()));
+      vertex_of_pressure.push_back(v);
+      for (; other != others.end() && other->first.first == v; ++other) {
+        other->second = Index(vertex_of_pressure.size());
+        vertex_of_pressure.push_back(v);
+      }
+    }
+    for (Cell& cell : cells)
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Index v = cell.vertices[i];
+        cell.pressures[i] =
+            first[v] == cell.label ? number[v] : others.at(std::make_pair(v, cell.label));
+      }
   }
 };
 

@@ -40,10 +40,11 @@ public:
                const typename Contacts::Solids& solids, const Complex& complex, Solver& solver,
                const typename Equations::Step& step, double begin, double end,
                const Vectors_3& positions, const Vectors_3& velocities,
-               const Vectors_3& accelerations)
-      : m_mesh(mesh), m_properties(properties), m_solver(solver), m_step(step), m_begin(begin),
-        m_end(end), m_positions(positions), m_before(velocities), m_accelerations(accelerations),
-        m_equations(mesh, properties, step, positions),
+               const Vectors_3& accelerations, unsigned number_of_threads)
+      : m_mesh(mesh), m_properties(properties), m_solver(solver),
+        m_number_of_threads(number_of_threads), m_step(step), m_begin(begin), m_end(end),
+        m_positions(positions), m_before(velocities), m_accelerations(accelerations),
+        m_equations(m_for_each, mesh, properties, step, positions),
         m_contacts(mesh, solids, complex, positions, begin) {
     for (std::size_t v = 0; v < positions.size(); ++v)
       m_velocities.push_back(velocities[v] + step.theta * step.dt * accelerations[v]);
@@ -55,17 +56,19 @@ public:
   void solve(bool knows_accelerations) {
     static constexpr unsigned geometries = 2; // that of the prediction, and of the first solution
     static constexpr unsigned most = 15;
-    static constexpr double same = 1e-11; // above what the solver leaves
+    static constexpr double tolerance = 1e-11;            // of residuals
+    static constexpr double tolerance_of_geometry = 1e-4; // where another solution follows
+    static constexpr double same = 1e-10;                 // above what the solver leaves
     for (unsigned k = 0; k < geometries; ++k) {
       assemble();
       if (k > 0 || knows_accelerations) {
-        solve_with_contacts();
+        solve_with_contacts(k + 1 < geometries ? tolerance_of_geometry : tolerance);
         continue;
       }
       double change = 1, size = 0;
       for (unsigned i = 0; i < most && change > same * size; ++i) {
         const Vectors_3 before = m_accelerations;
-        solve_with_contacts();
+        solve_with_contacts(tolerance);
         change = size = 0;
         for (std::size_t v = 0; v < before.size(); ++v) {
           change = (std::max)(change, (before[v] - m_accelerations[v]).norm());
@@ -154,49 +157,53 @@ private:
     m_contacts.predict(destinations(), m_end, m_step.dt, m_end > m_begin);
     m_equations.assemble(at_time(m_step.dt / 2),
                          [&](std::size_t f) { return m_contacts.tension(m_mesh.facets[f]); });
-    m_is_factorized = false;
+    m_is_assembled = false;
   }
 
-  void solve_with_contacts() {
+  void solve_with_contacts(double accuracy) {
     static constexpr unsigned rounds = 30;
     m_is_settled = false;
     for (unsigned round = 0; round < rounds && !m_is_settled; ++round) {
-      solve_with_constraints();
+      solve_with_constraints(accuracy);
       m_is_settled = !m_contacts.revise(flat(m_velocities), m_reactions, round);
-      m_is_factorized = m_is_factorized && m_is_settled;
+      m_is_assembled = m_is_assembled && m_is_settled;
     }
     for (std::size_t v = 0; v < m_velocities.size(); ++v)
       m_accelerations[v] = (m_velocities[v] - m_before[v]) / (m_step.theta * m_step.dt);
   }
 
-  void solve_with_constraints() {
-    const auto &a = m_equations.a(), &b = m_equations.b(), &c = m_equations.c();
-    if (!m_is_factorized) {
-      m_constraints = Vertex_constraints_3(m_positions.size());
-      for (std::size_t v = 0; v < m_positions.size(); ++v)
-        for (int axis = 0; axis < 3; ++axis)
-          if (Boundary_class::fixes(m_mesh.vertices[v]->boundary_class(), axis))
-            m_constraints.add(v, {Eigen::Vector3d::Unit(axis), 0});
-      m_contacts.constrain(m_constraints);
-      m_constraints.close();
-      const auto& base = m_constraints.base();
-      const Vector inertia = m_equations.inertia();
-      m_solver.factorize({base.transpose() * a * base, b * base, c,
-                          (base.transpose() * inertia.asDiagonal() * base).eval().diagonal(),
-                          m_equations.viscosity()});
-      m_is_factorized = true;
-    }
-    const auto& base = m_constraints.base();
+  void solve_with_constraints(double accuracy) {
+    if (!m_is_assembled)
+      assemble_constraints();
+    const auto& system = m_equations.system();
     const Vector& known = m_constraints.prescribed();
     const Vector f = m_equations.forces(m_before), s = m_equations.stabilization(m_accelerations);
-    Vector free = base.transpose() * (flat(m_velocities) - known);
-    m_iterations +=
-        m_solver.solve(base.transpose() * (f - a * known), s - b * known, free, m_pressures);
+    Vector v = flat(m_velocities) - known;
+    m_iterations += m_solver.solve(f - system.multiply_a(known), s - system.b * known, v,
+                                   m_pressures, accuracy);
     ++m_solutions;
-    const Vector v = known + base * free;
-    m_reactions = a * v - b.transpose() * m_pressures - f;
+    v += known;
+    m_reactions = system.multiply_a(v) - system.b.transpose() * m_pressures - f;
     for (std::size_t i = 0; i < m_velocities.size(); ++i)
       m_velocities[i] = v.segment<3>(3 * Eigen::Index(i));
+  }
+
+  // What is factorized for the first geometry is good enough for the others.
+  void assemble_constraints() {
+    m_constraints = Vertex_constraints_3(m_positions.size());
+    for (std::size_t v = 0; v < m_positions.size(); ++v)
+      for (int axis = 0; axis < 3; ++axis)
+        if (Boundary_class::fixes(m_mesh.vertices[v]->boundary_class(), axis))
+          m_constraints.add(v, {Eigen::Vector3d::Unit(axis), 0});
+    m_contacts.constrain(m_constraints);
+    m_constraints.close();
+    Saddle_point_system system = m_equations.system();
+    system.held = m_constraints.held();
+    if (m_is_factorized)
+      m_solver.update(std::move(system));
+    else
+      m_solver.factorize(std::move(system), m_number_of_threads);
+    m_is_factorized = m_is_assembled = true;
   }
 
   static Vector flat(const Vectors_3& vectors) {
@@ -209,6 +216,8 @@ private:
   const Mesh& m_mesh;
   const Fluid_properties_3& m_properties;
   Solver& m_solver;
+  unsigned m_number_of_threads;
+  For_each_index m_for_each;
   typename Equations::Step m_step;
   double m_begin, m_end; // time
   Vectors_3 m_positions, m_before, m_accelerations, m_velocities, m_unstopped_velocities,
@@ -217,7 +226,7 @@ private:
   Equations m_equations;
   Contacts m_contacts;
   Vertex_constraints_3 m_constraints{0};
-  bool m_is_factorized = false, m_is_settled = false;
+  bool m_is_factorized = false, m_is_assembled = false, m_is_settled = false;
   unsigned m_iterations = 0, m_solutions = 0;
 };
 

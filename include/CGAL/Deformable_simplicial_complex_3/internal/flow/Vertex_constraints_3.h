@@ -5,10 +5,9 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_VERTEX_CONSTRAINTS_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_VERTEX_CONSTRAINTS_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_mesh_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/Saddle_point_system.h>
 
 #include <Eigen/Dense>
-#include <Eigen/SparseCore>
 
 #include <cstddef>
 #include <vector>
@@ -17,8 +16,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What is known of the velocities of vertices: v = prescribed + T w, with the columns of T an
-// orthonormal base of what is free.
+// What is known of the velocities of vertices: they are what is prescribed, and P v = v more, with
+// P projections onto what is free.
 class Vertex_constraints_3
 {
 public:
@@ -37,47 +36,37 @@ public:
 
   // To be called after the last `add()`.
   void close() {
+    // The same direction may be known twice, as where two walls touch.
+    static constexpr double parallel = 1e-6;
     m_prescribed = Eigen::VectorXd::Zero(3 * Eigen::Index(m_known.size()));
-    std::vector<Eigen::Triplet<double>> entries;
-    Eigen::Index column = 0;
+    m_held.clear();
     for (std::size_t v = 0; v < m_known.size(); ++v) {
-      const Eigen::Index row = 3 * Eigen::Index(v);
-      Eigen::Matrix3d base = Eigen::Matrix3d::Identity();
-      Eigen::Index fixed = 0;
-      if (!m_known[v].empty()) {
-        // The same direction may be known twice, as where two walls touch.
-        static constexpr double parallel = 1e-6;
-        Eigen::MatrixXd directions(3, m_known[v].size());
-        Eigen::VectorXd velocities(m_known[v].size());
-        for (std::size_t i = 0; i < m_known[v].size(); ++i) {
-          directions.col(Eigen::Index(i)) = m_known[v][i].direction;
-          velocities(Eigen::Index(i)) = m_known[v][i].velocity;
-        }
-        Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
-        qr.setThreshold(parallel);
-        qr.compute(directions);
-        fixed = qr.rank();
-        base = qr.householderQ() * Eigen::Matrix3d::Identity();
-        const Eigen::MatrixXd known = base.leftCols(fixed);
-        m_prescribed.segment<3>(row) =
-            known * (directions.transpose() * known).colPivHouseholderQr().solve(velocities);
+      if (m_known[v].empty())
+        continue;
+      Eigen::MatrixXd directions(3, m_known[v].size());
+      Eigen::VectorXd velocities(m_known[v].size());
+      for (std::size_t i = 0; i < m_known[v].size(); ++i) {
+        directions.col(Eigen::Index(i)) = m_known[v][i].direction;
+        velocities(Eigen::Index(i)) = m_known[v][i].velocity;
       }
-      for (Eigen::Index k = fixed; k < 3; ++k, ++column)
-        for (Eigen::Index i = 0; i < 3; ++i)
-          if (base(i, k) != 0)
-            entries.emplace_back(row + i, column, base(i, k));
+      Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
+      qr.setThreshold(parallel);
+      qr.compute(directions);
+      const Eigen::Matrix3d base = qr.householderQ() * Eigen::Matrix3d::Identity();
+      const Eigen::MatrixXd known = base.leftCols(qr.rank()), free = base.rightCols(3 - qr.rank());
+      m_prescribed.segment<3>(3 * Eigen::Index(v)) =
+          known * (directions.transpose() * known).colPivHouseholderQr().solve(velocities);
+      m_held.push_back({Eigen::Index(v), free * free.transpose()});
     }
-    m_base = Eigen::SparseMatrix<double>(m_prescribed.size(), column);
-    m_base.setFromTriplets(entries.begin(), entries.end());
   }
 
   const Eigen::VectorXd& prescribed() const { return m_prescribed; }
-  const Eigen::SparseMatrix<double>& base() const { return m_base; }
+  const std::vector<Saddle_point_system::Held_velocity>& held() const { return m_held; }
 
 private:
   std::vector<std::vector<Known>> m_known;
   Eigen::VectorXd m_prescribed;
-  Eigen::SparseMatrix<double> m_base; // T
+  std::vector<Saddle_point_system::Held_velocity> m_held;
 };
 
 } // namespace internal

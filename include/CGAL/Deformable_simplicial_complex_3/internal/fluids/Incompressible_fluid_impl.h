@@ -26,7 +26,7 @@ auto Incompressible_fluid<Complex, Solver>::advance(double dt, const NamedParame
   if (chosen.adaptation_interval > 0 && m_steps % chosen.adaptation_interval == 0)
     adapt(chosen.interface_tolerance, np, report);
   if (!m_knows_accelerations)
-    make_admissible(dt, report);
+    make_admissible(dt, chosen.number_of_threads, report);
   step(dt, m_time + dt, chosen.implicitness, std::numeric_limits<double>::infinity(), np, report);
   ++m_steps;
   m_damped_steps -= m_damped_steps > 0;
@@ -108,6 +108,7 @@ template <class NamedParameters>
 void Incompressible_fluid<Complex, Solver>::step(double dt, double end, double implicitness,
                                                  double longest_way, const NamedParameters& np,
                                                  Report& report) {
+  const unsigned number_of_threads = options(np).number_of_threads;
   const Flow flow(*this, m_properties);
   report.dt = dt;
   report.time = end;
@@ -120,7 +121,7 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, double i
   }
   const auto begin_of_solver = Clock::now();
   Step step(flow.mesh, m_properties, m_solids, m_complex, m_solver, {dt, implicitness}, m_time, end,
-            flow.positions, flow.velocities, flow.accelerations);
+            flow.positions, flow.velocities, flow.accelerations, number_of_threads);
   step.solve(m_knows_accelerations);
   report.seconds_of_solver += seconds_since(begin_of_solver);
 
@@ -138,12 +139,10 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, double i
   report.moved = flow.balance(*this, destinations, after, m_time);
   note_momenta(flow, [&](const internal::Masses_3& masses) { return step.final_momentum(masses); });
   auto events = std::move(report.deformation.events); // of the adaptation
-  report.deformation = move(flow.mesh, step.contacts(), destinations, np);
+  report.deformation = move(flow, step.contacts(), destinations, np);
   events.insert(events.end(), report.deformation.events.begin(), report.deformation.events.end());
   report.deformation.events = std::move(events);
-  report.lost_volume += follow_parts();
-  restore_volumes(np, report);
-  report.greatest_correction = (std::max)(report.greatest_correction, restore_momenta());
+  const Flow last = settle(np, report);
 
   report.solutions += step.solutions();
   report.iterations += step.iterations();
@@ -156,16 +155,28 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, double i
     report.greatest_change_of_velocity =
         (std::max)(report.greatest_change_of_velocity, (after[v] - flow.velocities[v]).norm());
   }
-  const Flow last(*this, m_properties);
   report.after = last.balance(*this, last.positions, last.velocities, m_time);
   m_motion.keep(last.mesh.vertices);
-  report.depth_in_solids = depth_in_solids();
+  report.depth_in_solids = last.depth_in_solids(*this);
+}
+
+// Gives parts what they own, after changes of the mesh. Returns what is then.
+template <class Complex, class Solver>
+template <class NamedParameters>
+auto Incompressible_fluid<Complex, Solver>::settle(const NamedParameters& np, Report& report)
+    -> Flow {
+  Flow result(*this, m_properties);
+  report.lost_volume += follow_parts(result);
+  restore_volumes(result, np, report);
+  report.greatest_correction = (std::max)(report.greatest_correction, restore_momenta(result));
+  return result;
 }
 
 // Given velocities may change volumes and enter walls: the nearest ones that do not, as masses
 // weigh them, are those of a step in which nothing but pressure acts.
 template <class Complex, class Solver>
-void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, Report& report) {
+void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, unsigned number_of_threads,
+                                                            Report& report) {
   Properties inviscid;
   for (const auto& [label, liquid] : m_properties.liquids())
     inviscid.set_liquid(label, {liquid.density, 0});
@@ -174,7 +185,7 @@ void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, Report& r
                   [](const Eigen::Vector3d& v) { return v.isZero(0); }))
     return;
   Step step(flow.mesh, inviscid, m_solids, m_complex, m_solver, {dt, 1}, m_time, m_time + dt,
-            flow.positions, flow.velocities, flow.accelerations);
+            flow.positions, flow.velocities, flow.accelerations, number_of_threads);
   const auto begin = Clock::now();
   step.solve(true);
   report.seconds_of_solver += seconds_since(begin);
@@ -185,32 +196,28 @@ void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, Report& r
     m_motion.set(flow.mesh.vertices[v], velocities[v], Eigen::Vector3d::Zero());
   note_momenta(flow,
                [&](const internal::Masses_3& masses) { return step.pushed_momentum(masses); });
-  restore_momenta();
+  Flow projected(*this, m_properties);
+  restore_momenta(projected);
 }
 
 template <class Complex, class Solver>
 double Incompressible_fluid<Complex, Solver>::largest_step(double part) const {
-  const Flow flow(*this, m_properties);
   double result = std::numeric_limits<double>::infinity();
-  for (std::size_t v = 0; v < flow.positions.size(); ++v) {
-    const double length = part * edge_at(flow.mesh.vertices[v]),
-                 velocity = flow.velocities[v].norm(), acceleration = flow.accelerations[v].norm();
+  for (Vertex_handle v : m_complex.finite_vertices()) {
+    const auto motion = m_motion.at(v->time_stamp());
+    double velocity = 0, acceleration = 0; // squares
+    for (int axis = 0; axis < 3; ++axis)
+      if (!Boundary_class::fixes(v->boundary_class(), axis)) {
+        velocity += square(motion(axis));
+        acceleration += square(motion(3 + axis));
+      }
+    const double length = part * edge_at(v);
     // length = velocity t + acceleration t^2 / 2
     if (velocity > 0 || acceleration > 0)
-      result = (std::min)(
-          result,
-          2 * length / (velocity + std::sqrt(velocity * velocity + 2 * acceleration * length)));
+      result = (std::min)(result, 2 * length /
+                                      (std::sqrt(velocity) +
+                                       std::sqrt(velocity + 2 * std::sqrt(acceleration) * length)));
   }
-  return result;
-}
-
-template <class Complex, class Solver>
-double Incompressible_fluid<Complex, Solver>::depth_in_solids() const {
-  const Flow flow(*this, m_properties);
-  const Contacts contacts(flow.mesh, m_solids, m_complex, flow.positions, m_time);
-  double result = 0;
-  for (std::size_t v = 0; v < flow.positions.size(); ++v)
-    result = (std::max)(result, contacts.depth(v, flow.positions[v], m_time));
   return result;
 }
 
@@ -233,7 +240,7 @@ auto Incompressible_fluid<Complex, Solver>::state() const -> State {
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
   const auto vertices = m_complex.vertices();
-  const auto present = Ledger::measure(updated_complex(), m_properties);
+  const auto present = Flow(*this, m_properties).volumes();
   bool fits = state.motion.size() == vertices.size() && state.volumes.size() == present.size() &&
               std::isfinite(state.time);
   const Ledger::Volumes volumes(state.volumes.begin(), state.volumes.end());
@@ -264,13 +271,13 @@ auto Incompressible_fluid<Complex, Solver>::options(const NamedParameters& np) c
   namespace tags = internal_np;
   using Defaults = internal::defaults::Adaptive_advection<3>;
   internal::deformation_options(m_complex, np); // throws before anything is changed
-  internal::count_parameter(np, tags::number_of_threads, "number_of_threads",
-                            internal::defaults::number_of_threads);
   const Options result = {
       internal::number_parameter(np, tags::implicitness, internal::defaults::implicitness),
       internal::number_parameter(np, tags::interface_tolerance, Defaults::interface_tolerance),
       internal::count_parameter(np, tags::adaptation_interval, "adaptation_interval",
-                                Defaults::adaptation_interval)};
+                                Defaults::adaptation_interval),
+      internal::count_parameter(np, tags::number_of_threads, "number_of_threads",
+                                internal::defaults::number_of_threads)};
   if (!(result.implicitness >= .5 && result.implicitness <= 1))
     throw Error("the implicitness is out of range: use 0.5 to 1");
   if (!(result.interface_tolerance >= 0))
@@ -316,9 +323,7 @@ void Incompressible_fluid<Complex, Solver>::adapt(double tolerance, const NamedP
     result =
         result +
         improve_mesh(m_complex, parameters::quality_threshold(quality).visitor(std::ref(carried)));
-  report.lost_volume += follow_parts();
-  restore_volumes(np, report);
-  report.greatest_correction = (std::max)(report.greatest_correction, restore_momenta());
+  settle(np, report);
 }
 
 template <class Complex, class Solver>
@@ -331,11 +336,12 @@ void Incompressible_fluid<Complex, Solver>::store(const Flow& flow, const Vector
 
 template <class Complex, class Solver>
 template <class NamedParameters>
-Deformation_report<Complex> Incompressible_fluid<Complex, Solver>::move(const Mesh& mesh,
+Deformation_report<Complex> Incompressible_fluid<Complex, Solver>::move(const Flow& flow,
                                                                         const Contacts& contacts,
                                                                         const Vectors& destinations,
                                                                         const NamedParameters& np) {
-  const Part_interface parts(m_complex, m_properties);
+  const Mesh& mesh = flow.mesh;
+  const Part_interface parts(m_complex, m_properties, flow.volumes());
   // The numbers of the mesh again, which the interface has overwritten.
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
     mesh.vertices[v]->set_scratch_index(std::uint32_t(v));
@@ -358,12 +364,12 @@ Deformation_report<Complex> Incompressible_fluid<Complex, Solver>::move(const Me
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
     if (!mesh.is_on_interface[i])
       inside.emplace(mesh.vertices[i]->time_stamp(), point(destinations[i]));
-  const auto flow = [&inside](Vertex_handle v) {
+  const auto inner_flow = [&inside](Vertex_handle v) {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     const auto found = inside.find(v->time_stamp());
     return found != inside.end() ? found->second : Approximate_point(unknown, unknown, unknown);
   };
-  return deform_followed(parts.snapshot(), to, np.flow(flow));
+  return deform_followed(parts.snapshot(), to, np.flow(inner_flow));
 }
 
 // Carries velocities. If it throws, parts are still those of the ledger.
@@ -376,7 +382,7 @@ Deformation_report<Complex> Incompressible_fluid<Complex, Solver>::deform_follow
   try {
     return deform_interface_to(m_complex, interface_, to, np.visitor(std::ref(carried)));
   } catch (...) {
-    follow_parts();
+    follow_parts(Flow(*this, m_properties));
     throw;
   }
 }
@@ -384,17 +390,18 @@ Deformation_report<Complex> Incompressible_fluid<Complex, Solver>::deform_follow
 // Where changes of the mesh have altered them.
 template <class Complex, class Solver>
 template <class NamedParameters>
-void Incompressible_fluid<Complex, Solver>::restore_volumes(const NamedParameters& np,
+void Incompressible_fluid<Complex, Solver>::restore_volumes(Flow& flow, const NamedParameters& np,
                                                             Report& report) {
   static constexpr double rounding = 1e-14;
   static constexpr int rounds = 3;
   for (int k = 0; k <= rounds; ++k) {
-    report.volume_error = Part_interface(updated_complex(), m_properties).error(m_ledger.volumes());
+    report.volume_error = m_ledger.error(flow.volumes());
     if (k == 0)
       report.volume_correction = (std::max)(report.volume_correction, report.volume_error);
-    if (k == rounds || (report.volume_error <= rounding && !(depth_in_solids() > 0)))
+    if (k == rounds || (report.volume_error <= rounding && !(flow.depth_in_solids(*this) > 0)))
       break;
     move_interface(coordinates_of_interface(), np, report);
+    flow = Flow(*this, m_properties);
   }
 }
 
@@ -405,13 +412,14 @@ template <class NamedParameters>
 void Incompressible_fluid<Complex, Solver>::move_interface(const Eigen::VectorXd& coordinates,
                                                            const NamedParameters& np,
                                                            Report& report) {
-  const Mesh mesh(updated_complex(), m_properties);
-  Vectors positions = mesh.positions(m_complex);
+  const Flow flow(*this, m_properties);
+  const Mesh& mesh = flow.mesh;
+  Vectors positions = flow.positions;
   const Contacts contacts(mesh, m_solids, m_complex, positions, m_time);
   std::unordered_map<std::size_t, std::size_t> number; // in the mesh, by time stamp
   for (std::size_t v = 0; v < positions.size(); ++v)
     number.emplace(mesh.vertices[v]->time_stamp(), v);
-  const Part_interface parts(m_complex, m_properties);
+  const Part_interface parts(m_complex, m_properties, flow.volumes());
   const auto& vertices = parts.snapshot().vertices;
   for (std::size_t k = 0; k < vertices.size(); ++k)
     if (const auto found = number.find(vertices[k]->time_stamp()); found != number.end())
@@ -434,7 +442,7 @@ void Incompressible_fluid<Complex, Solver>::move_interface(const Eigen::VectorXd
       np.quality_threshold(0.).relabeling_threshold(0.).minimum_angle(0.).minimum_facet_angle(0.));
   auto& events = report.deformation.events;
   events.insert(events.end(), deformation.events.begin(), deformation.events.end());
-  report.lost_volume += follow_parts();
+  report.lost_volume += follow_parts(Flow(*this, m_properties));
 }
 
 // Those of parts that touch, together.
@@ -461,16 +469,14 @@ void Incompressible_fluid<Complex, Solver>::note_momenta(const Flow& flow,
 
 // Returns the volume of parts that are gone.
 template <class Complex, class Solver>
-double Incompressible_fluid<Complex, Solver>::follow_parts() {
-  const auto lineage = m_complex.take_component_lineage(); // which brings components up to date
-  return m_ledger.follow(lineage, Ledger::measure(m_complex, m_properties));
+double Incompressible_fluid<Complex, Solver>::follow_parts(const Flow& now) {
+  return m_ledger.follow(m_complex.take_component_lineage(), now.volumes());
 }
 
 // Gives parts the momenta that they own by a rigid motion. Returns the greatest change of a
 // velocity.
 template <class Complex, class Solver>
-double Incompressible_fluid<Complex, Solver>::restore_momenta() {
-  const Flow flow(*this, m_properties);
+double Incompressible_fluid<Complex, Solver>::restore_momenta(Flow& flow) {
   // Of parts that touch by now, together, as their vertices are the same.
   internal::Number_groups sets(m_ledger.momenta().size());
   std::vector<std::size_t> set_of_vertex(flow.positions.size(), sets.size());
@@ -505,6 +511,7 @@ double Incompressible_fluid<Complex, Solver>::restore_momenta() {
     result = (std::max)(result, (velocities[v] - flow.velocities[v]).norm());
     m_motion.set(flow.mesh.vertices[v], velocities[v], flow.accelerations[v]);
   }
+  flow.velocities.swap(velocities);
   return result;
 }
 

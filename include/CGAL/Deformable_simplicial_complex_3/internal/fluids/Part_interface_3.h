@@ -10,7 +10,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Volume_changer.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -29,9 +28,10 @@ public:
   using Points = std::vector<Point>;
   using Volumes = Part_ledger_3::Volumes;
 
-  // \pre components are up to date
-  Part_interface_3(const Complex& complex, const Fluid_properties_3& properties)
-      : m_snapshot(complex), m_present(Part_ledger_3::measure(complex, properties)) {
+  // With the volumes of now. \pre components are up to date
+  Part_interface_3(const Complex& complex, const Fluid_properties_3& properties,
+                   const Volumes& present)
+      : m_snapshot(complex), m_present(present) {
     const auto part = [&](typename Complex::Cell_handle c) {
       return properties.liquid(c->label()) ? int(c->component()) : void_part;
     };
@@ -43,14 +43,6 @@ public:
   }
 
   const Snapshot& snapshot() const { return m_snapshot; }
-
-  // By how much parts are off, the most, relative to what they are to have.
-  double error(const Volumes& wanted) const {
-    double result = 0;
-    for (const auto& [part, volume] : wanted)
-      result = (std::max)(result, std::abs(m_present.at(part) - volume) / volume);
-    return result;
-  }
 
   // Moves positions, to which vertices are to go, along normals so that parts have the volumes that
   // they are to have: equally far for each part, but for vertices that are held.

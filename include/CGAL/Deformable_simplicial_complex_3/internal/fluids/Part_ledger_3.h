@@ -5,9 +5,10 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_PART_LEDGER_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_PART_LEDGER_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Fluid_properties_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Body_momenta_3.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -49,18 +50,28 @@ public:
   using Volumes = std::map<Part, double>;
   using Lineage = std::vector<std::pair<Part, Part>>; // parts then and now with common cells
 
-  // Of liquids as they are. \pre components are up to date
-  template <class Complex>
-  static Volumes measure(const Complex& complex, const Fluid_properties_3& properties) {
+  // Of liquids as they are.
+  template <class Mesh> static Volumes measure(const Mesh& mesh, const Vectors_3& positions) {
     Volumes result;
-    for (auto c : complex.cells())
-      if (properties.liquid(c->label()))
-        result[c->component()] += complex.measure(c);
+    auto last = result.end(); // most cells are of the component of the one before
+    for (const auto& cell : mesh.cells) {
+      if (last == result.end() || last->first != cell.component)
+        last = result.emplace(cell.component, 0.).first;
+      last->second += volume(cell, positions);
+    }
     return result;
   }
 
   const Volumes& volumes() const { return m_volumes; }
   void set_volumes(const Volumes& volumes) { m_volumes = volumes; }
+
+  // By how much parts are off, the most, relative to what they are to have.
+  double error(const Volumes& present) const {
+    double result = 0;
+    for (const auto& [part, volume] : m_volumes)
+      result = (std::max)(result, std::abs(present.at(part) - volume) / volume);
+    return result;
+  }
 
   // By set, and the set of each part by its number.
   void set_momenta(std::vector<Momentum_3> momenta, const std::vector<std::size_t>& set_of_part) {

@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_MINIMAL_RESIDUALS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_MINIMAL_RESIDUALS_H
+
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+constexpr Eigen::Index block_size = 8192; // entries, which fit caches
+
+inline std::size_t number_of_blocks(Eigen::Index n) {
+  return std::size_t((n + block_size - 1) / block_size);
+}
+
+// Calls `f(begin, size)` for blocks of n entries, the same ones for any number of threads.
+template <class Function>
+void for_each_block(const For_each_index& for_each, Eigen::Index n, const Function& f) {
+  for_each(
+      number_of_blocks(n),
+      [&](std::size_t k) {
+        const Eigen::Index begin = Eigen::Index(k) * block_size;
+        f(begin, (std::min)(block_size, n - begin));
+      },
+      2);
+}
+
+// The sum of what it returns, to the same bits.
+template <class Function>
+double sum_of_blocks(const For_each_index& for_each, Eigen::Index n, const Function& f) {
+  std::vector<double> parts(number_of_blocks(n));
+  for_each_block(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
+    parts[std::size_t(begin / block_size)] = f(begin, size);
+  });
+  return std::accumulate(parts.begin(), parts.end(), 0.);
+}
+
+// Solves a symmetric system by the method of minimal residuals, x being a guess first (C. C. Paige
+// and M. A. Saunders, "Solution of sparse indefinite systems of linear equations", SIAM J. Numer.
+// Anal. 12, 1975). `multiply(in, out)`, and `precondition(in, out)` by a positive definite matrix,
+// in whose norm the residual is to be a part of the right side. Returns the number of iterations.
+// \throws Error if it does not converge
+template <class Multiply, class Precondition>
+unsigned minimal_residuals(const For_each_index& for_each, const Multiply& multiply,
+                           const Precondition& precondition, const Eigen::VectorXd& right,
+                           double tolerance, Eigen::VectorXd& x) {
+  using Vector = Eigen::VectorXd;
+  static constexpr unsigned most = 3000;
+  const Eigen::Index n = right.size();
+  const auto dot = [&](const Vector& a, const Vector& b) {
+    return sum_of_blocks(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
+      return a.segment(begin, size).dot(b.segment(begin, size));
+    });
+  };
+  Vector z(n), q(n), next(n), w(Vector::Zero(n)), w_before(w);
+  precondition(right, z);
+  const double bound = tolerance * std::sqrt(dot(right, z));
+  multiply(x, next);
+  Vector r = right - next, r_before = r;
+  precondition(r, z);
+  double beta = std::sqrt(dot(r, z)), beta_before = 1, eta = beta;
+  double cosine = -1, sine = 0, epsilon = 0, delta_bar = 0;
+  unsigned k = 0;
+  // By the names of Paige and Saunders: r are Lanczos' vectors, not normalized.
+  while (!(std::abs(eta) <= bound)) { // nor for what is no number
+    if (++k > most)
+      throw Error("the equations of the flow cannot be solved by iterations: cells may be too "
+                  "flat, or the step too long");
+    q = z / beta;
+    multiply(q, next);
+    const double back = k > 1 ? beta / beta_before : 0;
+    const double alpha = sum_of_blocks(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
+      auto part = next.segment(begin, size);
+      part -= back * r_before.segment(begin, size);
+      return q.segment(begin, size).dot(part);
+    });
+    r_before.swap(r);
+    for_each_block(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
+      r.segment(begin, size) =
+          next.segment(begin, size) - alpha / beta * r_before.segment(begin, size);
+    });
+    precondition(r, z);
+    beta_before = beta;
+    beta = std::sqrt((std::max)(0., dot(r, z)));
+    const double epsilon_before = epsilon, delta = cosine * delta_bar + sine * alpha,
+                 gamma_bar = sine * delta_bar - cosine * alpha;
+    epsilon = sine * beta;
+    delta_bar = -cosine * beta;
+    const double gamma = std::hypot(gamma_bar, beta);
+    cosine = gamma_bar / gamma;
+    sine = beta / gamma;
+    const double phi = cosine * eta;
+    eta *= sine;
+    w_before.swap(w);
+    for_each_block(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
+      auto part = w.segment(begin, size);
+      part =
+          (q.segment(begin, size) - epsilon_before * part - delta * w_before.segment(begin, size)) /
+          gamma;
+      x.segment(begin, size) += phi * part;
+    });
+    if (!(beta > 0))
+      break;
+  }
+  return k;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_MINIMAL_RESIDUALS_H
