@@ -2,7 +2,7 @@
 """Compares scenes of `dsc fluid` with exact solutions and prints a row of a table for each.
 
 Usage: fluids.py DSC [--data DIR] [PART...], of droplets, decay, rest, waves, jets, sessile, sloshing,
-dam, bubble, figures, speed, subdivision. Scenes are those of the program with the changes that the rows name;
+dam, bubble, breathing, figures, speed, subdivision. Scenes are those of the program with the changes that the rows name;
 figures need the meshes bunny00.off and armadillo.off of CGAL in DIR.
 """
 
@@ -364,6 +364,24 @@ def bubble(dsc):
               flush=True)
 
 
+def breathing(dsc):
+    found = run(dsc, "breathing", lambda scene: None)
+    volumes = [(s["time"], s["gases"][1]["volume"]) for s in found]
+    gas, liquid = found[0]["gases"][1], found[0]["volume"]
+    # About the volume at the pressure of the air around, with the mass of a shell (M. Minnaert, 1933).
+    rest = gas["volume"] * gas["pressure"] ** (1 / 1.4)
+    r, s = (3 * rest / (4 * math.pi)) ** (1 / 3), (3 * (rest + liquid) / (4 * math.pi)) ** (1 / 3)
+    exact = math.sqrt(3 * 1.4 / (r * r * (1 - r / s)))
+    w, _ = damped_oscillation([t for t, _ in volumes], [v for _, v in volumes], exact)
+    energies = [s["energy"] - found[0]["energy"] for s in found]
+    kinetic = greatest(found, "kinetic_energy")
+    print("| bubble in a ball | frequency | exact, for small amplitudes | error (%) | energy, greatest change, "
+          "of the kinetic one (%) |")
+    print("| --- " * 5 + "|")
+    print(f"| amplitude {volumes[0][1] / rest - 1:.3f} of the volume | {w:.4f} | {exact:.4f} | "
+          f"{100 * (w / exact - 1):.2f} | {100 * max(map(abs, energies)) / kinetic:.2f} |", flush=True)
+
+
 def figures(dsc):
     print("| scene | steps | time | volume, change | energy, greatest rise in a step (%) | momentum, "
           "change | angular momentum, change | correction of velocities over their change | depth in "
@@ -445,7 +463,7 @@ def subdivision(dsc):
 def main():
     global data
     parts = {"droplets": droplets, "decay": decay, "rest": rest, "waves": waves, "jets": jets,
-             "sessile": sessile, "sloshing": sloshing, "dam": dam, "bubble": bubble,
+             "sessile": sessile, "sloshing": sloshing, "dam": dam, "bubble": bubble, "breathing": breathing,
              "figures": figures, "speed": speed, "subdivision": subdivision}
     dsc, *wanted = sys.argv[1:]
     if wanted and wanted[0] == "--data":

@@ -14,6 +14,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_step_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fixed_point_accelerator.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_motion_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Gas_ledger_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Part_interface_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Part_ledger_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>
@@ -68,6 +69,8 @@ struct Fluid_state_3
   std::vector<std::array<double, 6>> motion; ///< velocities and accelerations of finite vertices,
                                              ///< by time stamp
   std::vector<std::pair<std::uint32_t, double>> volumes; ///< that components are to have
+  std::vector<std::pair<std::uint32_t, double>> gases;   ///< pressure times volume^exponent of
+                                                         ///< components
 };
 
 /*!
@@ -121,6 +124,7 @@ public:
                       : "liquids fill the domain and have no surface that could move");
     m_complex.take_component_lineage();
     m_ledger.set_volumes(flow.volumes());
+    m_gas_ledger.set_bodies(Gas_ledger::measure(flow.mesh, m_properties));
   }
 
   /// Not to be copied.
@@ -136,6 +140,14 @@ public:
     m_solids.push_back(
         {[solid](const Point& p, double t, std::vector<Wall>& walls) { solid.walls(p, t, walls); },
          std::cos(behavior.contact_angle * CGAL_PI / 180), behavior.sticks, behavior.separates});
+  }
+
+  /// Sets sources: `divergence_at(point, time)`, of `Point` and `double`, is what a unit of volume
+  /// of liquid gains there in a unit of time, with the velocity that it has there: inflow if
+  /// positive, outflow if negative. It counts in the middle of each cell, half-way in each step. To
+  /// be set again after `restore()`.
+  template <class DivergenceAt> void set_sources(const DivergenceAt& divergence_at) {
+    m_source = divergence_at;
   }
 
   /// Sets the velocities of all vertices: `velocity_at(v)` is a `Vector`. The next step begins with
@@ -166,6 +178,16 @@ public:
   Balance balance() const {
     const Flow flow(*this, m_properties);
     return flow.balance(*this, flow.positions, flow.velocities, m_time);
+  }
+  /// The connected parts of gases, by component. n log n.
+  std::vector<Fluid_gas_3> gases() const {
+    const Flow flow(*this, m_properties);
+    const auto bodies = m_gas_ledger.bodies_of(flow.mesh);
+    std::vector<Fluid_gas_3> result;
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      result.push_back({flow.mesh.gases[k].component, flow.mesh.gases[k].label, bodies[k].volume,
+                        bodies[k].pressure()});
+    return result;
   }
   /// The volumes that the connected parts of liquids are to have, by `Complex::component()`.
   const std::map<std::uint32_t, double>& volumes() const { return m_ledger.volumes(); }
@@ -258,6 +280,7 @@ private:
   using Mesh = internal::Fluid_mesh_3<Complex>;
   using Vectors = internal::Vectors_3;
   using Ledger = internal::Part_ledger_3;
+  using Gas_ledger = internal::Gas_ledger_3;
   using Wall = Wall_3;
   using Part_interface = internal::Part_interface_3<Complex>;
   using Contacts = internal::Wall_contacts_3<Complex>;
@@ -285,8 +308,14 @@ private:
     Balance balance(const Incompressible_fluid& fluid, const Vectors& at, const Vectors& with,
                     double time) const {
       const Contacts contacts(mesh, fluid.m_solids, fluid.m_complex, at, time);
-      return internal::balance(mesh, fluid.m_properties, at, with,
-                               [&](std::size_t f) { return contacts.tension(mesh.facets[f]); });
+      Balance result = internal::balance(mesh, fluid.m_properties, at, with, [&](std::size_t f) {
+        return contacts.tension(mesh.facets[f]);
+      });
+      const auto gases = fluid.m_gas_ledger.bodies_of(mesh);
+      const auto volumes = internal::volumes_of_gases(mesh, gases, positions, at);
+      for (std::size_t k = 0; k < gases.size(); ++k)
+        result.gas_energy += gases[k].energy(volumes[k]);
+      return result;
     }
 
     typename Ledger::Volumes volumes() const { return Ledger::measure(mesh, positions); }
@@ -370,7 +399,9 @@ private:
   Solver m_solver;
   typename Contacts::Solids m_solids;
   internal::Fluid_motion_3 m_motion;
+  typename Step::Source m_source;
   Ledger m_ledger; // of connected parts
+  Gas_ledger m_gas_ledger;
   double m_time = 0;
   std::uint64_t m_steps = 0;
   std::uint32_t m_damped_steps = 0;

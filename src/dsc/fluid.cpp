@@ -43,6 +43,7 @@ Json balance_json(const Fluid::Balance& balance) {
           {"kinetic_energy", balance.kinetic_energy},
           {"potential_energy", balance.potential_energy},
           {"surface_energy", balance.surface_energy},
+          {"gas_energy", balance.gas_energy},
           {"momentum", vector_json(balance.momentum)},
           {"angular_momentum", vector_json(balance.angular_momentum)}};
 }
@@ -197,12 +198,20 @@ Json parts_json(const Fluid& fluid) {
   return result;
 }
 
+Json gases_json(const Fluid& fluid) {
+  Json result = Json::array();
+  for (const auto& gas : fluid.gases())
+    result.push_back({{"label", gas.label}, {"volume", gas.volume}, {"pressure", gas.pressure}});
+  return result;
+}
+
 Json step_json(const Fluid& fluid, const Fluid_scene& scene, unsigned step,
                const std::optional<Fluid::Report>& report) {
   const Complex& complex = fluid.complex();
   Json json = {{"step", step}, {"time", fluid.time()}};
   json.update(balance_json(fluid.balance()));
   json["parts"] = parts_json(fluid);
+  json["gases"] = gases_json(fluid);
   json["extent"] = extent_json(complex);
   json["probes"] = probes_json(scene, complex);
   json["vertices"] = complex.number_of_vertices();
@@ -221,6 +230,7 @@ Json step_json(const Fluid& fluid, const Fluid_scene& scene, unsigned step,
                {"volume_correction", report->volume_correction},
                {"volume_error", report->volume_error},
                {"lost_volume", report->lost_volume},
+               {"gained_volume", report->gained_volume},
                {"energy_before", report->before.energy()},
                {"energy_moved", report->moved.energy()},
                {"contacts", report->contacts},
@@ -247,7 +257,8 @@ Json state_json(const Fluid::State& state) {
           {"damped_steps", state.damped_steps},
           {"knows_accelerations", state.knows_accelerations},
           {"motion", state.motion},
-          {"volumes", state.volumes}};
+          {"volumes", state.volumes},
+          {"gases", state.gases}};
 }
 
 Fluid::State state_of(const Json& json) {
@@ -258,6 +269,7 @@ Fluid::State state_of(const Json& json) {
   state.knows_accelerations = json.at("knows_accelerations");
   state.motion = json.at("motion").get<std::vector<std::array<double, 6>>>();
   state.volumes = json.at("volumes").get<std::vector<std::pair<std::uint32_t, double>>>();
+  state.gases = json.at("gases").get<std::vector<std::pair<std::uint32_t, double>>>();
   return state;
 }
 
@@ -350,6 +362,7 @@ int execute(const Fluid_options& options) {
   const auto begin = Clock::now();
   Run run = options.resume.empty() ? start(options) : resume(options);
   Fluid& fluid = *run.fluid;
+  run.complex->velocity_at = [&fluid](Complex::Vertex_handle v) { return fluid.velocity(v); };
   const double end = options.end > 0 ? options.end : run.scene.end;
   if (folder && !options.resume.empty())
     folder->keep_until(fluid.time());

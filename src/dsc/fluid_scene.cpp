@@ -88,19 +88,49 @@ std::string read_velocity(Json_fields& liquid) {
   return result;
 }
 
+/// Of a liquid or gas.
+int read_label(Json_fields& filling, bool is_surroundings, std::size_t otherwise) {
+  if (is_surroundings)
+    return 0;
+  const auto result = int(filling.count("label", otherwise));
+  if (result == 0)
+    filling.refuse("label", "0 is what is around all others: use the shape surroundings");
+  return result;
+}
+
 Scene_liquid read_liquid(Json_fields liquid, std::size_t index) {
   Scene_liquid result;
   bool is_surroundings = false;
   result.shape = read_shape(liquid, is_surroundings);
-  result.label = is_surroundings ? 0 : int(liquid.count("label", index + 1));
-  if (!is_surroundings && result.label == 0)
-    liquid.refuse("label", "0 is what is around all liquids");
+  result.label = read_label(liquid, is_surroundings, index + 1);
   result.density = liquid.positive("density");
   result.viscosity = liquid.number("viscosity", 0);
   if (result.viscosity < 0)
     liquid.refuse("viscosity", "0 or more is needed");
   result.velocity = read_velocity(liquid);
   liquid.close();
+  return result;
+}
+
+Scene_gas read_gas(Json_fields gas, std::size_t index) {
+  Scene_gas result;
+  bool is_surroundings = false;
+  result.shape = read_shape(gas, is_surroundings);
+  result.label = read_label(gas, is_surroundings, index + 1);
+  result.pressure = gas.number("pressure");
+  if (result.pressure < 0)
+    gas.refuse("pressure", "0 or more is needed");
+  result.exponent = gas.number("exponent", 1.4);
+  if (result.exponent < 0)
+    gas.refuse("exponent", "0 or more is needed");
+  gas.close();
+  return result;
+}
+
+Scene_source read_source(Json_fields source) {
+  const Scene_source result = {source.numbers<3>("center"), source.positive("radius"),
+                               source.number("rate")};
+  source.close();
   return result;
 }
 
@@ -206,6 +236,19 @@ Fluid_scene read_scene(const Json& json) {
       if (a.label == b.label && (a.density != b.density || a.viscosity != b.viscosity))
         scene.refuse("liquids",
                      "those of one label are one liquid, with one density and viscosity");
+  for (Json_fields& gas : scene.objects("gases"))
+    result.gases.push_back(read_gas(gas, index++));
+  for (const Scene_gas& gas : result.gases) {
+    for (const Scene_liquid& liquid : result.liquids)
+      if (gas.label == liquid.label)
+        scene.refuse("gases", "a label is a liquid or a gas");
+    for (const Scene_gas& other : result.gases)
+      if (gas.label == other.label &&
+          (gas.pressure != other.pressure || gas.exponent != other.exponent))
+        scene.refuse("gases", "those of one label are one gas, with one pressure and exponent");
+  }
+  for (const Json_fields& source : scene.objects("sources"))
+    result.sources.push_back(read_source(source));
   result.tensions = read_tensions(scene);
   for (const auto& tension : result.tensions)
     if (tension.value < 0)
@@ -239,6 +282,15 @@ Fluid_scene read_scene(const Json& json) {
     scene.text("relaxation", ""); // a known field
   }
   scene.close();
+  return result;
+}
+
+std::vector<std::pair<int, const Fluid_shape*>> shapes_of(const Fluid_scene& scene) {
+  std::vector<std::pair<int, const Fluid_shape*>> result;
+  for (const Scene_liquid& liquid : scene.liquids)
+    result.emplace_back(liquid.label, &liquid.shape);
+  for (const Scene_gas& gas : scene.gases)
+    result.emplace_back(gas.label, &gas.shape);
   return result;
 }
 

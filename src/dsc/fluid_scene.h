@@ -11,6 +11,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -71,6 +72,21 @@ struct Scene_liquid
   std::string velocity; ///< three expressions in x, y and z
 };
 
+/// A gas, see `Gas`.
+struct Scene_gas
+{
+  int label;
+  Fluid_shape shape;
+  double pressure, exponent;
+};
+
+/// A ball in which liquids gain a share of their volume in a unit of time, or lose it.
+struct Scene_source
+{
+  std::array<double, 3> center;
+  double radius, rate;
+};
+
 struct Scene_solid
 {
   enum class Kind { plane, tank, ball, cylinder, mesh };
@@ -104,6 +120,8 @@ struct Fluid_scene
   std::array<double, 6> domain;
   double edge; ///< about how long edges of surfaces are
   std::vector<Scene_liquid> liquids;
+  std::vector<Scene_gas> gases;
+  std::vector<Scene_source> sources;
   struct Tension
   {
     std::array<int, 2> labels;
@@ -122,6 +140,9 @@ struct Fluid_scene
   double relaxation_step;
   std::size_t relaxation_steps;
 };
+
+/// What fills labels, liquids first.
+std::vector<std::pair<int, const Fluid_shape*>> shapes_of(const Fluid_scene& scene);
 
 /// \throws Usage_error if a field is unknown, missing or out of its range
 Fluid_scene read_scene(const Json& json);

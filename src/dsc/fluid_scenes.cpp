@@ -168,6 +168,41 @@ const std::vector<Named_scene>& named_scenes() {
   "cfl": 0.5,
   "end": 3
 })json"},
+      {"breathing", R"json({
+  "title": "a bubble of gas in a ball of liquid, which expands until the air around stops it",
+  "domain": [-3, -3, -3, 3, 3, 3],
+  "edge": 0.15,
+  "liquids": [
+    {"shape": {"type": "ball", "center": [0, 0, 0], "radius": 1, "triangles": 1280}, "density": 1}
+  ],
+  "gases": [
+    {"shape": {"type": "surroundings"}, "pressure": 1, "exponent": 0},
+    {"shape": {"type": "ball", "center": [0, 0, 0], "radius": 0.5, "triangles": 320},
+     "pressure": 1.1}
+  ],
+  "surface_tension": [{"labels": [0, 1], "value": 0.01}, {"labels": [1, 2], "value": 0.01}],
+  "time_step": 0.025,
+  "end": 2
+})json"},
+      {"tap", R"json({
+  "title": "a jet that falls from a ceiling, where a source feeds it",
+  "domain": [-1, -1, -3, 1, 1, 2.2],
+  "edge": 0.12,
+  "liquids": [{
+    "shape": {"type": "cylinder", "from": [0, 0, 0], "to": [0, 0, 2], "radius": 0.3},
+    "density": 1,
+    "viscosity": 0.01
+  }],
+  "sources": [{"center": [0, 0, 1.7], "radius": 0.4, "rate": 1}],
+  "surface_tension": 0.02,
+  "gravity": [0, 0, -1],
+  "solids": [
+    {"type": "plane", "point": [0, 0, 2], "normal": [0, 0, -1], "separates": false}
+  ],
+  "time_step": 0.04,
+  "cfl": 0.5,
+  "end": 2
+})json"},
       {"sessile", R"json({
   "title": "a cube of liquid on a floor that becomes a drop with a contact angle of 60 degrees",
   "domain": [-3, -3, -1, 3, 3, 3],

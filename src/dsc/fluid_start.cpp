@@ -43,14 +43,14 @@ std::string place_of(const std::string& file, const std::string& folder) {
 
 Complex complex_of_surfaces(const Fluid_scene& scene, const std::string& folder) {
   std::vector<Surface> surfaces;
-  for (const Scene_liquid& liquid : scene.liquids) {
-    if (const auto* ball = std::get_if<Ball_shape>(&liquid.shape)) {
+  for (const auto& [label, shape] : shapes_of(scene)) {
+    if (const auto* ball = std::get_if<Ball_shape>(shape)) {
       surfaces.push_back(surface_of(*ball, scene.edge));
-    } else if (const auto* block = std::get_if<Box_shape>(&liquid.shape)) {
+    } else if (const auto* block = std::get_if<Box_shape>(shape)) {
       surfaces.push_back(surface_of(*block, scene.edge));
-    } else if (const auto* column = std::get_if<Cylinder_shape>(&liquid.shape)) {
+    } else if (const auto* column = std::get_if<Cylinder_shape>(shape)) {
       surfaces.push_back(surface_of(*column, scene.edge));
-    } else if (const auto* file = std::get_if<File_shape>(&liquid.shape)) {
+    } else if (const auto* file = std::get_if<File_shape>(shape)) {
       Run_start start;
       start.inputs = {place_of(file->file, folder)};
       start.ball = file->ball;
@@ -59,7 +59,7 @@ Complex complex_of_surfaces(const Fluid_scene& scene, const std::string& folder)
     } else {
       continue; // around the others
     }
-    surfaces.back().label = liquid.label;
+    surfaces.back().label = label;
   }
   if (surfaces.empty())
     throw Input_error("the scene has no liquid with a shape of its own");
@@ -147,15 +147,16 @@ bool is_about(const Fluid_shape& shape, const Point& p) {
 Complex complex_of_places(const Fluid_scene& scene) {
   number_of_parts((scene.domain[3] - scene.domain[0]) * (scene.domain[4] - scene.domain[1]) *
                   (scene.domain[5] - scene.domain[2]) / std::pow(scene.edge, 3));
-  for (const Scene_liquid& liquid : scene.liquids) {
-    const auto* ball = std::get_if<Ball_shape>(&liquid.shape);
-    const auto* column = std::get_if<Cylinder_shape>(&liquid.shape);
-    if (const auto* pool = std::get_if<Pool_shape>(&liquid.shape)) {
+  for (const auto& filling : shapes_of(scene)) {
+    const Fluid_shape& shape = *filling.second;
+    const auto* ball = std::get_if<Ball_shape>(&shape);
+    const auto* column = std::get_if<Cylinder_shape>(&shape);
+    if (const auto* pool = std::get_if<Pool_shape>(&shape)) {
       require_inside(scene, *pool);
       if (!pool->height.empty())
         throw Input_error("the pool of a scene with other shapes is flat; leave its height out");
     }
-    if (std::holds_alternative<File_shape>(liquid.shape) || (column && column->amplitude != 0) ||
+    if (std::holds_alternative<File_shape>(shape) || (column && column->amplitude != 0) ||
         (ball && (ball->mode > 0 || ball->triangles > 0)))
       throw Input_error("beside a pool there can be boxes, round balls and straight cylinders with "
                         "the edges of the scene, but no modes, amplitudes, numbers of triangles or "
@@ -163,9 +164,9 @@ Complex complex_of_places(const Fluid_scene& scene) {
   }
   const auto label_at = [&](const Point& p) {
     int result = 0;
-    for (const Scene_liquid& liquid : scene.liquids)
-      if (!std::holds_alternative<Surroundings>(liquid.shape) && is_about(liquid.shape, p))
-        result = liquid.label;
+    for (const auto& [label, shape] : shapes_of(scene))
+      if (!std::holds_alternative<Surroundings>(*shape) && is_about(*shape, p))
+        result = label;
     return result;
   };
   return CGAL::make_deformable_simplicial_complex_3<Complex>(box(scene.domain), scene.edge,
@@ -189,17 +190,19 @@ template <class Solid> void add_solid(Fluid& fluid, const Scene_solid& given, co
 } // namespace
 
 Complex start_of_scene(const Fluid_scene& scene, const std::string& folder) {
-  const Scene_liquid* pool = nullptr;
+  const Pool_shape* pool = nullptr;
+  int label_of_pool = 0;
   std::size_t others = 0;
-  for (const Scene_liquid& liquid : scene.liquids)
-    if (std::holds_alternative<Pool_shape>(liquid.shape) && !pool)
-      pool = &liquid;
-    else
-      others += !std::holds_alternative<Surroundings>(liquid.shape);
+  for (const auto& [label, shape] : shapes_of(scene))
+    if (const auto* found = std::get_if<Pool_shape>(shape); found && !pool) {
+      pool = found;
+      label_of_pool = label;
+    } else {
+      others += !std::holds_alternative<Surroundings>(*shape);
+    }
   if (!pool)
     return complex_of_surfaces(scene, folder);
-  return others == 0 ? complex_of_pool(scene, pool->label, std::get<Pool_shape>(pool->shape))
-                     : complex_of_places(scene);
+  return others == 0 ? complex_of_pool(scene, label_of_pool, *pool) : complex_of_places(scene);
 }
 
 std::unique_ptr<Fluid> fluid_of_scene(const Fluid_scene& scene, const std::string& folder,
@@ -208,11 +211,22 @@ std::unique_ptr<Fluid> fluid_of_scene(const Fluid_scene& scene, const std::strin
   Fluid_properties_3 properties;
   for (const Scene_liquid& liquid : scene.liquids)
     properties.set_liquid(liquid.label, {liquid.density, liquid.viscosity});
+  for (const Scene_gas& gas : scene.gases)
+    properties.set_gas(gas.label, {gas.pressure, gas.exponent});
   for (const auto& tension : scene.tensions)
     properties.set_surface_tension(tension.labels[0], tension.labels[1], tension.value);
   properties.set_gravity(scene.gravity);
   auto result = std::make_unique<Fluid>(complex, properties);
   Fluid& fluid = *result;
+  if (!scene.sources.empty())
+    fluid.set_sources([sources = scene.sources](const Fluid::Point& p, double) {
+      double rate = 0;
+      for (const Scene_source& source : sources)
+        if (std::hypot(p.x() - source.center[0], p.y() - source.center[1],
+                       p.z() - source.center[2]) < source.radius)
+          rate += source.rate;
+      return rate;
+    });
   for (const Scene_solid& solid : scene.solids) {
     const Fluid::Point point(solid.point[0], solid.point[1], solid.point[2]);
     const Fluid::Vector direction(solid.direction[0], solid.direction[1], solid.direction[2]);

@@ -217,7 +217,10 @@ void Tracked_complex_3::write_interface_vtu(const std::string& path) const {
 }
 
 void Tracked_complex_3::write_volume_vtu(const std::string& path) const {
-  CGAL::IO::write_VTU(path, complex);
+  if (velocity_at)
+    CGAL::IO::write_VTU(path, complex, "velocity", velocity_at);
+  else
+    CGAL::IO::write_VTU(path, complex);
 }
 
 void Tracked_complex_3::write_checkpoint(const std::string& path,

@@ -10,6 +10,7 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,6 +50,8 @@ public:
   Improvement_outcome improve(const Improve_options& options);
 
   Complex complex;
+  /// What `write_volume_vtu()` tells of vertices, if it is set.
+  std::function<CGAL::Simple_cartesian<double>::Vector_3(Complex::Vertex_handle)> velocity_at;
 
 private:
   std::optional<CGAL::Deformable_simplicial_complex_state_3> m_kept;

@@ -324,6 +324,91 @@ TEST(Fluid, with_two_liquids_rests) {
   EXPECT_LT(greatest_velocity(fluid), 1e-10);
 }
 
+// A bubble in a ball of liquid, under the same pressure as the air around, breathes (M. Minnaert,
+// 1933; with the mass of a shell).
+TEST(Fluid, breathes_around_a_bubble_of_gas) {
+  const double inner = .45, outer = .8, pressure = 1, exponent = 1.4, speed = .02;
+  const auto label_at = [=](const auto& p) {
+    const double r = std::sqrt(CGAL::to_double((p - CGAL::ORIGIN).squared_length()));
+    return r < inner ? 2 : r < outer ? 1 : 0;
+  };
+  Complex complex = small_meshes::make_complex(small_meshes::grid(10, label_at));
+  dsc::Fluid_properties_3 properties;
+  properties.set_liquid(1, {1, 0});
+  properties.set_gas(0, {pressure, 0});
+  properties.set_gas(2, {pressure, exponent});
+  Fluid fluid(complex, properties);
+  // Of the lumpy ball that the grid gives: the same volumes.
+  double gas = complex.volume(2), liquid = complex.volume(1);
+  const double r = std::cbrt(3 * gas / (4 * CGAL_PI)),
+               s = std::cbrt(3 * (gas + liquid) / (4 * CGAL_PI));
+  const double frequency = std::sqrt(3 * exponent * pressure / (r * r * (1 - r / s)));
+  fluid.set_velocities([&](Complex::Vertex_handle v) {
+    const auto p = complex.position(v) - CGAL::ORIGIN;
+    const double d = std::sqrt(p.squared_length());
+    return d > 0 ? Vector(speed * r * r / (d * d * d) * p.x(), speed * r * r / (d * d * d) * p.y(),
+                          speed * r * r / (d * d * d) * p.z())
+                 : Vector(0, 0, 0);
+  });
+  const double dt = 2 * CGAL_PI / frequency / 40, energy = fluid.balance().energy();
+  double before = 0, previous = 0;
+  std::vector<double> crossings; // of the volume and the one that it begins with
+  for (int k = 1; k <= 50; ++k) {
+    const auto report = fluid.advance(dt, parameters::adaptation_interval(0u));
+    EXPECT_NEAR(report.after.volume, liquid, 1e-9);
+    const auto gases = fluid.gases();
+    ASSERT_EQ(gases.size(), 2u);
+    const auto& bubble = gases[gases[0].label == 2 ? 0 : 1];
+    EXPECT_NEAR(bubble.pressure * std::pow(bubble.volume, exponent),
+                pressure * std::pow(gas, exponent), 1e-9);
+    const double change = bubble.volume - gas;
+    if (k > 1 && before * change < 0)
+      crossings.push_back(previous + dt * before / (before - change));
+    before = change;
+    previous = fluid.time();
+  }
+  EXPECT_LT(std::abs(fluid.balance().energy() - energy),
+            .02 * fluid.balance().kinetic_energy + 1e-5);
+  ASSERT_GE(crossings.size(), 2u);
+  EXPECT_NEAR(crossings[1], 2 * CGAL_PI / frequency, .1 * 2 * CGAL_PI / frequency);
+}
+
+// Everywhere the same divergence: the liquid stays alike and goes on, with ever more momentum.
+TEST(Fluid, grows_by_sources) {
+  Complex complex = sphere(8, .4);
+  Fluid fluid(complex, liquid(1, 0, 0, 0));
+  fluid.set_velocities([](Complex::Vertex_handle) { return Vector(.1, 0, 0); });
+  fluid.set_sources([](const Point&, double) { return .5; });
+  const double volume = fluid.balance().volume;
+  double gained = 0;
+  for (int k = 0; k < 20; ++k)
+    gained += fluid.advance(.02, parameters::adaptation_interval(0u)).gained_volume;
+  const auto balance = fluid.balance();
+  EXPECT_NEAR(balance.volume, volume + gained, 1e-9);
+  EXPECT_NEAR(balance.volume, volume * std::exp(.2), 1e-3 * volume);
+  EXPECT_NEAR(balance.momentum.x(), .1 * balance.volume, 1e-3 * balance.volume);
+  EXPECT_NEAR(balance.momentum.y(), 0, 1e-3 * balance.volume);
+  fluid.set_sources([](const Point& p, double) { return p.x() > 0 ? -1. : 0.; });
+  for (int k = 0; k < 20; ++k)
+    EXPECT_LT(fluid.advance(.02).gained_volume, 0);
+  EXPECT_TRUE(complex.is_valid());
+  EXPECT_LT(fluid.balance().volume, .9 * balance.volume);
+}
+
+TEST(Gas_ledger, follows_parts) {
+  using Ledger = dsc::internal::Gas_ledger_3;
+  const dsc::Gas gas = {1, 2};
+  Ledger ledger;
+  ledger.set_bodies({{1, {gas, 2, 4}}, {2, {gas, 1, 4}}, {5, {gas, 3, 7}}, {6, {gas, 2, 2}}});
+  // 1 (pressure 1) and 2 (pressure 4) merge into 3, 5 stays and is 1 by now, 6 falls into 7 and 8.
+  ledger.follow({{1, 3}, {2, 3}, {5, 1}, {6, 7}, {6, 8}},
+                {{3, {gas, 3, 0}}, {1, {gas, 3.3, 0}}, {7, {gas, 1.5, 0}}, {8, {gas, .5, 0}}});
+  EXPECT_DOUBLE_EQ(ledger.bodies().at(3).pressure(), 2);
+  EXPECT_DOUBLE_EQ(ledger.bodies().at(1).amount, 7);
+  EXPECT_DOUBLE_EQ(ledger.bodies().at(7).pressure(), .5);
+  EXPECT_DOUBLE_EQ(ledger.bodies().at(8).pressure(), .5);
+}
+
 TEST(Fluid, goes_on_to_the_same_bits) {
   const auto run = [](unsigned threads, bool restores) {
     Complex complex = sphere(8, .6);
@@ -357,6 +442,11 @@ TEST(Fluid, refuses_what_makes_no_sense) {
   dsc::Fluid_properties_3 properties;
   EXPECT_THROW(properties.set_liquid(1, {0, 0}), dsc::Error);
   EXPECT_THROW(properties.set_liquid(1, {1, -1}), dsc::Error);
+  EXPECT_THROW(properties.set_gas(0, {-1, 0}), dsc::Error);
+  EXPECT_THROW(properties.set_gas(0, {1, std::nan("")}), dsc::Error);
+  EXPECT_THROW(liquid(1).set_gas(1, {1}), dsc::Error);
+  properties.set_gas(5, {1});
+  EXPECT_THROW(properties.set_liquid(5, {1}), dsc::Error);
   EXPECT_THROW(properties.set_surface_tension(0, 1, -1), dsc::Error);
   EXPECT_THROW(properties.set_surface_tension(1, 1, 1), dsc::Error);
   EXPECT_THROW(properties.set_gravity({0, std::nan(""), 0}), dsc::Error);

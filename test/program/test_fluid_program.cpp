@@ -53,7 +53,7 @@ TEST_F(Fluids, scenes_are_listed_and_printed) {
   const Outcome list = run("fluid --list");
   EXPECT_EQ(list.exit_code, 0);
   for (const char* name : {"droplet", "bunny", "collision", "bowl", "dam-break", "crown",
-                           "capillary-wave", "bubble", "sessile", "jet"}) {
+                           "capillary-wave", "bubble", "sessile", "jet", "breathing", "tap"}) {
     EXPECT_NE(list.out.find(name), std::string::npos) << name;
     const Outcome scene = run("fluid --print " + std::string(name));
     EXPECT_EQ(scene.exit_code, 0) << scene.err;
@@ -138,6 +138,38 @@ TEST_F(Fluids, cylinder_stands_between_plates) {
   EXPECT_NEAR(start.at("parts")[0].at("extent")[1][2].get<double>(), 1, 1e-12);
   json["liquids"][0]["shape"]["to"] = {0, 0, -1};
   expect_refusal(json, "no length");
+}
+
+TEST_F(Fluids, gas_in_a_drop_expands_and_a_source_feeds_it) {
+  Json json = scene();
+  json["gravity"] = {0, 0, 0};
+  json["gases"] = Json::parse(R"json([{"shape": {"type": "ball", "center": [0, 0, 0], "radius": 0.5,
+    "triangles": 80}, "pressure": 10}])json");
+  json["sources"] = Json::parse(R"json([{"center": [0, 0, 0], "radius": 3, "rate": 0.1}])json");
+  const std::string folder = path("run").string();
+  const Outcome outcome = run("fluid " + write_scene(json) + " --steps 3 --report " +
+                              path("report.json").string() + " --output " + folder);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json steps = report("report.json").at("steps"), first = steps[0].at("gases")[0],
+             last = steps[3].at("gases")[0];
+  EXPECT_EQ(first.at("label"), 2);
+  EXPECT_GT(last.at("volume").get<double>(), 1.01 * first.at("volume").get<double>());
+  EXPECT_NEAR(last.at("pressure").get<double>() * std::pow(last.at("volume").get<double>(), 1.4),
+              10 * std::pow(first.at("volume").get<double>(), 1.4), 1e-9);
+  EXPECT_NEAR(steps[3].at("volume").get<double>(),
+              steps[0].at("volume").get<double>() * std::exp(.1 * .15), 1e-3);
+  EXPECT_NE(contents(path("run/volume_000003.vtu")).find("Name=\"velocity\""), std::string::npos);
+  const Outcome rest =
+      run("fluid --resume " + folder + "/checkpoint.dsc --steps 1 --output " + folder);
+  EXPECT_EQ(rest.exit_code, 0) << rest.err;
+  json["gases"][0]["pressure"] = -1;
+  expect_refusal(json, "pressure");
+  json["gases"][0]["pressure"] = 1;
+  json["gases"][0]["label"] = 1;
+  expect_refusal(json, "a liquid or a gas");
+  json["gases"][0].erase("label");
+  json["sources"][0].erase("rate");
+  expect_refusal(json, "rate");
 }
 
 TEST_F(Fluids, pool_fills_its_part_of_the_domain) {

@@ -25,11 +25,22 @@ struct Liquid
   double viscosity = 0; ///< dynamic, 0 or more
 };
 
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// A gas: what fills the cells of a label without mass. Each connected part of it keeps its
+/// pressure times volume^exponent, and has one pressure everywhere.
+struct Gas
+{
+  double pressure; ///< in the beginning, against void, 0 or more
+  double exponent =
+      1.4; ///< 1.4 for air that neither takes nor gives heat, 1 where that stays as warm
+           ///< as it is, 0 for a pressure that never changes, as of air all around
+};
+
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-What the labels of a complex stand for: liquids, and void, which has no mass and no pressure; and
-how interfaces between them contract.
+What the labels of a complex stand for: liquids, gases, and void, which has no mass and no pressure;
+and how interfaces between them contract.
 */
 class Fluid_properties_3
 {
@@ -42,7 +53,21 @@ public:
                   " is not positive and finite: leave labels without mass out, they are void");
     if (!(liquid.viscosity >= 0) || !std::isfinite(liquid.viscosity))
       throw Error("the viscosity of label " + std::to_string(label) + " is negative or not finite");
+    if (m_gases.count(label) > 0)
+      throw Error("label " + std::to_string(label) + " is a gas already");
     m_liquids[label] = liquid;
+  }
+
+  /// Label `label` is this gas.
+  /// \throws Error if a number is out of its range, or the label is a liquid
+  void set_gas(int label, const Gas& gas) {
+    if (!(gas.pressure >= 0) || !std::isfinite(gas.pressure))
+      throw Error("the pressure of label " + std::to_string(label) + " is negative or not finite");
+    if (!(gas.exponent >= 0) || !std::isfinite(gas.exponent))
+      throw Error("the exponent of label " + std::to_string(label) + " is negative or not finite");
+    if (m_liquids.count(label) > 0)
+      throw Error("label " + std::to_string(label) + " is a liquid already");
+    m_gases[label] = gas;
   }
 
   /// The energy of a unit of area of the interface between two labels is `tension`, 0 where none is
@@ -71,6 +96,13 @@ public:
   }
   /// By label.
   const std::map<int, Liquid>& liquids() const { return m_liquids; }
+  /// Null for liquids and void.
+  const Gas* gas(int label) const {
+    const auto found = m_gases.find(label);
+    return found == m_gases.end() ? nullptr : &found->second;
+  }
+  /// By label.
+  const std::map<int, Gas>& gases() const { return m_gases; }
   /// Between two labels.
   double surface_tension(int a, int b) const {
     const auto found = m_tensions.find(std::minmax(a, b));
@@ -81,6 +113,7 @@ public:
 
 private:
   std::map<int, Liquid> m_liquids;
+  std::map<int, Gas> m_gases;
   std::map<std::pair<int, int>, double> m_tensions;
   std::array<double, 3> m_gravity = {};
 };

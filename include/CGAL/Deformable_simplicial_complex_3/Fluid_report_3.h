@@ -11,6 +11,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -26,11 +27,23 @@ struct Fluid_balance_3
   double kinetic_energy = 0;                 ///< of motion
   double potential_energy = 0;               ///< in gravity, 0 at the origin
   double surface_energy = 0;                 ///< tension times area; of wet walls less than none
+  double gas_energy = 0;                     ///< what gases would give until they fill all space;
+                                             ///< for exponents up to 1 that or less by any constant
   Vector momentum = Vector(0, 0, 0);         ///< mass times velocity
   Vector angular_momentum = Vector(0, 0, 0); ///< about the origin
 
-  /// The sum of the three.
-  double energy() const { return kinetic_energy + potential_energy + surface_energy; }
+  /// The sum of the four.
+  double energy() const { return kinetic_energy + potential_energy + surface_energy + gas_energy; }
+};
+
+/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// A connected part of a gas.
+struct Fluid_gas_3
+{
+  std::uint32_t component; ///< `Complex::component()`
+  int label;               ///< of the gas
+  double volume;           ///< now
+  double pressure;         ///< now
 };
 
 /*!
@@ -55,6 +68,7 @@ template <class Complex> struct Fluid_report_3
       0;                    ///< by which a part was off before its volume was restored, relative
   double volume_error = 0;  ///< by which one still is, relative: what could not be restored yet
   double lost_volume = 0;   ///< of parts that vanished
+  double gained_volume = 0; ///< by sources, less what drained
   unsigned solutions = 0;   ///< linear systems solved
   unsigned iterations = 0;  ///< of the solver, in all of them
   std::size_t contacts = 0; ///< vertices held by solids, or off sides of the domain

@@ -45,6 +45,35 @@ void write_VTU(const std::string& path,
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
+writes all tetrahedra as above, with a vector for each point: velocities of a fluid, for example.
+
+\tparam VectorAt is a function from `Vertex_handle` to a vector with coordinates 0 to 2 by `[]`.
+
+\param path, dsc are as above.
+\param name is that of the vectors among the point data.
+\param vector_at tells them.
+
+\throws Deformable_simplicial_complexes::File_error as above.
+*/
+template <class Traits, class Tds, class QualityMeasure, class Domain, class VectorAt>
+void write_VTU(const std::string& path,
+               const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>& dsc,
+               const std::string& name, const VectorAt& vector_at) {
+  Deformable_simplicial_complexes::internal::write_cells_vtu(
+      path, dsc, [&](auto& document, const auto& vertices) {
+        std::vector<double> numbers;
+        for (const auto v : vertices) {
+          const auto vector = vector_at(v);
+          for (int axis = 0; axis < 3; ++axis)
+            numbers.push_back(CGAL::to_double(vector[axis]));
+        }
+        document.array(name.c_str(), numbers, 3);
+      });
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
 writes the triangles of the interface as a VTK unstructured grid (`.vtu`).
 
 Points are in user coordinates, and normals point out of the larger label. Cell data is

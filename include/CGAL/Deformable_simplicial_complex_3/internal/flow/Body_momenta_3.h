@@ -83,7 +83,8 @@ Momentum_3 momentum(const Mesh& mesh, const Masses_3& masses, const Vectors_3& p
   return result;
 }
 
-// What all liquids have. The tensions of facets, as in `Fluid_equations_3`.
+// What all liquids have, but for the energy of gases. The tensions of facets, as in
+// `Fluid_equations_3`.
 template <class Mesh, class TensionOf>
 Fluid_balance_3 balance(const Mesh& mesh, const Fluid_properties_3& properties,
                         const Vectors_3& positions, const Vectors_3& velocities,

@@ -29,15 +29,16 @@ that go with the flow. Unknown are the velocities v at the time theta dt, by whi
 x to x + dt v, and the pressures p:
 
    A v - B^T p = f,   A = M / (theta dt) + K + theta dt L,  f = M (u / (theta dt) + g) - L x + w
-   B v + C p   = s
+   B v + C p   = s + q
 
 M are masses, see `Fluid_mesh_3`, K is viscosity, L x the gradient of the energy of surfaces, w that
 of walls that are wet. Each row of B is the gradient of a quarter of the volume around a vertex, so
-that B v = 0 keeps it. That alone permits pressures that nothing feels: C, which sums up to nothing,
-is made of the residual of the equation of motion, and vanishes with it, where the gradient of p is
-that of gravity less acceleration (T. J. R. Hughes, L. P. Franca, M. Balestra, "A new finite element
-formulation for computational fluid dynamics: V.", 1986). Pressure is constant in no cell: with one
-pressure for each cell, nothing would move that is not linear.
+that B v = 0 keeps it, or B v = q gives it what sources bring. That alone permits pressures that
+nothing feels: C, which sums up to nothing, is made of the residual of the equation of motion, and
+vanishes with it, where the gradient of p is that of gravity less acceleration (T. J. R. Hughes, L.
+P. Franca, M. Balestra, "A new finite element formulation for computational fluid dynamics: V.",
+1986). Pressure is constant in no cell: with one pressure for each cell, nothing would move that is
+not linear.
 */
 template <class Complex> class Fluid_equations_3
 {
@@ -82,8 +83,10 @@ public:
   const std::vector<double>& masses() const { return m_masses; }
 
   // The matrices with the vertices at some positions, about half-way. The energies of facets that
-  // are wet are tensions in place of those of the mesh.
-  template <class TensionOf> void assemble(const Vectors_3& half_way, const TensionOf& tension_of) {
+  // are wet are tensions in place of those of the mesh; gases push with some pressures.
+  template <class TensionOf>
+  void assemble(const Vectors_3& half_way, const TensionOf& tension_of,
+                const std::vector<double>& gas_pressures) {
     m_for_each(m_terms.size(), [&](std::size_t k) { m_terms[k] = terms(k, half_way); });
     using Scalar = Eigen::Matrix<double, 1, 1>;
     m_rows_of_vertices.sum<1, 1>(
@@ -130,8 +133,12 @@ public:
       }
     m_system.viscosity.array() /= volumes.array();
     m_forces = Vector::Zero(3 * Eigen::Index(m_masses.size()));
-    for (std::size_t f = 0; f < m_mesh.facets.size(); ++f)
-      add_facet(m_mesh.facets[f], half_way, tension_of(f));
+    for (std::size_t f = 0; f < m_mesh.facets.size(); ++f) {
+      const auto& facet = m_mesh.facets[f];
+      add_facet(facet, half_way, tension_of(f));
+      if (facet.gas != Mesh::no_gas)
+        add_push(facet, half_way, gas_pressures[facet.gas]);
+    }
   }
 
   // Of velocities that are free; `held` is up to the caller.
@@ -162,6 +169,15 @@ public:
       for (std::size_t i = 0; i < 4; ++i)
         result(cell.pressures[i]) += m_terms[k].stabilization * m_terms[k].gradients[i].dot(force);
     }
+    return result;
+  }
+
+  // q, with the volume that cells gain in a unit of time.
+  Vector sources(const std::vector<double>& gains) const {
+    Vector result = Vector::Zero(m_system.c.rows());
+    for (std::size_t k = 0; k < gains.size(); ++k)
+      for (auto p : m_mesh.cells[k].pressures)
+        result(p) += gains[k] / 4;
     return result;
   }
 
@@ -216,6 +232,14 @@ private:
     result.stabilization = e.measure() / (cell.liquid->density / (part * m_step.dt) +
                                           viscous * cell.liquid->viscosity * steepest);
     return result;
+  }
+
+  void add_push(const typename Mesh::Facet& facet, const Vectors_3& half_way, double pressure) {
+    const auto& v = facet.vertices;
+    const Eigen::Vector3d a = half_way[v[1]] - half_way[v[0]], b = half_way[v[2]] - half_way[v[0]];
+    const Eigen::Vector3d share = (facet.is_gas_in_front ? -1 : 1) * pressure / 6 * a.cross(b);
+    for (auto corner : v)
+      at(m_forces, corner) += share;
   }
 
   // Tensions that are negative, of wet walls, are forces of now, as they would not be definite.

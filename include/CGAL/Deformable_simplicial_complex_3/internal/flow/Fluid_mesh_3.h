@@ -49,12 +49,24 @@ template <class Complex> struct Fluid_mesh_3
   {
     std::array<Index, 3> vertices; // counterclockwise seen from the front
     double tension;                // energy of a unit of area
-    bool is_free;                  // between liquid and void
+    bool is_free;                  // between liquid and void, or a gas
+    Index gas;                     // `no_gas`, or which one
+    bool is_gas_in_front;
+  };
+  static constexpr Index no_gas = Index(-1);
+
+  // A connected part of a gas.
+  struct Gas_part
+  {
+    std::uint32_t component;
+    int label;
+    double volume;
   };
 
   std::vector<Vertex_handle> vertices; // along the x axis: neighbors are near in memory, too
   std::vector<Cell> cells;             // in the order of their first vertices
   std::vector<Facet> facets;           // in the order of interface_facets()
+  std::vector<Gas_part> gases;         // by component
   std::vector<Index> vertex_of_pressure;
   std::vector<char> is_on_interface; // by vertex
   // Where the sides of the domain are, in the order of `Boundary_class`, if it is a box; not finite
@@ -85,6 +97,8 @@ template <class Complex> struct Fluid_mesh_3
     }
     add_cells(complex, properties);
     number_pressures();
+    if (!properties.gases().empty())
+      add_gases(complex, properties);
     add_facets(complex, properties);
   }
 
@@ -154,13 +168,36 @@ private:
     }
   }
 
+  void add_gases(const Complex& complex, const Fluid_properties_3& properties) {
+    std::map<std::uint32_t, Gas_part> parts;
+    for (auto c : complex.cells())
+      if (properties.gas(c->label())) {
+        const auto part = parts.emplace(c->component(), Gas_part{c->component(), c->label(), 0.});
+        part.first->second.volume += complex.measure(c);
+      }
+    for (const auto& part : parts)
+      gases.push_back(part.second);
+  }
+
+  // Of a cell.
+  template <class Cell_handle> Index gas_of(Cell_handle c) const {
+    const auto found =
+        std::lower_bound(gases.begin(), gases.end(), c->component(),
+                         [](const Gas_part& a, std::uint32_t b) { return a.component < b; });
+    return found != gases.end() && found->component == c->component() ? Index(found - gases.begin())
+                                                                      : no_gas;
+  }
+
   void add_facets(const Complex& complex, const Fluid_properties_3& properties) {
     for (const auto& f : complex.interface_facets()) {
       const int behind = f.first->label(), in_front = f.first->neighbor(f.second)->label();
       const bool is_behind = properties.liquid(behind), is_in_front = properties.liquid(in_front);
       if (!is_behind && !is_in_front)
         continue;
-      Facet facet{{}, properties.surface_tension(behind, in_front), is_behind != is_in_front};
+      const bool is_free = is_behind != is_in_front;
+      const Index gas =
+          !is_free ? no_gas : gas_of(is_behind ? f.first->neighbor(f.second) : f.first);
+      Facet facet{{}, properties.surface_tension(behind, in_front), is_free, gas, is_behind};
       const auto corners = complex.facet_vertices(f);
       for (std::size_t i = 0; i < 3; ++i)
         facet.vertices[i] = corners[i]->scratch_index();

@@ -8,6 +8,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Body_momenta_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_equations_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_mesh_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Gas_bodies_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Roughness_damper_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Vertex_constraints_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Wall_contacts_3.h>
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -34,16 +36,20 @@ public:
   using Contacts = Wall_contacts_3<Complex>;
   using Vector = Eigen::VectorXd;
 
-  // Positions, velocities and accelerations of the vertices of the mesh at the beginning. Solids
-  // stand still if time does.
+  using Source = std::function<double(const Any_solid_3::Point&, double)>;
+
+  // Positions, velocities and accelerations of the vertices of the mesh at the beginning, and
+  // gases. Solids stand still if time does.
   Fluid_step_3(const Mesh& mesh, const Fluid_properties_3& properties,
                const typename Contacts::Solids& solids, const Complex& complex, Solver& solver,
                const typename Equations::Step& step, double begin, double end,
                const Vectors_3& positions, const Vectors_3& velocities,
-               const Vectors_3& accelerations, unsigned number_of_threads)
+               const Vectors_3& accelerations, const std::vector<Gas_body_3>& gases,
+               const Source& source, unsigned number_of_threads)
       : m_mesh(mesh), m_properties(properties), m_solver(solver),
         m_number_of_threads(number_of_threads), m_step(step), m_begin(begin), m_end(end),
         m_positions(positions), m_before(velocities), m_accelerations(accelerations),
+        m_gases(gases), m_source(source),
         m_equations(m_for_each, mesh, properties, step, positions),
         m_contacts(mesh, solids, complex, positions, begin) {
     for (std::size_t v = 0; v < positions.size(); ++v)
@@ -99,6 +105,7 @@ public:
     Momentum_3 result = momentum(m_mesh, masses, m_positions, m_before);
     // The places where pushes change angular momentum by what the whole step does.
     const Vectors_3 arms = at_time((1 - m_step.theta) * m_step.dt);
+    const Vectors_3 at_half = at_time(m_step.dt / 2);
     const Eigen::Vector3d gravity(m_properties.gravity().data());
     for (const auto& [v, m] : masses.of_vertices) {
       const double mass = m / (1 - Mesh::part_at_middle), share = mass / m_equations.masses()[v];
@@ -107,8 +114,19 @@ public:
       result.linear += pushed;
       result.angular += arms[v].cross(pushed);
     }
+    // What sources bring goes with the liquid there.
+    for (std::size_t i = 0; i < masses.of_middles.size() && !m_gains.empty(); ++i) {
+      const std::size_t k = masses.of_middles[i].first;
+      const Eigen::Vector3d brought =
+          m_step.dt * m_mesh.cells[k].liquid->density * m_gains[k] * m_mesh.middle(k, m_velocities);
+      result.linear += brought;
+      result.angular += m_mesh.middle(k, at_half).cross(brought);
+    }
     return result;
   }
+
+  // The volume that cells gain in a unit of time, in the order of the mesh; none without sources.
+  const std::vector<double>& gains() const { return m_gains; }
 
   // And with that.
   Momentum_3 final_momentum(const Masses_3& masses) const {
@@ -155,8 +173,20 @@ private:
 
   void assemble() {
     m_contacts.predict(destinations(), m_end, m_step.dt, m_end > m_begin);
-    m_equations.assemble(at_time(m_step.dt / 2),
-                         [&](std::size_t f) { return m_contacts.tension(m_mesh.facets[f]); });
+    const Vectors_3 half_way = at_time(m_step.dt / 2);
+    const std::vector<double> volumes = volumes_of_gases(m_mesh, m_gases, m_positions, half_way);
+    std::vector<double> pressures;
+    for (std::size_t k = 0; k < m_gases.size(); ++k)
+      pressures.push_back(m_gases[k].pressure(volumes[k]));
+    m_equations.assemble(
+        half_way, [&](std::size_t f) { return m_contacts.tension(m_mesh.facets[f]); }, pressures);
+    m_gains.clear();
+    if (m_source)
+      for (std::size_t k = 0; k < m_mesh.cells.size(); ++k) {
+        const Eigen::Vector3d middle = m_mesh.middle(k, half_way);
+        m_gains.push_back(m_source({middle.x(), middle.y(), middle.z()}, (m_begin + m_end) / 2) *
+                          volume(m_mesh.cells[k], half_way));
+      }
     m_is_assembled = false;
   }
 
@@ -177,7 +207,8 @@ private:
       assemble_constraints();
     const auto& system = m_equations.system();
     const Vector& known = m_constraints.prescribed();
-    const Vector f = m_equations.forces(m_before), s = m_equations.stabilization(m_accelerations);
+    const Vector f = m_equations.forces(m_before),
+                 s = m_equations.stabilization(m_accelerations) + m_equations.sources(m_gains);
     Vector v = flat(m_velocities) - known;
     m_iterations += m_solver.solve(f - system.multiply_a(known), s - system.b * known, v,
                                    m_pressures, accuracy);
@@ -222,6 +253,9 @@ private:
   double m_begin, m_end; // time
   Vectors_3 m_positions, m_before, m_accelerations, m_velocities, m_unstopped_velocities,
       m_final_velocities;
+  std::vector<Gas_body_3> m_gases;
+  Source m_source;
+  std::vector<double> m_gains; // volume in a unit of time, by cell
   Vector m_pressures, m_reactions;
   Equations m_equations;
   Contacts m_contacts;

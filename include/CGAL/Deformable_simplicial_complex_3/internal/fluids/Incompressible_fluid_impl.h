@@ -121,9 +121,14 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, double i
   }
   const auto begin_of_solver = Clock::now();
   Step step(flow.mesh, m_properties, m_solids, m_complex, m_solver, {dt, implicitness}, m_time, end,
-            flow.positions, flow.velocities, flow.accelerations, number_of_threads);
+            flow.positions, flow.velocities, flow.accelerations, m_gas_ledger.bodies_of(flow.mesh),
+            m_source, number_of_threads);
   step.solve(m_knows_accelerations);
   report.seconds_of_solver += seconds_since(begin_of_solver);
+  for (std::size_t k = 0; k < step.gains().size(); ++k) {
+    report.gained_volume += dt * step.gains()[k];
+    m_ledger.add_volume(flow.mesh.cells[k].component, dt * step.gains()[k]);
+  }
 
   m_time = end;
   const Vectors after = step.final_velocities();
@@ -185,7 +190,8 @@ void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, unsigned 
                   [](const Eigen::Vector3d& v) { return v.isZero(0); }))
     return;
   Step step(flow.mesh, inviscid, m_solids, m_complex, m_solver, {dt, 1}, m_time, m_time + dt,
-            flow.positions, flow.velocities, flow.accelerations, number_of_threads);
+            flow.positions, flow.velocities, flow.accelerations, m_gas_ledger.bodies_of(flow.mesh),
+            {}, number_of_threads);
   const auto begin = Clock::now();
   step.solve(true);
   report.seconds_of_solver += seconds_since(begin);
@@ -234,19 +240,30 @@ auto Incompressible_fluid<Complex, Solver>::state() const -> State {
     std::copy(value.data(), value.data() + 6, result.motion.back().begin());
   }
   result.volumes.assign(m_ledger.volumes().begin(), m_ledger.volumes().end());
+  for (const auto& [part, body] : m_gas_ledger.bodies())
+    result.gases.emplace_back(part, body.amount);
   return result;
 }
 
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
   const auto vertices = m_complex.vertices();
-  const auto present = Flow(*this, m_properties).volumes();
+  const Flow flow(*this, m_properties);
+  const auto present = flow.volumes();
   bool fits = state.motion.size() == vertices.size() && state.volumes.size() == present.size() &&
               std::isfinite(state.time);
   const Ledger::Volumes volumes(state.volumes.begin(), state.volumes.end());
   fits = fits && volumes.size() == present.size(); // none of them twice
   for (const auto& [part, volume] : volumes)
     fits = fits && present.count(part) > 0 && volume > 0 && std::isfinite(volume);
+  auto gases = Gas_ledger::measure(flow.mesh, m_properties);
+  fits = fits && state.gases.size() == gases.size();
+  for (const auto& [part, amount] : state.gases)
+    if (const auto found = gases.find(part);
+        found != gases.end() && amount >= 0 && std::isfinite(amount))
+      found->second.amount = amount;
+    else
+      fits = false;
   for (const auto& value : state.motion)
     fits =
         fits && std::all_of(value.begin(), value.end(), [](double x) { return std::isfinite(x); });
@@ -258,6 +275,7 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
     motion.put(vertices[v]->time_stamp(), internal::Fluid_motion_3::Value(state.motion[v].data()));
   m_motion = std::move(motion);
   m_ledger.set_volumes(volumes);
+  m_gas_ledger.set_bodies(gases);
   m_complex.take_component_lineage();
   m_time = state.time;
   m_steps = state.steps;
@@ -470,7 +488,9 @@ void Incompressible_fluid<Complex, Solver>::note_momenta(const Flow& flow,
 // Returns the volume of parts that are gone.
 template <class Complex, class Solver>
 double Incompressible_fluid<Complex, Solver>::follow_parts(const Flow& now) {
-  return m_ledger.follow(m_complex.take_component_lineage(), now.volumes());
+  const auto lineage = m_complex.take_component_lineage();
+  m_gas_ledger.follow(lineage, Gas_ledger::measure(now.mesh, m_properties));
+  return m_ledger.follow(lineage, now.volumes());
 }
 
 // Gives parts the momenta that they own by a rigid motion. Returns the greatest change of a

@@ -27,8 +27,9 @@ constexpr Vtu_document::Cell_type vtu_simplex(int dimension) {
 }
 
 // All cells. On a torus, those across its seam are where their first vertex sees them, at further
-// images of their vertices.
-template <class Complex> void write_cells_vtu(const std::string& path, const Complex& dsc) {
+// images of their vertices. `add_arrays(document, vertices)` adds to the data of points.
+template <class Complex, class AddArrays>
+void write_cells_vtu(const std::string& path, const Complex& dsc, const AddArrays& add_arrays) {
   using Vertex_handle = typename Complex::Vertex_handle;
   const Vertex_numbering<Vertex_handle> number(dsc.vertices());
   std::vector<typename Complex::Approximate_point> points; // of the complex
@@ -76,6 +77,7 @@ template <class Complex> void write_cells_vtu(const std::string& path, const Com
   document.begin("PointData");
   document.array("boundary_class", boundary_classes);
   document.array("interface", interface_flags);
+  add_arrays(document, vertices);
   document.end("PointData");
   document.begin("CellData");
   document.array("label", labels);
@@ -84,6 +86,10 @@ template <class Complex> void write_cells_vtu(const std::string& path, const Com
   document.points(points);
   document.cells(connectivity, vtu_simplex(Complex::dimension));
   replace_file_by_stream(path, [&](std::ostream& out) { document.write(out); });
+}
+
+template <class Complex> void write_cells_vtu(const std::string& path, const Complex& dsc) {
+  write_cells_vtu(path, dsc, [](Vtu_document&, const auto&) {});
 }
 
 // All facets of the interface.

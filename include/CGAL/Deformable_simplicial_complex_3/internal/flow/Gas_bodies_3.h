@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_GAS_BODIES_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_GAS_BODIES_3_H
+
+#include <CGAL/Deformable_simplicial_complex_3/Fluid_properties_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_mesh_3.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// A connected part of a gas: its pressure times volume^exponent stays what it is.
+struct Gas_body_3
+{
+  Gas gas;
+  double volume, amount;
+
+  double pressure(double v) const { return amount * std::pow(v, -gas.exponent); }
+  double pressure() const { return pressure(volume); }
+  // That which its pressure is the derivative of, by the volume that it loses.
+  double energy(double v) const {
+    return gas.exponent == 1 ? -amount * std::log(v) : pressure(v) * v / (gas.exponent - 1);
+  }
+};
+
+// The volumes of gases when vertices of liquids have gone from some positions to others.
+template <class Mesh>
+std::vector<double> volumes_of_gases(const Mesh& mesh, const std::vector<Gas_body_3>& gases,
+                                     const Vectors_3& from, const Vectors_3& to) {
+  std::vector<double> result;
+  for (const Gas_body_3& gas : gases)
+    result.push_back(gas.volume);
+  for (const auto& facet : mesh.facets)
+    if (facet.gas != Mesh::no_gas) {
+      // Half-way, the area times the mean way is what is swept but for terms of third order.
+      std::array<Eigen::Vector3d, 3> middle;
+      Eigen::Vector3d way = Eigen::Vector3d::Zero();
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto v = facet.vertices[i];
+        middle[i] = (from[v] + to[v]) / 2;
+        way += (to[v] - from[v]) / 3;
+      }
+      const double swept = (middle[1] - middle[0]).cross(middle[2] - middle[0]).dot(way) / 2;
+      result[facet.gas] -= facet.is_gas_in_front ? swept : -swept;
+    }
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_GAS_BODIES_3_H
