@@ -620,6 +620,50 @@ TEST(Saddle_point_solvers, solve) {
   }
 }
 
+// Pressures that are all the same push nothing but what is held, up to rounding; and what is asked
+// for changes the whole volume, up to rounding, too.
+TEST(Saddle_point_solvers, need_no_free_surface) {
+  const Eigen::Index n = 400, m = n - 1;
+  dsc::Saddle_point_system system;
+  using Entries = std::vector<Eigen::Triplet<double>>;
+  Entries nodal, b, c;
+  mesh_helpers::Random random(3);
+  for (Eigen::Index v = 0; v < n; ++v) {
+    nodal.emplace_back(v, v, random(1, 2));
+    const Eigen::Vector3d gradient(random(.5, 1), random(-1, 1), random(-1, 1));
+    for (int axis = 0; axis < 3; ++axis) {
+      if (v < m)
+        b.emplace_back(v, 3 * v + axis, gradient(axis) + 1e-13 * random(-1, 1));
+      if (v > 0)
+        b.emplace_back(v - 1, 3 * v + axis, -gradient(axis));
+    }
+  }
+  for (Eigen::Index p = 0; p < m; ++p) {
+    c.emplace_back(p, p, p == 0 || p + 1 == m ? .05 : .1);
+    if (p > 0) {
+      c.emplace_back(p, p - 1, -.05);
+      c.emplace_back(p - 1, p, -.05);
+    }
+  }
+  system.nodal.resize(n, n);
+  system.nodal.setFromTriplets(nodal.begin(), nodal.end());
+  system.b.resize(m, 3 * n);
+  system.b.setFromTriplets(b.begin(), b.end());
+  system.c.resize(m, m);
+  system.c.setFromTriplets(c.begin(), c.end());
+  system.inertia = Eigen::VectorXd(system.nodal.diagonal());
+  system.viscosity = Eigen::VectorXd::Zero(m);
+  system.held = {{0, Eigen::Matrix3d::Zero()}, {n - 1, Eigen::Matrix3d::Zero()}};
+  Eigen::VectorXd s = Eigen::VectorXd::LinSpaced(m, -1, 1), v = Eigen::VectorXd::Zero(3 * n),
+                  p = Eigen::VectorXd::Zero(m);
+  s.array() += 1e-13;
+  dsc::Iterative_saddle_point_solver solver;
+  solver.factorize(dsc::Saddle_point_system(system), 1);
+  EXPECT_LT(solver.solve(Eigen::VectorXd::Zero(3 * n), s, v, p, 1e-11), 100u);
+  EXPECT_LT((system.b * v + system.c * p - s).norm(), 1e-8);
+  EXPECT_LT(std::abs(p.mean()), 1e-6 * p.lpNorm<Eigen::Infinity>());
+}
+
 TEST(Saddle_point_solvers, threads_change_no_bit) {
   const Eigen::Index n = 5000; // several blocks
   std::vector<Eigen::VectorXd> solutions;

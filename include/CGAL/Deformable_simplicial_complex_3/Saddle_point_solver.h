@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_SADDLE_POINT_SOLVER_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Saddle_point_system.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Closed_pressures.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Incomplete_factorization.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/minimal_residuals.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/pressure_matrix.h>
@@ -170,6 +171,7 @@ public:
   void update(System&& system) {
     m_system = std::move(system);
     m_bt = m_system.b.transpose();
+    m_closed.find(m_system, m_bt);
   }
 
   /// Solves for v and p, which hold a guess. Returns the number of iterations.
@@ -208,6 +210,7 @@ private:
         } else
           y(2 * n + i) = -product(m_system.b, i - n, x, 0) - product(m_system.c, i - n, x, 3 * n);
     });
+    m_closed.subtract(x, 3 * n, y);
     m_system.project(y);
   }
 
@@ -217,8 +220,14 @@ private:
         2,
         [&](std::size_t k) {
           if (k == 0) {
-            m_of_pressures.solve(x.tail(m), y.tail(m));
-            y.tail(m) += m_system.viscosity.cwiseProduct(x.tail(m));
+            Vector pressures = x.tail(m);
+            m_closed.remove_means(pressures);
+            Vector result(m);
+            m_of_pressures.solve(pressures, result);
+            result += m_system.viscosity.cwiseProduct(pressures);
+            m_closed.remove_means(result);
+            y.tail(m) = result;
+            m_closed.add_inverse(x, n, y);
           } else
             m_of_velocities.solve(x.head(n), y.head(n));
         },
@@ -251,6 +260,7 @@ private:
 
   System m_system;
   System::Matrix m_bt; // of b
+  internal::Closed_pressures m_closed;
   internal::Incomplete_factorization<3> m_of_velocities;
   internal::Incomplete_factorization<1> m_of_pressures;
   std::optional<internal::For_each_index> m_for_each;

@@ -26,8 +26,9 @@ namespace internal {
 inline Eigen::SparseMatrix<double> pressure_matrix(const For_each_index& for_each,
                                                    const Saddle_point_system& system,
                                                    const Saddle_point_system::Matrix& bt) {
-  // Where no surface is free, pressures may all grow by the same.
-  static constexpr double above_zero = 1 + 1e-9;
+  // Where no surface is free, pressures may all grow by the same. Above the rounding of single
+  // precision, by which it is factorized.
+  static constexpr double above_zero = 1 + 1e-6;
   static constexpr std::size_t parts = 16; // each of which takes a vector of all pressures
   using Row = Saddle_point_system::Matrix::InnerIterator;
   using Index = Eigen::SparseMatrix<double>::StorageIndex;
