@@ -6,10 +6,10 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_SADDLE_POINT_SOLVER_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Saddle_point_system.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Closed_pressures.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Incomplete_factorization.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/flow/minimal_residuals.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/flow/pressure_matrix.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/solvers/Closed_pressures.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/solvers/Incomplete_factorization.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/solvers/minimal_residuals.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/solvers/pressure_matrix.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 

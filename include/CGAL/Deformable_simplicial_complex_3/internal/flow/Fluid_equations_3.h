@@ -6,8 +6,8 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_FLUID_EQUATIONS_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Saddle_point_system.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Cell_rows.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_mesh_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/solvers/Cell_rows.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/Facet_tension.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/Linear_element.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
