@@ -389,8 +389,9 @@ def figures(dsc):
     print("| --- " * 12 + "|")
     for name in ("bunny", "collision", "bowl", "crown"):
         found = run(dsc, name, lambda scene: None)
+        # The first step makes the mesh fit for a flow before it begins.
         rises = [(b["energy"] - a["energy"]) / abs(found[0]["energy"])
-                 for a, b in zip(found, found[1:])]
+                 for a, b in zip(found[1:], found[2:])]
         drifts = [max(abs(a - b) for s in found for a, b in zip(s[field], found[0][field]))
                   for field in ("momentum", "angular_momentum")]
         seconds = sum(s["seconds_of_solver"] + s["seconds_of_mesh"] for s in found[1:])
@@ -406,7 +407,7 @@ def figures(dsc):
 def speed(dsc):
     print("| vertices | of them in the liquid's surface | seconds a step | of the solver | iterations |")
     print("| --- " * 5 + "|")
-    for triangles in (700, 4200, 20000):
+    for triangles in (700, 4200, 12000):
 
         def change(scene):
             scene["liquids"][0]["shape"]["triangles"] = triangles

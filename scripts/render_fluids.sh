@@ -1,33 +1,40 @@
 #!/usr/bin/env bash
-# Runs scenes of `dsc fluid`, in BUILD_DIR/fluids, and renders the manual's pictures of them anew, by
-# ray tracing: doc/Deformable_simplicial_complex_3/fig/fluid_NAME.png. All take about an hour.
-# Usage: scripts/render_fluids.sh BUILD_DIR [SCENE...]
+# Runs the scenes of `dsc fluid` that the manual shows, in BUILD_DIR/fluids, and renders its pictures of
+# them anew: doc/Deformable_simplicial_complex_3/fig/fluid_NAME.png. Takes a quarter of an hour and 1.2 GB.
+# Usage: scripts/render_fluids.sh [BUILD_DIR]
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
-[ $# -gt 0 ] || { echo "usage: render_fluids.sh BUILD_DIR [SCENE...]" >&2; exit 2; }
-build=$(realpath --canonicalize-missing "$1")
-shift
-scenes=("$@")
-[ ${#scenes[@]} -gt 0 ] || scenes=(bunny collision bowl crown dam-break)
+build=$(realpath --canonicalize-missing "${1:-$source/build}")
 figures=$source/doc/Deformable_simplicial_complex_3/fig
 data=/usr/share/doc/libcgal-dev/data.tar.gz
+python=/usr/bin/python3
 
 fail() { # MESSAGE
   echo "render_fluids.sh: $1" >&2
   exit 1
 }
 
-[ -x "$build/dsc" ] || fail "$build/dsc is missing; build the target dsc, or name its folder"
-[ -f "$data" ] || fail "$data is missing; run scripts/install_dependencies.sh"
-command -v povray >/dev/null || fail "povray is missing; run scripts/install_dependencies.sh povray python3-numpy"
+check_needs() {
+  [ -x "$build/dsc" ] || fail "$build/dsc is missing; build the target dsc, or name its folder"
+  [ -f "$data" ] || fail "$data is missing; run scripts/install_dependencies.sh"
+  command -v povray >/dev/null ||
+    fail "povray is missing; run scripts/install_dependencies.sh povray python3-numpy"
+  "$python" -c 'import numpy' 2>/dev/null ||
+    fail "NumPy is missing; run scripts/install_dependencies.sh povray python3-numpy"
+}
 
-mkdir -p "$build/fluids/data"
+fluid() { # NAME END EVERY OPTION_OF_RENDER_SCENE...
+  echo "dsc fluid $1 --end $2"
+  "$build/dsc" fluid "$1" --end "$2" --every "$3" --subdivide 1 --quiet --output "$1"
+  "$python" "$source/scripts/render_scene.py" "$1" "$figures/fluid_$1.png" "${@:4}"
+}
+
+check_needs
+rm -rf "$build/fluids"
+mkdir -p "$build/fluids"
 cd "$build/fluids"
-tar --extract --gzip --file "$data" --directory data --strip-components=2 \
-  data/meshes/bunny00.off data/meshes/armadillo.off
-for scene in "${scenes[@]}"; do
-  echo "dsc fluid $scene"
-  rm -rf "$scene"
-  "$build/dsc" fluid "$scene" --quiet --data data --output "$scene"
-  "$source/scripts/render_scene.py" "$build/dsc" "$scene" "$figures/fluid_$scene.png"
-done
+tar --extract --gzip --file "$data" --strip-components=2 data/meshes/bunny00.off
+
+fluid bunny 10 10 --up y --times 0,0.05,0.15,10
+fluid collision 1.5 5 --up y --eye 0.3,-1,0.3 --times 0,0.45,0.9,1.5
+fluid jet 18 5 --eye 0.1,-1,0.3 --times 0,12,15,18

@@ -2,67 +2,60 @@
 # Copyright (c) 2026 The deformable simplicial complex authors
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Renders steps that `dsc fluid --output DIR` wrote, side by side, as water on a tiled floor.
+"""Renders steps that `dsc fluid --output DIR --subdivide N` wrote, in one picture.
 
-DSC fills the space around the liquids of a step, if need be, and subdivides their surface, which
-makes it smooth; POV-Ray (Debian: povray) traces the rays. The z axis points up. Needs NumPy.
+POV-Ray (Debian: povray) traces the rays: glossy, opaque liquids above a pale floor. Frames are side by
+side, broad ones in rows of two. Needs NumPy (Debian: python3-numpy).
 """
 
 import argparse
 import os
-import re
-import shutil
 import struct
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree as ElementTree
 import zlib
 
 import numpy
 
 FRAMES = 4
-SIZE = 480  # pixels, along either axis
-# Seen from the front (-y), from the right and above, as in the pictures that dsc draws.
-TO_EYE = (0.55, -1, 0.5)
-ANGLE = 30  # of the view, in degrees
+WIDTH = 1200  # of the picture, in pixels
+BROAD = 2  # Frames are broad if they are so many times as wide as high.
+BORDER_GREY = 200  # of 255
+ANGLE = 30  # of the view, from left to right, in degrees
 # The surfaces would just fit with 1.
 MARGIN = 1.15
 # How far below the liquid the floor is, in multiples of the distance of the eye: they must not
 # coincide.
 GAP = 0.001
-# How long the tiles of the floor are, and how far light goes in the liquid until half is left, in
-# the same unit.
-TILE, CLARITY = 0.06, 0.12
 
 SCENE = """#version 3.7;
-global_settings {{ assumed_gamma 1 max_trace_level 20 }}
+global_settings {{ assumed_gamma 1 max_trace_level 8 }}
 camera {{
-  location {eye} right -x up y angle {angle} sky z look_at {centre}
+  location {eye} right -{aspect} * x up y angle {angle} sky z look_at {centre}
 }}
 light_source {{
-  {centre} + {distance} * <-0.6, -0.5, 2> rgb 1.1
-  area_light {distance} * 0.3 * x, {distance} * 0.3 * y, 5, 5 adaptive 1 circular orient
+  {centre} + {distance} * <-0.6, -0.5, 2> rgb 0.85
+  area_light {distance} * 0.5 * x, {distance} * 0.5 * y, 9, 9 adaptive 1 circular orient
 }}
-sky_sphere {{ pigment {{ gradient z color_map {{ [0 rgb <0.9, 0.94, 1>] [1 rgb <0.4, 0.62, 0.92>] }} }} }}
+light_source {{ {eye} rgb 0.3 shadowless }}
+sky_sphere {{ pigment {{ gradient z color_map {{ [0 rgb 0.45] [0.6 rgb 1] }} }} }}
 plane {{
   z, {floor}
-  pigment {{ checker rgb <0.84, 0.83, 0.8> rgb <0.7, 0.7, 0.69> scale {tile} }}
-  finish {{ ambient 0 emission 0.15 diffuse 0.7 }}
+  pigment {{ rgb 1 }}
+  finish {{ ambient 0 emission 0.45 diffuse 0.6 }}
 }}
 mesh2 {{
   vertex_vectors {{ {points} }}
   normal_vectors {{ {normals} }}
   face_indices {{ {triangles} }}
-  inside_vector z
-  pigment {{ rgbf <0.9, 0.97, 1, 0.95> }}
+  pigment {{ rgb <0.08, 0.3, 0.6> }}
   finish {{
-    ambient 0 diffuse 0.1 specular 0.8 roughness 0.004
-    reflection {{ 0.03, 1 fresnel on }} conserve_energy
+    ambient 0 emission 0.15 diffuse 0.75 specular 0.6 roughness 0.005
+    reflection {{ 0.02, 0.6 fresnel on }}
   }}
-  interior {{
-    ior 1.33 caustics 0.6
-    fade_power 1001 fade_distance {clarity} fade_color <0.1, 0.45, 0.75>
-  }}
+  interior {{ ior 1.5 }}
 }}
 """
 
@@ -71,47 +64,41 @@ class Failure(Exception):
     """What is wrong and what to do, in one line."""
 
 
-def run(*command):
-    done = subprocess.run(command, capture_output=True, text=True, errors="replace", check=False)
-    if done.returncode:
-        lines = (done.stderr or done.stdout).strip().splitlines() or ["it tells nothing"]
-        raise Failure(f"{command[0]} failed: {lines[-1]}")
+def smooth_surfaces(folder):
+    """The files of the steps by time."""
+    try:
+        entries = ElementTree.parse(os.path.join(folder, "interface.pvd")).getroot().iter("DataSet")
+        names = [(float(e.get("timestep")), os.path.splitext(e.get("file"))[0]) for e in entries]
+    except (OSError, ElementTree.ParseError, TypeError, ValueError) as error:
+        raise Failure(f"{folder} has no steps ({error}); run dsc fluid with --output first")
+    if not names:
+        raise Failure(f"{folder} has no steps; run dsc fluid with --output first")
+    return [(time, os.path.join(folder, f"{name.replace('interface', 'smooth')}.ply"))
+            for time, name in names]
 
 
-def steps_in(folder):
-    if not os.path.isdir(folder):
-        raise Failure(f"{folder} is no folder; run dsc fluid with --output first")
-    names = (re.fullmatch(r"volume_(\d+)\.vtu", name) for name in os.listdir(folder))
-    steps = sorted(int(name[1]) for name in names if name)
-    if not steps:
-        raise Failure(f"{folder} contains no step; run dsc fluid with --output first")
-    return steps
+def chosen(surfaces, times):
+    """The files nearest to the times, or some from the first to the last."""
+    if times is None:
+        last = len(surfaces) - 1
+        return [surfaces[i][1] for i in sorted({k * last // (FRAMES - 1) for k in range(FRAMES)})]
+    return [min(surfaces, key=lambda surface: abs(surface[0] - time))[1] for time in times]
 
 
-def chosen(steps, wanted):
-    if wanted is None:
-        last = len(steps) - 1
-        return [steps[i] for i in sorted({k * last // (FRAMES - 1) for k in range(FRAMES)})]
-    for step in wanted:
-        if step not in steps:
-            raise Failure(f"there is no step {step}; there are {', '.join(map(str, steps))}")
-    return wanted
-
-
-def smooth_surface(dsc, volume, subdivisions, scratch):
-    """Points and triangles of the surface of the liquids."""
-    run_folder = os.path.join(scratch, "run")
-    surface = os.path.join(scratch, "surface.off")
-    # Only checkpoints are converted; a turn by no angle makes one of the tetrahedra.
-    run(dsc, "rotate", volume, "--axis", "0,0,1", "--angle", "0", "--steps", "1", "--quiet",
-        "--output", run_folder)
-    run(dsc, "convert", os.path.join(run_folder, "checkpoint.dsc"), surface, "--quiet",
-        *(["--subdivide", str(subdivisions)] if subdivisions else []))
-    shutil.rmtree(run_folder)
-    with open(surface, encoding="ascii") as file:
-        numbers = numpy.array(file.read().split()[1:], float)
-    end = 3 + 3 * int(numbers[0])
-    return numbers[3:end].reshape(-1, 3), numbers[end:].reshape(-1, 4)[:, 1:].astype(int)
+def read_surface(path, up):
+    """Points, with the third axis upwards, and triangles."""
+    try:
+        with open(path, encoding="ascii") as file:
+            words = file.read().split()
+        counts = [int(words[words.index(kind) + 1]) for kind in ("vertex", "face")]
+        values = numpy.array(words[words.index("end_header") + 1:], float)
+    except (OSError, ValueError) as error:
+        raise Failure(f"cannot read {path} ({error}); run dsc fluid with --subdivide first")
+    end = 3 * counts[0]
+    points = values[:end].reshape(-1, 3)
+    if up == "y":
+        points = points[:, (0, 2, 1)] * (1, -1, 1)
+    return points, values[end:].reshape(counts[1], 4)[:, 1:].astype(int)
 
 
 def vertex_normals(points, triangles):
@@ -125,18 +112,22 @@ def vertex_normals(points, triangles):
     return numpy.divide(normals, lengths, out=normals, where=lengths > 0)
 
 
-def camera_for(points):
-    """The centre of the view of all points, and the least distance from which it shows them."""
-    eye = numpy.array(TO_EYE) / numpy.linalg.norm(TO_EYE)
+def camera_for(points, to_eye):
+    """The centre of the view of all points, the least distance from which it shows them, the
+    direction to the eye, and the width of the view over its height."""
+    eye = numpy.array(to_eye) / numpy.linalg.norm(to_eye)
     right = numpy.cross((0, 0, 1), eye)
     right /= numpy.linalg.norm(right)
     axes = numpy.array((right, numpy.cross(eye, right), eye))
     seen = points @ axes.T
     centre = (seen.min(axis=0) + seen.max(axis=0)) / 2
-    shift = seen - centre
+    shift = numpy.abs(seen - centre)
+    width, height = shift[:, :2].max(axis=0)
+    aspect = width / height
     slope = numpy.tan(numpy.radians(ANGLE / 2)) / MARGIN
-    distance = (numpy.abs(shift[:, :2]).max(axis=1) / slope + shift[:, 2]).max()
-    return centre @ axes, distance, eye
+    distance = (numpy.maximum(shift[:, 0], aspect * shift[:, 1]) / slope +
+                (seen - centre)[:, 2]).max()
+    return centre @ axes, distance, eye, aspect
 
 
 def vector(v):
@@ -148,24 +139,46 @@ def array(vectors):
 
 
 def scene(points, triangles, view, floor):
-    centre, distance, eye = view
+    centre, distance, eye, aspect = view
     return SCENE.format(eye=vector(centre + distance * eye), centre=vector(centre), angle=ANGLE,
-                        distance=distance, floor=floor - GAP * distance, tile=TILE * distance,
-                        clarity=CLARITY * distance, points=array(points),
-                        normals=array(vertex_normals(points, triangles)),
+                        aspect=aspect, distance=distance, floor=floor - GAP * distance,
+                        points=array(points), normals=array(vertex_normals(points, triangles)),
                         triangles=array(triangles))
 
 
-def render(text, scratch):
+def render(text, width, height, scratch):
     path = os.path.join(scratch, "frame.pov")
     picture = os.path.join(scratch, "frame.ppm")
     with open(path, "w", encoding="ascii") as file:
         file.write(text)
-    run("povray", f"+I{path}", f"+O{picture}", f"+W{SIZE}", f"+H{SIZE}", "+FP", "+A0.1", "-J", "-D",
-        "-V", "File_Gamma=sRGB")
+    try:
+        subprocess.run(["povray", f"+I{path}", f"+O{picture}", f"+W{width}", f"+H{height}", "+FP",
+                        "+A0.1", "-J", "-D", "-V", "File_Gamma=sRGB"],
+                       capture_output=True, text=True, errors="replace", check=True)
+    except FileNotFoundError:
+        raise Failure("povray is missing; run scripts/install_dependencies.sh povray")
+    except subprocess.CalledProcessError as error:
+        lines = error.stderr.strip().splitlines() or ["it tells nothing"]
+        raise Failure(f"povray failed: {lines[-1]}")
     with open(picture, "rb") as file:
-        pixels = file.read()[-3 * SIZE * SIZE:]
-    return numpy.frombuffer(pixels, numpy.uint8).reshape(SIZE, SIZE, 3)
+        pixels = file.read()[-3 * width * height:]
+    return numpy.frombuffer(pixels, numpy.uint8).reshape(height, width, 3)
+
+
+def in_rows(frames, columns):
+    blank = numpy.full_like(frames[0], 255)
+    frames = frames + [blank] * (-len(frames) % columns)
+    rows = [joined(frames[i:i + columns], 1) for i in range(0, len(frames), columns)]
+    return joined(rows, 0)
+
+
+def joined(frames, axis):
+    """The frames with lines of one pixel between them."""
+    shape = list(frames[0].shape)
+    shape[axis] = 1
+    line = numpy.full(shape, BORDER_GREY, numpy.uint8)
+    parts = [part for frame in frames for part in (line, frame)]
+    return numpy.concatenate(parts[1:], axis=axis)
 
 
 def write_png(path, image):
@@ -174,42 +187,43 @@ def write_png(path, image):
                 struct.pack(">I", zlib.crc32(kind + data)))
 
     height, width, _ = image.shape
-    rows = b"".join(b"\0" + row.tobytes() for row in image)  # 0: not filtered
+    # 1: each pixel but the first of a row is told by what it differs from the one on its left.
+    image = numpy.diff(image, axis=1, prepend=numpy.zeros((height, 1, 3), numpy.uint8))
+    rows = b"".join(b"\1" + row.tobytes() for row in image)
     with open(path, "wb") as file:
         file.write(b"\x89PNG\r\n\x1a\n" +
                    chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) +
                    chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
 
 
-def step_numbers(text):
-    return [int(step) for step in text.split(",")]
+def numbers(text):
+    return [float(number) for number in text.split(",")]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("dsc", metavar="DSC", help="the program")
-    parser.add_argument("folder", metavar="DIR", help="what dsc fluid --output wrote")
+    parser.add_argument("folder", metavar="DIR", help="what dsc fluid --output --subdivide wrote")
     parser.add_argument("picture", metavar="PICTURE.png", help="what to write")
-    parser.add_argument("--steps", metavar="K,K,...", type=step_numbers,
-                        help=f"which steps; default: {FRAMES}, from the first to the last")
-    parser.add_argument("--subdivide", metavar="N", type=int, choices=range(6), default=1,
-                        help="how often each triangle is divided into four, 0 to 5; default: 1")
+    parser.add_argument("--times", metavar="T,T,...", type=numbers,
+                        help=f"the steps nearest to these; default: {FRAMES}, from first to last")
+    parser.add_argument("--up", choices="yz", default="z", help="which axis; default: z")
+    parser.add_argument("--eye", metavar="X,Y,Z", type=numbers, default=[0.55, -1, 0.5],
+                        help="the direction to the eye: to the right, backwards and upwards; "
+                             "default: 0.55,-1,0.5")
     arguments = parser.parse_args()
-    for program in (arguments.dsc, "povray"):
-        if not shutil.which(program):
-            raise Failure(f"there is no program {program}; build dsc, and run "
-                          "scripts/install_dependencies.sh for povray")
 
-    steps = chosen(steps_in(arguments.folder), arguments.steps)
-    volumes = [os.path.join(arguments.folder, f"volume_{step:06}.vtu") for step in steps]
+    paths = chosen(smooth_surfaces(arguments.folder), arguments.times)
+    surfaces = [read_surface(path, arguments.up) for path in paths]
+    every_point = numpy.concatenate([points for points, _ in surfaces])
+    view = camera_for(every_point, arguments.eye)
+    floor = every_point[:, 2].min()
+    aspect = view[-1]
+    columns = min(len(surfaces), 2) if aspect > BROAD else len(surfaces)
+    width = WIDTH // columns
     with tempfile.TemporaryDirectory() as scratch:
-        surfaces = [smooth_surface(arguments.dsc, volume, arguments.subdivide, scratch)
-                    for volume in volumes]
-        every_point = numpy.concatenate([points for points, _ in surfaces])
-        view = camera_for(every_point)
-        floor = every_point[:, 2].min()
-        frames = [render(scene(*surface, view, floor), scratch) for surface in surfaces]
-    write_png(arguments.picture, numpy.concatenate(frames, axis=1))
+        frames = [render(scene(*surface, view, floor), width, round(width / aspect), scratch)
+                  for surface in surfaces]
+    write_png(arguments.picture, in_rows(frames, columns))
 
 
 if __name__ == "__main__":

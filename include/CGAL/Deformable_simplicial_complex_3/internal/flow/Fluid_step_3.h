@@ -12,6 +12,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Roughness_damper_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Vertex_constraints_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Wall_contacts_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/solvers/Closed_pressures.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
@@ -34,6 +35,7 @@ public:
   using Mesh = Fluid_mesh_3<Complex>;
   using Equations = Fluid_equations_3<Complex>;
   using Contacts = Wall_contacts_3<Complex>;
+  using System = Saddle_point_system;
   using Vector = Eigen::VectorXd;
 
   using Source = std::function<double(const Any_solid_3::Point&, double)>;
@@ -213,6 +215,7 @@ private:
     m_iterations += m_solver.solve(f - system.multiply_a(known), s - system.b * known, v,
                                    m_pressures, accuracy);
     ++m_solutions;
+    m_closed.raise(m_pressures);
     v += known;
     m_reactions = system.multiply_a(v) - system.b.transpose() * m_pressures - f;
     for (std::size_t i = 0; i < m_velocities.size(); ++i)
@@ -228,8 +231,10 @@ private:
           m_constraints.add(v, {Eigen::Vector3d::Unit(axis), 0});
     m_contacts.constrain(m_constraints);
     m_constraints.close();
-    Saddle_point_system system = m_equations.system();
+    System system = m_equations.system();
     system.held = m_constraints.held();
+    m_closed.find(system,
+                  system.held.empty() ? System::Matrix() : System::Matrix(system.b.transpose()));
     if (m_is_factorized)
       m_solver.update(std::move(system));
     else
@@ -260,6 +265,7 @@ private:
   Equations m_equations;
   Contacts m_contacts;
   Vertex_constraints_3 m_constraints{0};
+  Closed_pressures m_closed;
   bool m_is_factorized = false, m_is_assembled = false, m_is_settled = false;
   unsigned m_iterations = 0, m_solutions = 0;
 };

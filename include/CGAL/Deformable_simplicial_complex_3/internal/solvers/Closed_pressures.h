@@ -9,7 +9,9 @@
 
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -29,13 +31,15 @@ public:
 
   // bt is the transpose of b. Linear.
   void find(const System& system, const System::Matrix& bt) {
-    static constexpr double rounding = 1e-6; // of the area of the surface
+    static constexpr double rounding = 1e-4; // of the area of the surface
     using Row = System::Matrix::InnerIterator;
     const Eigen::Index n = system.nodal.rows(), m = system.c.rows();
+    m_sets.clear();
+    if (system.held.empty())
+      return;
     // How much pressures that are one everywhere push vertices, freely.
     Vector pushes = bt * Vector::Ones(m), free_pushes = pushes;
     system.project(free_pushes);
-    m_sets.clear();
     std::vector<char> is_met(std::size_t(m), false), is_vertex_met(std::size_t(n), false);
     for (Eigen::Index first = 0; first < m; ++first) {
       if (is_met[std::size_t(first)])
@@ -64,6 +68,16 @@ public:
       set.weight /= double(set.members.size());
       if (free_area <= rounding * rounding * area)
         m_sets.push_back(std::move(set));
+    }
+  }
+
+  // Makes the least pressure of each set 0, by which no wall has to pull for the sake of pressure.
+  void raise(Vector& pressures) const {
+    for (const Set& set : m_sets) {
+      double least = std::numeric_limits<double>::infinity();
+      for (Eigen::Index p : set.members)
+        least = (std::min)(least, pressures(p));
+      add(set, -least, pressures, 0);
     }
   }
 
