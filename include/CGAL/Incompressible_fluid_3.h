@@ -81,14 +81,14 @@ solids (section 4.4 of the paper; M. K. Misztal, R. Bridson, K. Erleben, J. A. B
 "Optimization-based fluid simulation on unstructured meshes", VRIPHYS 2010), by linear finite
 elements on the tetrahedra of a complex, which go with the flow.
 
-Labels are liquids or void, see `Fluid_properties_3`. A step solves for velocities and pressures at
-once, in the middle of the step, so that energy neither grows nor fades but for viscosity and what
-changes of the mesh take; surface tension is implicit and bounds no step. The volume of each
-connected part of a liquid stays what it was to rounding; parts that merge add theirs. So do
-momenta, but for what gravity and walls give. Where liquids lie on sides of the domain, which must
-be a box for that, they slide along them and do not leave them; other surfaces keep off by a quarter
-of an edge, as from a wall. The surface of a liquid never enters a solid with a vertex; it may touch
-and leave it, see `Wall_behavior`.
+Labels are liquids, gases or void, see `Fluid_properties_3`. A step solves for velocities and
+pressures at once, in the middle of the step, so that energy neither grows nor fades but for
+viscosity and what changes of the mesh take; surface tension is implicit and bounds no step. The
+volume of each connected part of a liquid stays what it was to rounding, but for what sources bring;
+parts that merge add theirs. So do momenta, but for what gravity, gases, walls and sources give.
+Where liquids lie on sides of the domain, which must be a box for that, they slide along them and do
+not leave them; other surfaces keep off by a quarter of an edge, as from a wall. The surface of a
+liquid never enters a solid with a vertex; it may touch and leave it, see `Wall_behavior`.
 
 All is in the coordinates of the complex, in any units that fit together.
 
@@ -142,10 +142,11 @@ public:
          std::cos(behavior.contact_angle * CGAL_PI / 180), behavior.sticks, behavior.separates});
   }
 
-  /// Sets sources: `divergence_at(point, time)`, of `Point` and `double`, is what a unit of volume
-  /// of liquid gains there in a unit of time, with the velocity that it has there: inflow if
-  /// positive, outflow if negative. It counts in the middle of each cell, half-way in each step. To
-  /// be set again after `restore()`.
+  /// Sets sources: `divergence_at(point, time)`, of `Point` and `double`, is what a unit of volume of
+  /// liquid gains there in a unit of time, with the velocity that it has there: inflow if positive,
+  /// outflow if negative. It counts in the middle of each cell, half-way in each step. To be set
+  /// again for a new object that is to `restore()`. What it throws, `advance()` does, and an `Error`
+  /// if it is not finite or, times the step, not between -1 and 1; `relax()` leaves it out.
   template <class DivergenceAt> void set_sources(const DivergenceAt& divergence_at) {
     m_source = divergence_at;
   }

@@ -373,6 +373,28 @@ TEST(Fluid, breathes_around_a_bubble_of_gas) {
   EXPECT_NEAR(crossings[1], 2 * CGAL_PI / frequency, .1 * 2 * CGAL_PI / frequency);
 }
 
+// Air above a tank, which ends at the sides of the domain, changes nothing.
+TEST(Fluid, does_not_feel_the_air_above_a_tank) {
+  std::vector<Vector> momenta;
+  std::vector<double> kinetic;
+  for (double pressure : {0., 50.}) {
+    Complex complex = small_meshes::make_complex(
+        small_meshes::grid(6, [](const auto& p) { return CGAL::to_double(p.z()) < 0 ? 1 : 0; }));
+    dsc::Fluid_properties_3 properties = liquid(1, 0, 0, 1);
+    properties.set_gas(0, {pressure, 0});
+    Fluid fluid(complex, properties);
+    fluid.set_velocities([&](Complex::Vertex_handle v) {
+      return Vector(.1 * std::sin(CGAL_PI * complex.position(v).x()), 0, 0);
+    });
+    for (int k = 0; k < 5; ++k)
+      fluid.advance(.02, parameters::adaptation_interval(0u));
+    momenta.push_back(fluid.balance().momentum);
+    kinetic.push_back(fluid.balance().kinetic_energy);
+  }
+  EXPECT_LT((momenta[0] - momenta[1]).squared_length(), 1e-12);
+  EXPECT_NEAR(kinetic[0], kinetic[1], 1e-8);
+}
+
 // Everywhere the same divergence: the liquid stays alike and goes on, with ever more momentum.
 TEST(Fluid, grows_by_sources) {
   Complex complex = sphere(8, .4);
@@ -393,6 +415,10 @@ TEST(Fluid, grows_by_sources) {
     EXPECT_LT(fluid.advance(.02).gained_volume, 0);
   EXPECT_TRUE(complex.is_valid());
   EXPECT_LT(fluid.balance().volume, .9 * balance.volume);
+  fluid.set_sources([](const Point&, double) { return -100.; });
+  EXPECT_THROW(fluid.advance(.1), dsc::Error);
+  fluid.set_sources([](const Point&, double) { return std::nan(""); });
+  EXPECT_THROW(fluid.advance(.1), dsc::Error);
 }
 
 TEST(Gas_ledger, follows_parts) {

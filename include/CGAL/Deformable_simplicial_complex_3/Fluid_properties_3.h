@@ -45,8 +45,8 @@ and how interfaces between them contract.
 class Fluid_properties_3
 {
 public:
-  /// Label `label` is this liquid. Labels that are none are void.
-  /// \throws Error if a number is out of its range
+  /// Label `label` is this liquid. Labels that are neither liquid nor gas are void.
+  /// \throws Error if a number is out of its range, or the label is a gas
   void set_liquid(int label, const Liquid& liquid) {
     if (!(liquid.density > 0) || !std::isfinite(liquid.density))
       throw Error("the density of label " + std::to_string(label) +

@@ -30,7 +30,7 @@ namespace Deformable_simplicial_complexes {
 
 Solves saddle point systems by a sparse Cholesky factorization LDL^T, which exists for any order of
 the unknowns, as the matrix is quasi-definite (R. J. Vanderbei, "Symmetric quasidefinite matrices",
-SIAM J. Optim. 5, 1995). To be preferred up to about a thousand vertices.
+SIAM J. Optim. 5, 1995). To be preferred up to about five hundred vertices.
 
 \cgalModels `SaddlePointSolver`
 */

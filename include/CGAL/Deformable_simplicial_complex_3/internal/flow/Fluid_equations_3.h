@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_FLUID_EQUATIONS_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_FLUID_EQUATIONS_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/Fluid_properties_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Saddle_point_system.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_mesh_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/solvers/Cell_rows.h>
@@ -14,6 +15,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -132,7 +134,7 @@ public:
         m_system.viscosity(p) = m_mesh.cells[k].liquid->viscosity;
       }
     m_system.viscosity.array() /= volumes.array();
-    m_forces = Vector::Zero(3 * Eigen::Index(m_masses.size()));
+    m_forces = m_pushes = Vector::Zero(3 * Eigen::Index(m_masses.size()));
     for (std::size_t f = 0; f < m_mesh.facets.size(); ++f) {
       const auto& facet = m_mesh.facets[f];
       add_facet(facet, half_way, tension_of(f));
@@ -144,9 +146,12 @@ public:
   // Of velocities that are free; `held` is up to the caller.
   const System& system() const { return m_system; }
 
+  // Of gases on vertices.
+  const Vector& pushes() const { return m_pushes; }
+
   // f
   Vector forces(const Vectors_3& velocities) const {
-    Vector result = m_forces;
+    Vector result = m_forces + m_pushes;
     for (std::size_t v = 0; v < m_masses.size(); ++v)
       at(result, v) +=
           (1 - Mesh::part_at_middle) * rate(m_masses[v]) * velocities[v] + m_masses[v] * m_gravity;
@@ -239,7 +244,7 @@ private:
     const Eigen::Vector3d a = half_way[v[1]] - half_way[v[0]], b = half_way[v[2]] - half_way[v[0]];
     const Eigen::Vector3d share = (facet.is_gas_in_front ? -1 : 1) * pressure / 6 * a.cross(b);
     for (auto corner : v)
-      at(m_forces, corner) += share;
+      at(m_pushes, corner) += share;
   }
 
   // Tensions that are negative, of wet walls, are forces of now, as they would not be definite.
@@ -284,7 +289,7 @@ private:
   std::vector<Element> m_elements; // at the beginning
   std::vector<Terms> m_terms;      // by cell
   System m_system;
-  Vector m_forces; // of surfaces
+  Vector m_forces, m_pushes; // of surfaces and gases
 };
 
 } // namespace internal

@@ -19,6 +19,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -49,9 +50,9 @@ public:
                const Vectors_3& accelerations, const std::vector<Gas_body_3>& gases,
                const Source& source, unsigned number_of_threads)
       : m_mesh(mesh), m_properties(properties), m_solver(solver),
-        m_number_of_threads(number_of_threads), m_step(step), m_begin(begin), m_end(end),
-        m_positions(positions), m_before(velocities), m_accelerations(accelerations),
-        m_gases(gases), m_source(source),
+        m_number_of_threads(number_of_threads), m_for_each(number_of_threads), m_step(step),
+        m_begin(begin), m_end(end), m_positions(positions), m_before(velocities),
+        m_accelerations(accelerations), m_gases(gases), m_source(source),
         m_equations(m_for_each, mesh, properties, step, positions),
         m_contacts(mesh, solids, complex, positions, begin) {
     for (std::size_t v = 0; v < positions.size(); ++v)
@@ -101,13 +102,14 @@ public:
   // What the equations were solved for: where forces are taken.
   const Vectors_3& solved_velocities() const { return m_velocities; }
 
-  // What sets of masses have in the end but for what walls stop: what they had, and what gravity
-  // and walls have given them. What vertices of a set exchange sums up to nothing.
+  // What sets of masses have in the end but for what walls stop: what they had, and what gravity,
+  // gases and walls have given them. What vertices of a set exchange sums up to nothing.
   Momentum_3 pushed_momentum(const Masses_3& masses) const {
+    if (masses.of_vertices.empty())
+      return {};
     Momentum_3 result = momentum(m_mesh, masses, m_positions, m_before);
     // The places where pushes change angular momentum by what the whole step does.
     const Vectors_3 arms = at_time((1 - m_step.theta) * m_step.dt);
-    const Vectors_3 at_half = at_time(m_step.dt / 2);
     const Eigen::Vector3d gravity(m_properties.gravity().data());
     for (const auto& [v, m] : masses.of_vertices) {
       const double mass = m / (1 - Mesh::part_at_middle), share = mass / m_equations.masses()[v];
@@ -115,6 +117,10 @@ public:
           m_step.dt * (mass * gravity + share * m_reactions.segment<3>(3 * Eigen::Index(v)));
       result.linear += pushed;
       result.angular += arms[v].cross(pushed);
+      const Vector& pushes = m_equations.pushes();
+      const Eigen::Vector3d push = m_step.dt * share * pushes.segment<3>(3 * Eigen::Index(v));
+      result.linear += push;
+      result.angular += m_half_way[v].cross(push);
     }
     // What sources bring goes with the liquid there.
     for (std::size_t i = 0; i < masses.of_middles.size() && !m_gains.empty(); ++i) {
@@ -122,7 +128,7 @@ public:
       const Eigen::Vector3d brought =
           m_step.dt * m_mesh.cells[k].liquid->density * m_gains[k] * m_mesh.middle(k, m_velocities);
       result.linear += brought;
-      result.angular += m_mesh.middle(k, at_half).cross(brought);
+      result.angular += m_mesh.middle(k, m_half_way).cross(brought);
     }
     return result;
   }
@@ -132,6 +138,8 @@ public:
 
   // And with that.
   Momentum_3 final_momentum(const Masses_3& masses) const {
+    if (masses.of_vertices.empty())
+      return {};
     const Vectors_3 end = destinations();
     Momentum_3 result = pushed_momentum(masses);
     const Momentum_3 stopped = momentum(m_mesh, masses, end, m_final_velocities),
@@ -175,19 +183,23 @@ private:
 
   void assemble() {
     m_contacts.predict(destinations(), m_end, m_step.dt, m_end > m_begin);
-    const Vectors_3 half_way = at_time(m_step.dt / 2);
-    const std::vector<double> volumes = volumes_of_gases(m_mesh, m_gases, m_positions, half_way);
+    m_half_way = at_time(m_step.dt / 2);
+    const std::vector<double> volumes = volumes_of_gases(m_mesh, m_gases, m_positions, m_half_way);
     std::vector<double> pressures;
     for (std::size_t k = 0; k < m_gases.size(); ++k)
       pressures.push_back(m_gases[k].pressure(volumes[k]));
     m_equations.assemble(
-        half_way, [&](std::size_t f) { return m_contacts.tension(m_mesh.facets[f]); }, pressures);
+        m_half_way, [&](std::size_t f) { return m_contacts.tension(m_mesh.facets[f]); }, pressures);
     m_gains.clear();
     if (m_source)
       for (std::size_t k = 0; k < m_mesh.cells.size(); ++k) {
-        const Eigen::Vector3d middle = m_mesh.middle(k, half_way);
-        m_gains.push_back(m_source({middle.x(), middle.y(), middle.z()}, (m_begin + m_end) / 2) *
-                          volume(m_mesh.cells[k], half_way));
+        const Eigen::Vector3d middle = m_mesh.middle(k, m_half_way);
+        const double divergence =
+            m_source({middle.x(), middle.y(), middle.z()}, (m_begin + m_end) / 2);
+        if (!(std::abs(divergence) * m_step.dt < 1))
+          throw Error("a source is not finite, or brings or drains more in the step than what is "
+                      "there: use shorter steps");
+        m_gains.push_back(divergence * volume(m_mesh.cells[k], m_half_way));
       }
     m_is_assembled = false;
   }
@@ -260,6 +272,7 @@ private:
       m_final_velocities;
   std::vector<Gas_body_3> m_gases;
   Source m_source;
+  Vectors_3 m_half_way;        // positions that forces were assembled at
   std::vector<double> m_gains; // volume in a unit of time, by cell
   Vector m_pressures, m_reactions;
   Equations m_equations;

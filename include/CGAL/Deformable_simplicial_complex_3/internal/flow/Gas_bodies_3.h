@@ -8,6 +8,10 @@
 #include <CGAL/Deformable_simplicial_complex_3/Fluid_properties_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_mesh_3.h>
 
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -30,7 +34,8 @@ struct Gas_body_3
   }
 };
 
-// The volumes of gases when vertices of liquids have gone from some positions to others.
+// The volumes of gases, a tenth of what they are at the least, when vertices of liquids have gone
+// from some positions to others.
 template <class Mesh>
 std::vector<double> volumes_of_gases(const Mesh& mesh, const std::vector<Gas_body_3>& gases,
                                      const Vectors_3& from, const Vectors_3& to) {
@@ -50,6 +55,9 @@ std::vector<double> volumes_of_gases(const Mesh& mesh, const std::vector<Gas_bod
       const double swept = (middle[1] - middle[0]).cross(middle[2] - middle[0]).dot(way) / 2;
       result[facet.gas] -= facet.is_gas_in_front ? swept : -swept;
     }
+  static constexpr double least = .1; // what a prediction may crush a gas to
+  for (std::size_t k = 0; k < gases.size(); ++k)
+    result[k] = (std::max)(result[k], least * gases[k].volume);
   return result;
 }
 

@@ -122,13 +122,15 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, double i
   const auto begin_of_solver = Clock::now();
   Step step(flow.mesh, m_properties, m_solids, m_complex, m_solver, {dt, implicitness}, m_time, end,
             flow.positions, flow.velocities, flow.accelerations, m_gas_ledger.bodies_of(flow.mesh),
-            m_source, number_of_threads);
+            end > m_time ? m_source : typename Step::Source(), number_of_threads);
   step.solve(m_knows_accelerations);
   report.seconds_of_solver += seconds_since(begin_of_solver);
+  Ledger::Volumes owned = m_ledger.volumes();
   for (std::size_t k = 0; k < step.gains().size(); ++k) {
     report.gained_volume += dt * step.gains()[k];
-    m_ledger.add_volume(flow.mesh.cells[k].component, dt * step.gains()[k]);
+    owned.at(flow.mesh.cells[k].component) += dt * step.gains()[k];
   }
+  m_ledger.set_volumes(owned);
 
   m_time = end;
   const Vectors after = step.final_velocities();
@@ -257,8 +259,9 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
   for (const auto& [part, volume] : volumes)
     fits = fits && present.count(part) > 0 && volume > 0 && std::isfinite(volume);
   auto gases = Gas_ledger::measure(flow.mesh, m_properties);
-  fits = fits && state.gases.size() == gases.size();
-  for (const auto& [part, amount] : state.gases)
+  const std::map<Ledger::Part, double> amounts(state.gases.begin(), state.gases.end());
+  fits = fits && state.gases.size() == gases.size() && amounts.size() == gases.size();
+  for (const auto& [part, amount] : amounts)
     if (const auto found = gases.find(part);
         found != gases.end() && amount >= 0 && std::isfinite(amount))
       found->second.amount = amount;

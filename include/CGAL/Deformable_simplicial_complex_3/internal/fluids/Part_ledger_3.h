@@ -64,7 +64,6 @@ public:
 
   const Volumes& volumes() const { return m_volumes; }
   void set_volumes(const Volumes& volumes) { m_volumes = volumes; }
-  void add_volume(Part part, double volume) { m_volumes.at(part) += volume; }
 
   // By how much parts are off, the most, relative to what they are to have.
   double error(const Volumes& present) const {

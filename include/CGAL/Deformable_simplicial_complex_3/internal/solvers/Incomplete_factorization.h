@@ -5,10 +5,9 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SOLVERS_INCOMPLETE_FACTORIZATION_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SOLVERS_INCOMPLETE_FACTORIZATION_H
 
+#include <Eigen/Core>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
-
-#include <cmath>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {

@@ -68,10 +68,14 @@ unsigned minimal_residuals(const For_each_index& for_each, const Multiply& multi
   Vector z(n), q(n), next(n), w(Vector::Zero(n)), w_before(w);
   precondition(right, z);
   const double bound = tolerance * std::sqrt(dot(right, z));
+  if (!std::isfinite(bound))
+    throw Error(
+        "the equations of the flow are not finite: the step may be too short or too long for "
+        "numbers, or cells flat");
   multiply(x, next);
   Vector r = right - next, r_before = r;
   precondition(r, z);
-  double beta = std::sqrt(dot(r, z)), beta_before = 1, eta = beta;
+  double beta = std::sqrt((std::max)(0., dot(r, z))), beta_before = 1, eta = beta;
   double cosine = -1, sine = 0, epsilon = 0, delta_bar = 0;
   unsigned k = 0;
   // By the names of Paige and Saunders: r are Lanczos' vectors, not normalized.
@@ -94,7 +98,10 @@ unsigned minimal_residuals(const For_each_index& for_each, const Multiply& multi
     });
     precondition(r, z);
     beta_before = beta;
-    beta = std::sqrt((std::max)(0., dot(r, z)));
+    const double square = dot(r, z);
+    if (std::isnan(square))
+      throw Error("the equations of the flow have no finite solution: cells may be too flat");
+    beta = std::sqrt((std::max)(0., square));
     const double epsilon_before = epsilon, delta = cosine * delta_bar + sine * alpha,
                  gamma_bar = sine * delta_bar - cosine * alpha;
     epsilon = sine * beta;
