@@ -142,11 +142,11 @@ public:
          std::cos(behavior.contact_angle * CGAL_PI / 180), behavior.sticks, behavior.separates});
   }
 
-  /// Sets sources: `divergence_at(point, time)`, of `Point` and `double`, is what a unit of volume of
-  /// liquid gains there in a unit of time, with the velocity that it has there: inflow if positive,
-  /// outflow if negative. It counts in the middle of each cell, half-way in each step. To be set
-  /// again for a new object that is to `restore()`. What it throws, `advance()` does, and an `Error`
-  /// if it is not finite or, times the step, not between -1 and 1; `relax()` leaves it out.
+  /// Sets sources: `divergence_at(point, time)`, of `Point` and `double`, is what a unit of volume
+  /// of liquid gains there in a unit of time, with the velocity that it has there: inflow if
+  /// positive, outflow if negative. It counts in the middle of each cell, half-way in each step. To
+  /// be set again for a new object that is to `restore()`. What it throws, `advance()` does, and an
+  /// `Error` if it is not finite or, times the step, not between -1 and 1; `relax()` leaves it out.
   template <class DivergenceAt> void set_sources(const DivergenceAt& divergence_at) {
     m_source = divergence_at;
   }
