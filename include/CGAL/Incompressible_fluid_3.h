@@ -182,6 +182,8 @@ public:
   }
   /// The connected parts of gases, by component. n log n.
   std::vector<Fluid_gas_3> gases() const {
+    if (m_properties.gases().empty())
+      return {};
     const Flow flow(*this, m_properties);
     const auto bodies = m_gas_ledger.bodies_of(flow.mesh);
     std::vector<Fluid_gas_3> result;
@@ -384,8 +386,8 @@ private:
   template <class NamedParameters>
   void restore_volumes(Flow& flow, const NamedParameters& np, Report& report);
   template <class NamedParameters>
-  void move_interface(const Eigen::VectorXd& coordinates, const NamedParameters& np,
-                      Report& report);
+  Flow move_interface(const Flow& flow, const Eigen::VectorXd& coordinates,
+                      const NamedParameters& np, Report& report);
   std::vector<std::size_t> stamps_of_interface() const;
   Eigen::VectorXd coordinates_of_interface() const;
   double follow_parts(const Flow& now);

@@ -88,21 +88,18 @@ std::string read_velocity(Json_fields& liquid) {
   return result;
 }
 
-/// Of a liquid or gas.
-int read_label(Json_fields& filling, bool is_surroundings, std::size_t otherwise) {
-  if (is_surroundings)
-    return 0;
-  const auto result = int(filling.count("label", otherwise));
-  if (result == 0)
-    filling.refuse("label", "0 is what is around all others: use the shape surroundings");
-  return result;
+/// Where a liquid or gas is, and its label.
+template <class Filling> void read_filling(Json_fields& json, std::size_t index, Filling& filling) {
+  bool is_surroundings = false;
+  filling.shape = read_shape(json, is_surroundings);
+  filling.label = is_surroundings ? 0 : int(json.count("label", index + 1));
+  if (!is_surroundings && filling.label == 0)
+    json.refuse("label", "0 is what is around all others: use the shape surroundings");
 }
 
 Scene_liquid read_liquid(Json_fields liquid, std::size_t index) {
   Scene_liquid result;
-  bool is_surroundings = false;
-  result.shape = read_shape(liquid, is_surroundings);
-  result.label = read_label(liquid, is_surroundings, index + 1);
+  read_filling(liquid, index, result);
   result.density = liquid.positive("density");
   result.viscosity = liquid.number("viscosity", 0);
   if (result.viscosity < 0)
@@ -114,9 +111,7 @@ Scene_liquid read_liquid(Json_fields liquid, std::size_t index) {
 
 Scene_gas read_gas(Json_fields gas, std::size_t index) {
   Scene_gas result;
-  bool is_surroundings = false;
-  result.shape = read_shape(gas, is_surroundings);
-  result.label = read_label(gas, is_surroundings, index + 1);
+  read_filling(gas, index, result);
   result.pressure = gas.number("pressure");
   if (result.pressure < 0)
     gas.refuse("pressure", "0 or more is needed");

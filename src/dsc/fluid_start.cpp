@@ -147,7 +147,8 @@ bool is_about(const Fluid_shape& shape, const Point& p) {
 Complex complex_of_places(const Fluid_scene& scene) {
   number_of_parts((scene.domain[3] - scene.domain[0]) * (scene.domain[4] - scene.domain[1]) *
                   (scene.domain[5] - scene.domain[2]) / std::pow(scene.edge, 3));
-  for (const auto& filling : shapes_of(scene)) {
+  const auto shapes = shapes_of(scene);
+  for (const auto& filling : shapes) {
     const Fluid_shape& shape = *filling.second;
     const auto* ball = std::get_if<Ball_shape>(&shape);
     const auto* column = std::get_if<Cylinder_shape>(&shape);
@@ -164,7 +165,7 @@ Complex complex_of_places(const Fluid_scene& scene) {
   }
   const auto label_at = [&](const Point& p) {
     int result = 0;
-    for (const auto& [label, shape] : shapes_of(scene))
+    for (const auto& [label, shape] : shapes)
       if (!std::holds_alternative<Surroundings>(*shape) && is_about(*shape, p))
         result = label;
     return result;

@@ -94,7 +94,7 @@ public:
   // Whether what must hold at walls did in the end.
   bool is_settled() const { return m_is_settled; }
 
-  Vectors_3 destinations() const { return at_time(m_step.dt); }
+  const Vectors_3& destinations() const { return m_destinations; }
 
   // Where the step ends.
   const Vectors_3& final_velocities() const { return m_final_velocities; }
@@ -109,14 +109,14 @@ public:
       return {};
     Momentum_3 result = momentum(m_mesh, masses, m_positions, m_before);
     // The places where pushes change angular momentum by what the whole step does.
-    const Vectors_3 arms = at_time((1 - m_step.theta) * m_step.dt);
+    const double time_of_arms = (1 - m_step.theta) * m_step.dt;
     const Eigen::Vector3d gravity(m_properties.gravity().data());
     for (const auto& [v, m] : masses.of_vertices) {
       const double mass = m / (1 - Mesh::part_at_middle), share = mass / m_equations.masses()[v];
       const Eigen::Vector3d pushed =
           m_step.dt * (mass * gravity + share * m_reactions.segment<3>(3 * Eigen::Index(v)));
       result.linear += pushed;
-      result.angular += arms[v].cross(pushed);
+      result.angular += (m_positions[v] + time_of_arms * m_velocities[v]).cross(pushed);
       const Vector& pushes = m_equations.pushes();
       const Eigen::Vector3d push = m_step.dt * share * pushes.segment<3>(3 * Eigen::Index(v));
       result.linear += push;
@@ -140,10 +140,9 @@ public:
   Momentum_3 final_momentum(const Masses_3& masses) const {
     if (masses.of_vertices.empty())
       return {};
-    const Vectors_3 end = destinations();
     Momentum_3 result = pushed_momentum(masses);
-    const Momentum_3 stopped = momentum(m_mesh, masses, end, m_final_velocities),
-                     unstopped = momentum(m_mesh, masses, end, m_unstopped_velocities);
+    const Momentum_3 stopped = momentum(m_mesh, masses, m_destinations, m_final_velocities),
+                     unstopped = momentum(m_mesh, masses, m_destinations, m_unstopped_velocities);
     result.linear += stopped.linear - unstopped.linear;
     result.angular += stopped.angular - unstopped.angular;
     return result;
@@ -163,7 +162,8 @@ private:
     Vectors_3 velocities;
     for (std::size_t v = 0; v < m_before.size(); ++v)
       velocities.push_back(m_before[v] + (m_velocities[v] - m_before[v]) / m_step.theta);
-    const Roughness_damper_3<Mesh> damper(m_mesh, destinations());
+    m_destinations = at_time(m_step.dt);
+    const Roughness_damper_3<Mesh> damper(m_mesh, m_destinations);
     m_unstopped_velocities = damper.damped(velocities, m_equations.masses(), m_step.dt);
     m_final_velocities = m_unstopped_velocities;
     m_contacts.stop(m_final_velocities);
@@ -182,7 +182,7 @@ private:
   }
 
   void assemble() {
-    m_contacts.predict(destinations(), m_end, m_step.dt, m_end > m_begin);
+    m_contacts.predict(at_time(m_step.dt), m_end, m_step.dt, m_end > m_begin);
     m_half_way = at_time(m_step.dt / 2);
     const std::vector<double> volumes = volumes_of_gases(m_mesh, m_gases, m_positions, m_half_way);
     std::vector<double> pressures;
@@ -272,6 +272,7 @@ private:
       m_final_velocities;
   std::vector<Gas_body_3> m_gases;
   Source m_source;
+  Vectors_3 m_destinations;
   Vectors_3 m_half_way;        // positions that forces were assembled at
   std::vector<double> m_gains; // volume in a unit of time, by cell
   Vector m_pressures, m_reactions;

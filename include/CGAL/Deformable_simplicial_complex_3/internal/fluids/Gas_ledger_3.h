@@ -9,11 +9,9 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Gas_bodies_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Part_ledger_3.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -55,12 +53,7 @@ public:
   // The parts of now, as `measure()` tells them, own what those of then did. Those that merged have
   // the mean of their pressures, by volume, so that energy stays; those that fell apart have one.
   void follow(const Part_ledger_3::Lineage& lineage, Bodies now) {
-    std::size_t size = 0; // above all numbers
-    for (const Bodies* bodies : {&std::as_const(m_bodies), &std::as_const(now)})
-      if (!bodies->empty())
-        size = (std::max)(size, std::size_t(bodies->rbegin()->first) + 1);
-    for (const auto& [before, after] : lineage)
-      size = (std::max)({size, std::size_t(before) + 1, std::size_t(after) + 1});
+    const std::size_t size = Part_ledger_3::size_of(m_bodies, now, lineage);
     Number_groups groups(2 * size); // of parts then, and of parts now
     for (const auto& [before, after] : lineage)
       groups.join(before, size + after);

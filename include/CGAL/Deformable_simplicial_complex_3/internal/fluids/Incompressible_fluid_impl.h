@@ -71,14 +71,14 @@ double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps,
     }
     const Eigen::VectorXd to = coordinates_of_interface();
     const double energy = balance().energy();
-    move_interface(accelerator.next(from, to), np, report);
+    move_interface(Flow(*this, m_properties), accelerator.next(from, to), np, report);
     if (before != stamps_of_interface()) {
       accelerator.forget();
       continue;
     }
     if (!(balance().energy() <= energy)) {
       accelerator.forget();
-      move_interface(to, np, report);
+      move_interface(Flow(*this, m_properties), to, np, report);
     }
   }
   return velocity;
@@ -421,19 +421,18 @@ void Incompressible_fluid<Complex, Solver>::restore_volumes(Flow& flow, const Na
       report.volume_correction = (std::max)(report.volume_correction, report.volume_error);
     if (k == rounds || (report.volume_error <= rounding && !(flow.depth_in_solids(*this) > 0)))
       break;
-    move_interface(coordinates_of_interface(), np, report);
-    flow = Flow(*this, m_properties);
+    flow = move_interface(flow, coordinates_of_interface(), np, report);
   }
 }
 
 // To about given coordinates: out of solids, and so that parts have their volumes. The mesh stays
-// as it is if it can.
+// as it is if it can. Returns what is then.
 template <class Complex, class Solver>
 template <class NamedParameters>
-void Incompressible_fluid<Complex, Solver>::move_interface(const Eigen::VectorXd& coordinates,
+auto Incompressible_fluid<Complex, Solver>::move_interface(const Flow& flow,
+                                                           const Eigen::VectorXd& coordinates,
                                                            const NamedParameters& np,
-                                                           Report& report) {
-  const Flow flow(*this, m_properties);
+                                                           Report& report) -> Flow {
   const Mesh& mesh = flow.mesh;
   Vectors positions = flow.positions;
   const Contacts contacts(mesh, m_solids, m_complex, positions, m_time);
@@ -463,7 +462,9 @@ void Incompressible_fluid<Complex, Solver>::move_interface(const Eigen::VectorXd
       np.quality_threshold(0.).relabeling_threshold(0.).minimum_angle(0.).minimum_facet_angle(0.));
   auto& events = report.deformation.events;
   events.insert(events.end(), deformation.events.begin(), deformation.events.end());
-  report.lost_volume += follow_parts(Flow(*this, m_properties));
+  Flow result(*this, m_properties);
+  report.lost_volume += follow_parts(result);
+  return result;
 }
 
 // Those of parts that touch, together.

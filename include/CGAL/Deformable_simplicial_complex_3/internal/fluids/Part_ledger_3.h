@@ -121,18 +121,19 @@ public:
     return lost;
   }
 
-private:
-  // Above all numbers of parts.
-  static std::size_t size_of(const Volumes& then, const Volumes& now, const Lineage& lineage) {
+  // Above all numbers of parts, which things then and now are kept by.
+  template <class By_part>
+  static std::size_t size_of(const By_part& then, const By_part& now, const Lineage& lineage) {
     Part result = 0;
-    for (const Volumes* volumes : {&then, &now})
-      if (!volumes->empty())
-        result = (std::max)(result, volumes->rbegin()->first);
+    for (const By_part* parts : {&then, &now})
+      if (!parts->empty())
+        result = (std::max)(result, parts->rbegin()->first);
     for (const auto& [a, b] : lineage)
       result = (std::max)({result, a, b});
     return std::size_t(result) + 1;
   }
 
+private:
   Volumes m_volumes;
   std::map<Part, std::size_t> m_set_of_part;
   std::vector<Momentum_3> m_momenta;
