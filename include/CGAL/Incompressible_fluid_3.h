@@ -372,17 +372,14 @@ private:
   void adapt(double tolerance, const NamedParameters& np, Report& report);
   void make_admissible(double dt, unsigned number_of_threads, Report& report);
   template <class NamedParameters>
-  void step(double dt, double end, double implicitness, double longest_way,
+  void step(double dt, double end, const Options& chosen, double longest_way,
             const NamedParameters& np, Report& report);
   void store(const Flow& flow, const Vectors& velocities, double dt);
   template <class NamedParameters> Flow settle(const NamedParameters& np, Report& report);
   template <class NamedParameters>
   Deformation_report<Complex> move(const Flow& flow, const Contacts& contacts,
                                    const Vectors& destinations, const NamedParameters& np);
-  template <class NamedParameters>
-  Deformation_report<Complex> deform_followed(const Interface_snapshot<Complex>& interface_,
-                                              const std::vector<Approximate_point>& to,
-                                              const NamedParameters& np);
+  template <class Change> auto change_followed(const Change& change);
   template <class NamedParameters>
   void restore_volumes(Flow& flow, const NamedParameters& np, Report& report);
   template <class NamedParameters>

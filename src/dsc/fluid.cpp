@@ -209,7 +209,7 @@ Json step_json(const Fluid& fluid, const Fluid_scene& scene, unsigned step,
                const std::optional<Fluid::Report>& report) {
   const Complex& complex = fluid.complex();
   Json json = {{"step", step}, {"time", fluid.time()}};
-  json.update(balance_json(fluid.balance()));
+  json.update(balance_json(report ? report->after : fluid.balance()));
   json["parts"] = parts_json(fluid);
   json["gases"] = gases_json(fluid);
   json["extent"] = extent_json(complex);

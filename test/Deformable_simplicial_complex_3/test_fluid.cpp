@@ -648,7 +648,7 @@ TEST(Saddle_point_solvers, solve) {
 
 // Pressures that are all the same push nothing but what is held, up to rounding; and what is asked
 // for changes the whole volume, up to rounding, too.
-TEST(Saddle_point_solvers, need_no_free_surface) {
+template <class Solver> void expect_closed_solution() {
   const Eigen::Index n = 400, m = n - 1;
   dsc::Saddle_point_system system;
   using Entries = std::vector<Eigen::Triplet<double>>;
@@ -683,11 +683,19 @@ TEST(Saddle_point_solvers, need_no_free_surface) {
   Eigen::VectorXd s = Eigen::VectorXd::LinSpaced(m, -1, 1), v = Eigen::VectorXd::Zero(3 * n),
                   p = Eigen::VectorXd::Zero(m);
   s.array() += 1e-13;
-  dsc::Iterative_saddle_point_solver solver;
+  system.closed = dsc::internal::closed_sets(system);
+  ASSERT_EQ(system.closed.size(), 1u);
+  EXPECT_EQ(system.closed[0].pressures.size(), std::size_t(m));
+  Solver solver;
   solver.factorize(dsc::Saddle_point_system(system), 1);
   EXPECT_LT(solver.solve(Eigen::VectorXd::Zero(3 * n), s, v, p, 1e-11), 100u);
   EXPECT_LT((system.b * v + system.c * p - s).norm(), 1e-8);
   EXPECT_LT(std::abs(p.mean()), 1e-6 * p.lpNorm<Eigen::Infinity>());
+}
+
+TEST(Saddle_point_solvers, need_no_free_surface) {
+  expect_closed_solution<dsc::Direct_saddle_point_solver>();
+  expect_closed_solution<dsc::Iterative_saddle_point_solver>();
 }
 
 TEST(Saddle_point_solvers, threads_change_no_bit) {

@@ -16,25 +16,26 @@ factorized once and solved for one right side or more; two to some dozens of the
 class SaddlePointSolver
 {
 public:
-  /// takes a system in place of the one before, for the calls of `update()` and `solve()` that follow.
-  /// `a` is positive definite, `c` positive semidefinite. Where no surface is free, pressures that are
-  /// constant are in the kernel of the whole; any of them will do. The number of threads must not
-  /// change a bit of what follows.
-  /// \throws CGAL::Deformable_simplicial_complexes::Error if it is singular otherwise
+  /// takes a system in place of the one before, for the calls of `update()` and `solve()` that
+  /// follow. `a` is positive definite, `c` positive semidefinite. Where no surface is free, the
+  /// means of closed sets keep the whole from being singular. The number of threads must not change
+  /// a bit of what follows.
+  /// \throws CGAL::Deformable_simplicial_complexes::Error if it is singular
   void factorize(CGAL::Deformable_simplicial_complexes::Saddle_point_system&& system,
                  unsigned number_of_threads);
 
-  /// takes a system like that of the last `factorize()`, for the calls of `solve()` that follow: of the
-  /// same size and pattern, with other values, of as little difference as a step of the flow makes, and
-  /// other velocities that are held. What was factorized may serve on to precondition it.
+  /// takes a system like that of the last `factorize()`, for the calls of `solve()` that follow: of
+  /// the same size and pattern, with other values, of as little difference as a step of the flow
+  /// makes, and other velocities that are held, and closed sets. What was factorized may serve on
+  /// to precondition it.
   /// \throws CGAL::Deformable_simplicial_complexes::Error as `factorize()` does
   void update(CGAL::Deformable_simplicial_complexes::Saddle_point_system&& system);
 
   /*!
   solves
 
-      P (a v - b^T p) = P f,    v = P v,
-        -b v - c p    = -s.
+      P (a v - b^T p)     = P f,    v = P v,
+        -b v - c p - d p  = -s.
 
   \param f,s the right side
   \param v,p a guess, and then the solution

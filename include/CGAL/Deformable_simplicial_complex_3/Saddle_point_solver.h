@@ -6,7 +6,6 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_SADDLE_POINT_SOLVER_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Saddle_point_system.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/solvers/Closed_pressures.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/solvers/Incomplete_factorization.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/solvers/minimal_residuals.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/solvers/pressure_matrix.h>
@@ -40,13 +39,15 @@ public:
   using System = Saddle_point_system; ///< what is solved
   using Vector = System::Vector;      ///< unknowns
 
-  /// Takes a matrix. \throws Error if it is singular, other than for pressures that are constant.
+  /// Takes a matrix. \throws Error if it is singular.
   /// About n^2 for n unknowns in space, and memory of n^(4/3). Takes one thread.
   void factorize(System&& system, unsigned number_of_threads = 1) {
     static_cast<void>(number_of_threads);
     m_system = std::move(system);
     // Velocities that are held make no difference to others, and have any equation of their own.
-    const Eigen::Index n = 3 * m_system.nodal.rows(), m = m_system.c.rows();
+    // The weighed mean of a closed set is an unknown more, by which the matrix stays sparse.
+    const Eigen::Index n = 3 * m_system.nodal.rows(), m = m_system.c.rows(),
+                       all = n + m + Eigen::Index(m_system.closed.size());
     std::vector<Eigen::Triplet<double>> entries;
     for_each_entry(m_system.nodal, [&](Eigen::Index i, Eigen::Index j, double value) {
       for (int axis = 0; axis < 3; ++axis)
@@ -57,7 +58,6 @@ public:
     };
     if (m_system.coupling.rows() > 0)
       for_each_entry(m_system.coupling, add);
-    Symmetric whole(n + m, n + m);
     for_each_entry(m_system.b, [&](Eigen::Index i, Eigen::Index j, double value) {
       add(n + i, j, -value);
       add(j, n + i, -value);
@@ -65,9 +65,18 @@ public:
     for_each_entry(m_system.c, [&](Eigen::Index i, Eigen::Index j, double value) {
       add(n + i, n + j, -value);
     });
+    for (Eigen::Index k = n + m; k < all; ++k) {
+      const auto& set = m_system.closed[std::size_t(k - n - m)];
+      for (Eigen::Index p : set.pressures) {
+        add(k, n + p, -1);
+        add(n + p, k, -1);
+      }
+      add(k, k, double(set.pressures.size()) / set.weight);
+    }
+    Symmetric whole(all, all);
     whole.setFromTriplets(entries.begin(), entries.end());
     if (!m_system.held.empty()) {
-      Symmetric free(n + m, n + m), fixed(n + m, n + m);
+      Symmetric free(all, all), fixed(all, all);
       free.setIdentity();
       entries.clear();
       for (const auto& h : m_system.held)
@@ -82,11 +91,10 @@ public:
     }
     m_whole = whole.triangularView<Eigen::Lower>();
     Symmetric definite = m_whole;
-    definite.diagonal().tail(m) *= above_zero;
+    definite.diagonal().segment(n, m) *= above_zero;
     m_solver.compute(definite);
     if (m_solver.info() != Eigen::Success)
-      throw Error("the equations of the flow are singular: a liquid may have no free surface and "
-                  "nothing that holds its pressure, or cells may be flat");
+      throw Error("the equations of the flow are singular: cells may be flat");
   }
 
   /// Takes one like that of before. As `factorize()`.
@@ -98,8 +106,9 @@ public:
                  double tolerance = 0) const {
     static_cast<void>(tolerance);
     static constexpr unsigned refinements = 2; // each is nearer by what c was changed by
-    Vector right(f.size() + s.size());
-    right << f, -s;
+    Vector right = Vector::Zero(m_whole.rows());
+    right.head(f.size()) = f;
+    right.segment(f.size(), s.size()) = -s;
     m_system.project(right);
     Vector x = m_solver.solve(right);
     for (unsigned k = 0; k < refinements; ++k)
@@ -108,7 +117,7 @@ public:
       throw Error("the equations of the flow have no finite solution: the step may be too short or "
                   "too long for numbers, or cells flat");
     v = x.head(f.size());
-    p = x.tail(s.size());
+    p = x.segment(f.size(), s.size());
     return refinements;
   }
 
@@ -122,7 +131,7 @@ private:
         f(row, i.col(), i.value());
   }
 
-  // Where no surface is free, pressures may all grow by the same.
+  // c is semidefinite only.
   static constexpr double above_zero = 1 + 1e-8;
 
   System m_system;
@@ -171,7 +180,6 @@ public:
   void update(System&& system) {
     m_system = std::move(system);
     m_bt = m_system.b.transpose();
-    m_closed.find(m_system, m_bt);
   }
 
   /// Solves for v and p, which hold a guess. Returns the number of iterations.
@@ -210,7 +218,8 @@ private:
         } else
           y(2 * n + i) = -product(m_system.b, i - n, x, 0) - product(m_system.c, i - n, x, 3 * n);
     });
-    m_closed.subtract(x, 3 * n, y);
+    for (const auto& set : m_system.closed)
+      set.add(-set.weight * set.mean(x, 3 * n), y, 3 * n);
     m_system.project(y);
   }
 
@@ -221,18 +230,25 @@ private:
         [&](std::size_t k) {
           if (k == 0) {
             Vector pressures = x.tail(m);
-            m_closed.remove_means(pressures);
+            remove_means(pressures);
             Vector result(m);
             m_of_pressures.solve(pressures, result);
             result += m_system.viscosity.cwiseProduct(pressures);
-            m_closed.remove_means(result);
+            remove_means(result);
             y.tail(m) = result;
-            m_closed.add_inverse(x, n, y);
+            for (const auto& set : m_system.closed)
+              set.add(set.mean(x, n) / set.weight, y, n);
           } else
             m_of_velocities.solve(x.head(n), y.head(n));
         },
         2);
     m_system.project(y);
+  }
+
+  // The preconditioner treats the means of closed sets and what is left of pressures apart.
+  void remove_means(Vector& pressures) const {
+    for (const auto& set : m_system.closed)
+      set.add(-set.mean(pressures), pressures);
   }
 
   // Of a row, with entries of x from one on.
@@ -260,7 +276,6 @@ private:
 
   System m_system;
   System::Matrix m_bt; // of b
-  internal::Closed_pressures m_closed;
   internal::Incomplete_factorization<3> m_of_velocities;
   internal::Incomplete_factorization<1> m_of_pressures;
   std::optional<internal::For_each_index> m_for_each;

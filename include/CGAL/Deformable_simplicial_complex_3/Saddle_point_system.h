@@ -19,11 +19,12 @@ namespace Deformable_simplicial_complexes {
 A linear system of `Incompressible_fluid_3` for the velocities v of n vertices, three numbers each,
 and m pressures p,
 
-    P (a v - b^T p) = P f,    v = P v,
-      -b v - c p    = -s,
+    P (a v - b^T p)     = P f,    v = P v,
+      -b v - c p - d p  = -s,
 
 symmetric, `a` positive definite and `c` positive semidefinite; and what tells about its nature. P
-are the projections of velocities that walls hold onto what is left to them.
+are the projections of velocities that walls hold onto what is left to them, and d p is the mean of
+the pressures of a closed set times its weight, at each of those.
 */
 struct Saddle_point_system
 {
@@ -37,6 +38,28 @@ struct Saddle_point_system
     Eigen::Matrix3d projection; ///< an orthogonal one
   };
 
+  /// The pressures of liquids without a surface that could move. Where they are all the same, they
+  /// push nothing, but for the rounding of round walls: without their mean in the equations, these
+  /// were singular, or nearly so.
+  struct Closed_set
+  {
+    std::vector<Eigen::Index> pressures; ///< increasing, each in one set at the most
+    double weight = 0;                   ///< of their mean, more than 0
+
+    /// The mean of those in a vector that begin there.
+    double mean(const Vector& vector, Eigen::Index begin = 0) const {
+      double sum = 0;
+      for (Eigen::Index p : pressures)
+        sum += vector(begin + p);
+      return sum / double(pressures.size());
+    }
+    /// Adds a value to each of those in a vector that begin there.
+    void add(double value, Vector& vector, Eigen::Index begin = 0) const {
+      for (Eigen::Index p : pressures)
+        vector(begin + p) += value;
+    }
+  };
+
   Matrix nodal; ///< n x n, the part of `a` that treats coordinates alike: masses over time, surface
                 ///< tension, and half of viscosity; positive definite
   Matrix coupling; ///< 3 n x 3 n, the rest of `a`; no rows where there is no viscosity
@@ -46,6 +69,7 @@ struct Saddle_point_system
                   ///< of rows
   Vector viscosity; ///< for each pressure the viscosity over a quarter of the volume around
   std::vector<Held_velocity> held; ///< by increasing numbers of vertices, each once
+  std::vector<Closed_set> closed;  ///< none where surfaces are free
 
   /// P v. Linear in the number of those that are held.
   void project(Vector& v) const {

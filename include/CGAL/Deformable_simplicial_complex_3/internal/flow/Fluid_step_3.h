@@ -12,7 +12,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Roughness_damper_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Vertex_constraints_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Wall_contacts_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/solvers/Closed_pressures.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/solvers/closed_sets.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -227,7 +228,13 @@ private:
     m_iterations += m_solver.solve(f - system.multiply_a(known), s - system.b * known, v,
                                    m_pressures, accuracy);
     ++m_solutions;
-    m_closed.raise(m_pressures);
+    // By pressures whose least is 0, no wall has to pull for their sake.
+    for (const auto& set : m_closed) {
+      double least = std::numeric_limits<double>::infinity();
+      for (Eigen::Index p : set.pressures)
+        least = (std::min)(least, m_pressures(p));
+      set.add(-least, m_pressures);
+    }
     v += known;
     m_reactions = system.multiply_a(v) - system.b.transpose() * m_pressures - f;
     for (std::size_t i = 0; i < m_velocities.size(); ++i)
@@ -245,8 +252,7 @@ private:
     m_constraints.close();
     System system = m_equations.system();
     system.held = m_constraints.held();
-    m_closed.find(system,
-                  system.held.empty() ? System::Matrix() : System::Matrix(system.b.transpose()));
+    system.closed = m_closed = closed_sets(system);
     if (m_is_factorized)
       m_solver.update(std::move(system));
     else
@@ -279,7 +285,7 @@ private:
   Equations m_equations;
   Contacts m_contacts;
   Vertex_constraints_3 m_constraints{0};
-  Closed_pressures m_closed;
+  std::vector<System::Closed_set> m_closed;
   bool m_is_factorized = false, m_is_assembled = false, m_is_settled = false;
   unsigned m_iterations = 0, m_solutions = 0;
 };

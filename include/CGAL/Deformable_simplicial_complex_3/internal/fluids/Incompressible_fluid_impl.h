@@ -27,7 +27,7 @@ auto Incompressible_fluid<Complex, Solver>::advance(double dt, const NamedParame
     adapt(chosen.interface_tolerance, np, report);
   if (!m_knows_accelerations)
     make_admissible(dt, chosen.number_of_threads, report);
-  step(dt, m_time + dt, chosen.implicitness, std::numeric_limits<double>::infinity(), np, report);
+  step(dt, m_time + dt, chosen, std::numeric_limits<double>::infinity(), np, report);
   ++m_steps;
   m_damped_steps -= m_damped_steps > 0;
   if (!report.deformation.events.empty())
@@ -42,7 +42,8 @@ double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps,
                                                     const NamedParameters& np) {
   static constexpr double rest = 1e-14;     // of the first step
   static constexpr double longest_way = .3; // edges in a step, as forces change on it
-  const Options chosen = options(np);
+  Options chosen = options(np);
+  chosen.implicitness = 1;
   require_step(dt);
   Report report;
   const auto stop = [this](void*) {
@@ -59,7 +60,7 @@ double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps,
     const std::vector<std::size_t> before = stamps_of_interface();
     const Eigen::VectorXd from = coordinates_of_interface();
     report = {};
-    step(dt, m_time, 1, longest_way, np, report);
+    step(dt, m_time, chosen, longest_way, np, report);
     stop(this);
     velocity = report.greatest_velocity;
     first = k == 0 ? velocity : first;
@@ -105,10 +106,9 @@ Eigen::VectorXd Incompressible_fluid<Complex, Solver>::coordinates_of_interface(
 // Solids stand still if time does. Ways are cut down to the longest one, in edges.
 template <class Complex, class Solver>
 template <class NamedParameters>
-void Incompressible_fluid<Complex, Solver>::step(double dt, double end, double implicitness,
+void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Options& chosen,
                                                  double longest_way, const NamedParameters& np,
                                                  Report& report) {
-  const unsigned number_of_threads = options(np).number_of_threads;
   const Flow flow(*this, m_properties);
   report.dt = dt;
   report.time = end;
@@ -120,9 +120,10 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, double i
     return;
   }
   const auto begin_of_solver = Clock::now();
-  Step step(flow.mesh, m_properties, m_solids, m_complex, m_solver, {dt, implicitness}, m_time, end,
-            flow.positions, flow.velocities, flow.accelerations, m_gas_ledger.bodies_of(flow.mesh),
-            end > m_time ? m_source : typename Step::Source(), number_of_threads);
+  Step step(flow.mesh, m_properties, m_solids, m_complex, m_solver, {dt, chosen.implicitness},
+            m_time, end, flow.positions, flow.velocities, flow.accelerations,
+            m_gas_ledger.bodies_of(flow.mesh), end > m_time ? m_source : typename Step::Source(),
+            chosen.number_of_threads);
   step.solve(m_knows_accelerations);
   report.seconds_of_solver += seconds_since(begin_of_solver);
   Ledger::Volumes owned = m_ledger.volumes();
@@ -323,27 +324,28 @@ void Incompressible_fluid<Complex, Solver>::adapt(double tolerance, const NamedP
   note_momenta(flow, [&](const internal::Masses_3& masses) {
     return internal::momentum(flow.mesh, masses, flow.positions, flow.velocities);
   });
-  Carrier carried = carrier();
   Improvement_report& result = report.adaptation;
-  const internal::Adaptation_options adaptation = {tolerance, Defaults::feature_angle};
-  if (tolerance > 0 &&
-      internal::is_worn(m_complex, Interface_snapshot<Complex>(m_complex), adaptation))
-    result = internal::adapt_interface(m_complex, adaptation, std::ref(carried));
-  const double edge = m_complex.mean_interface_edge();
-  const auto is_liquid = [this](typename Complex::Cell_handle c) {
-    return m_properties.liquid(c->label()) != nullptr;
-  };
-  const bool is_new = m_steps == 0;
-  result = result + control_detail(m_complex, parameters::size_field(
-                                                  [edge](const Approximate_point&) { return edge; })
-                                                  .where(is_liquid)
-                                                  .split_length(is_new ? longest_of_new : longest)
-                                                  .collapse_length(is_new ? 0. : shortest)
-                                                  .visitor(std::ref(carried)));
-  if (is_new)
-    result =
-        result +
-        improve_mesh(m_complex, parameters::quality_threshold(quality).visitor(std::ref(carried)));
+  change_followed([&](const auto& visitor) {
+    const internal::Adaptation_options adaptation = {tolerance, Defaults::feature_angle};
+    if (tolerance > 0 &&
+        internal::is_worn(m_complex, Interface_snapshot<Complex>(m_complex), adaptation))
+      result = internal::adapt_interface(m_complex, adaptation, visitor);
+    const double edge = m_complex.mean_interface_edge();
+    const auto is_liquid = [this](typename Complex::Cell_handle c) {
+      return m_properties.liquid(c->label()) != nullptr;
+    };
+    const bool is_new = m_steps == 0;
+    result = result + control_detail(
+                          m_complex,
+                          parameters::size_field([edge](const Approximate_point&) { return edge; })
+                              .where(is_liquid)
+                              .split_length(is_new ? longest_of_new : longest)
+                              .collapse_length(is_new ? 0. : shortest)
+                              .visitor(visitor));
+    if (is_new)
+      result =
+          result + improve_mesh(m_complex, parameters::quality_threshold(quality).visitor(visitor));
+  });
   settle(np, report);
 }
 
@@ -390,18 +392,20 @@ Deformation_report<Complex> Incompressible_fluid<Complex, Solver>::move(const Fl
     const auto found = inside.find(v->time_stamp());
     return found != inside.end() ? found->second : Approximate_point(unknown, unknown, unknown);
   };
-  return deform_followed(parts.snapshot(), to, np.flow(inner_flow));
+  return change_followed([&](const auto& visitor) {
+    return deform_interface_to(m_complex, parts.snapshot(), to,
+                               np.flow(inner_flow).visitor(visitor));
+  });
 }
 
-// Carries velocities. If it throws, parts are still those of the ledger.
+// Changes the mesh by a function of a visitor, which carries velocities. If that throws, parts are
+// still those of the ledger.
 template <class Complex, class Solver>
-template <class NamedParameters>
-Deformation_report<Complex> Incompressible_fluid<Complex, Solver>::deform_followed(
-    const Interface_snapshot<Complex>& interface_, const std::vector<Approximate_point>& to,
-    const NamedParameters& np) {
+template <class Change>
+auto Incompressible_fluid<Complex, Solver>::change_followed(const Change& change) {
   Carrier carried = carrier();
   try {
-    return deform_interface_to(m_complex, interface_, to, np.visitor(std::ref(carried)));
+    return change(std::ref(carried));
   } catch (...) {
     follow_parts(Flow(*this, m_properties));
     throw;
@@ -457,9 +461,14 @@ auto Incompressible_fluid<Complex, Solver>::move_interface(const Flow& flow,
   parts.restore(
       m_ledger.volumes(), parts.snapshot().positions(m_complex),
       [&](std::size_t v) { return is_held[v] != 0; }, to);
-  const auto deformation = deform_followed(
-      parts.snapshot(), to,
-      np.quality_threshold(0.).relabeling_threshold(0.).minimum_angle(0.).minimum_facet_angle(0.));
+  const auto deformation = change_followed([&](const auto& visitor) {
+    return deform_interface_to(m_complex, parts.snapshot(), to,
+                               np.quality_threshold(0.)
+                                   .relabeling_threshold(0.)
+                                   .minimum_angle(0.)
+                                   .minimum_facet_angle(0.)
+                                   .visitor(visitor));
+  });
   auto& events = report.deformation.events;
   events.insert(events.end(), deformation.events.begin(), deformation.events.end());
   Flow result(*this, m_properties);

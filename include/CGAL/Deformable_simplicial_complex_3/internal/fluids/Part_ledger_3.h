@@ -6,39 +6,19 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLUIDS_PART_LEDGER_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Body_momenta_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Number_groups.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
-
-// Numbers that are joined.
-class Number_groups
-{
-public:
-  explicit Number_groups(std::size_t size) : m_parents(size) {
-    std::iota(m_parents.begin(), m_parents.end(), std::size_t(0));
-  }
-  std::size_t size() const { return m_parents.size(); }
-  // The number that stands for all that i is joined with.
-  std::size_t of(std::size_t i) {
-    while (m_parents[i] != i)
-      i = m_parents[i] = m_parents[m_parents[i]];
-    return i;
-  }
-  void join(std::size_t i, std::size_t j) { m_parents[of(i)] = of(j); }
-
-private:
-  std::vector<std::size_t> m_parents;
-};
 
 // What the connected parts of liquids own, by the numbers of their components: volumes, which
 // merged parts add and what a part falls into shares; and momenta, which parts that merged or split
