@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# What takes too long for scripts/test.sh: another compiler, the next CGAL, more input, threads.
-# Usage: scripts/check_more.sh [headers] [threads] [clang] [cgal_6] [fuzz] [abuse]
+# What takes too long for scripts/test.sh: sanitizers, another compiler, the next CGAL, more input.
+# Usage: scripts/check_more.sh [headers] [threads] [sanitizers] [clang] [cgal_6] [fuzz] [abuse]
 # Prints a line for each part, all of them by default; what they print themselves is in
 # build-more/*.log.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(headers threads clang cgal_6 fuzz abuse)
+[ ${#parts[@]} -gt 0 ] || parts=(headers threads sanitizers clang cgal_6 fuzz abuse)
 jobs=$(nproc)
 work=build-more
 mkdir -p "$work"
@@ -51,7 +51,12 @@ check_cgal_6() {
   build_and_test with-cgal-6 -DCGAL_DIR="$CGAL_DIR"
 }
 
-# With sanitizers, as the ordinary tests
+# The unit tests, which scripts/test.sh runs without sanitizers
+check_sanitizers() {
+  build_and_test sanitized -DDSC_SANITIZE=ON -DDSC_BUILD_PROGRAM=OFF -DDSC_BUILD_EXAMPLES=OFF \
+    -DDSC_BUILD_BENCHMARKS=OFF
+}
+
 build_checked() { # TARGET
   configure checked -DDSC_SANITIZE=ON
   cmake --build "$work/checked" --parallel "$jobs" --target "$1"
