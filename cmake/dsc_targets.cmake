@@ -8,10 +8,17 @@ function(dsc_link_package target)
   endif()
 endfunction()
 
-# Lets `target` use what is compiled once for many. \pre instantiations/ has been added
+# Lets `target` use what is compiled once for many, headers included.
 function(dsc_share_compilation target)
+  target_link_libraries(${target} PRIVATE deformable_simplicial_complex_compiled)
+  if(NOT TARGET dsc_common_headers)
+    file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/common_headers.cpp" CONTENT "")
+    add_library(dsc_common_headers OBJECT "${PROJECT_BINARY_DIR}/common_headers.cpp")
+    dsc_link_package(dsc_common_headers)
+    target_link_libraries(dsc_common_headers PRIVATE deformable_simplicial_complex_compiled)
+    target_precompile_headers(dsc_common_headers PRIVATE "${PROJECT_SOURCE_DIR}/cmake/common_headers.h")
+  endif()
   target_precompile_headers(${target} REUSE_FROM dsc_common_headers)
-  target_link_libraries(${target} PRIVATE dsc_instantiations)
 endfunction()
 
 # Sets `result` to the .cpp files of the current folder and the folders below it, except

@@ -121,4 +121,21 @@ auto Deformable_simplicial_complex_2<Tr, Tds, D>::label_regions() const
 
 } // namespace CGAL
 
+#ifdef CGAL_DSC_EXTERN // see the component Compiled
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+using Default_complex_2 = Deformable_simplicial_complex_2<>;
+}
+} // namespace Deformable_simplicial_complexes
+
+CGAL_DSC_EXTERN template class Deformable_simplicial_complexes::Labelled_complex<
+    Deformable_simplicial_complexes::internal::Default_complex_2,
+    Deformable_simplicial_complexes::internal::Default_complex_2::Space,
+    Deformable_simplicial_complexes::internal::Default_complex_2::Quality_measure,
+    Deformable_simplicial_complexes::internal::Default_complex_2::Domain>;
+CGAL_DSC_EXTERN template class Deformable_simplicial_complex_2<>;
+} // namespace CGAL
+#endif
+
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_H

@@ -201,4 +201,21 @@ auto Deformable_simplicial_complex_3<Tr, Tds, Qm, D>::label_interfaces() const
 
 } // namespace CGAL
 
+#ifdef CGAL_DSC_EXTERN // see the component Compiled
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+using Default_complex_3 = Deformable_simplicial_complex_3<>;
+}
+} // namespace Deformable_simplicial_complexes
+
+CGAL_DSC_EXTERN template class Deformable_simplicial_complexes::Labelled_complex<
+    Deformable_simplicial_complexes::internal::Default_complex_3,
+    Deformable_simplicial_complexes::internal::Default_complex_3::Space,
+    Deformable_simplicial_complexes::internal::Default_complex_3::Quality_measure,
+    Deformable_simplicial_complexes::internal::Default_complex_3::Domain>;
+CGAL_DSC_EXTERN template class Deformable_simplicial_complex_3<>;
+} // namespace CGAL
+#endif
+
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H

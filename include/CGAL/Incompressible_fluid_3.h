@@ -248,7 +248,9 @@ public:
   and the deformation.
   */
   template <class NamedParameters = parameters::Default_named_parameters>
-  Report advance(double dt, const NamedParameters& np = NamedParameters());
+  Report advance(double dt, const NamedParameters& np = NamedParameters()) {
+    return advance_with(options(np), dt);
+  }
 
   /*!
   Takes liquids to rest, where forces balance: steps of full implicitness, velocities dropped before
@@ -263,7 +265,9 @@ public:
   \throws Error as `advance()` does; the complex is valid then, and nothing moves
   */
   template <class NamedParameters = parameters::Default_named_parameters>
-  double relax(double dt, unsigned steps, const NamedParameters& np = NamedParameters());
+  double relax(double dt, unsigned steps, const NamedParameters& np = NamedParameters()) {
+    return relax_with(options(np), dt, steps);
+  }
 
   /// @}
   /// \name Files
@@ -334,8 +338,22 @@ private:
 
   struct Options
   {
+    internal::Deformation_options<Complex> deformation;
     double implicitness, interface_tolerance;
     unsigned adaptation_interval, number_of_threads;
+
+    // For deformations.
+    auto parameters() const {
+      return Deformable_simplicial_complexes::parameters::quality_threshold(
+                 deformation.quality_threshold)
+          .relabeling_threshold(deformation.relabeling_threshold)
+          .minimum_angle(deformation.minimum_angle)
+          .minimum_facet_angle(deformation.minimum_facet_angle)
+          .manifold_interface(deformation.manifold_interface)
+          .collision_order(deformation.collision_order)
+          .topology_control(deformation.topology_control)
+          .number_of_threads(number_of_threads);
+    }
   };
 
   using Clock = std::chrono::steady_clock;
@@ -368,23 +386,19 @@ private:
   }
 
   template <class NamedParameters> Options options(const NamedParameters& np) const;
-  template <class NamedParameters>
-  void adapt(double tolerance, const NamedParameters& np, Report& report);
+  Report advance_with(Options chosen, double dt);
+  double relax_with(Options chosen, double dt, unsigned steps);
+  void adapt(const Options& chosen, Report& report);
   void make_admissible(double dt, unsigned number_of_threads, Report& report);
-  template <class NamedParameters>
-  void step(double dt, double end, const Options& chosen, double longest_way,
-            const NamedParameters& np, Report& report);
+  void step(double dt, double end, const Options& chosen, double longest_way, Report& report);
   void store(const Flow& flow, const Vectors& velocities, double dt);
-  template <class NamedParameters> Flow settle(const NamedParameters& np, Report& report);
-  template <class NamedParameters>
+  Flow settle(const Options& chosen, Report& report);
   Deformation_report<Complex> move(const Flow& flow, const Contacts& contacts,
-                                   const Vectors& destinations, const NamedParameters& np);
+                                   const Vectors& destinations, const Options& chosen);
   template <class Change> auto change_followed(const Change& change);
-  template <class NamedParameters>
-  void restore_volumes(Flow& flow, const NamedParameters& np, Report& report);
-  template <class NamedParameters>
-  Flow move_interface(const Flow& flow, const Eigen::VectorXd& coordinates,
-                      const NamedParameters& np, Report& report);
+  void restore_volumes(Flow& flow, const Options& chosen, Report& report);
+  Flow move_interface(const Flow& flow, const Eigen::VectorXd& coordinates, const Options& chosen,
+                      Report& report);
   std::vector<std::size_t> stamps_of_interface() const;
   Eigen::VectorXd coordinates_of_interface() const;
   double follow_parts(const Flow& now);
@@ -419,5 +433,17 @@ using Incompressible_fluid_3 =
 } // namespace CGAL
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Incompressible_fluid_impl.h>
+
+#ifdef CGAL_DSC_EXTERN // see the component Compiled
+#include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/control_detail_3.h>
+#include <CGAL/deform_interface_3.h>
+#include <CGAL/improve_interface_3.h>
+
+namespace CGAL {
+CGAL_DSC_EXTERN template class Deformable_simplicial_complexes::Incompressible_fluid<
+    Deformable_simplicial_complexes::internal::Default_complex_3>;
+}
+#endif
 
 #endif // CGAL_INCOMPRESSIBLE_FLUID_3_H

@@ -9,4 +9,18 @@
 #include <CGAL/Deformable_simplicial_complex_2/internal/remeshing/Patch_improver_2.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
 
+#ifdef CGAL_DSC_EXTERN // see the component Compiled
+#include <CGAL/Deformable_simplicial_complex_2.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+CGAL_DSC_EXTERN template Improvement_report improve_whole_mesh(Default_complex_2&,
+                                                               const Mesh_improvement_options&,
+                                                               Any_visitor<Default_complex_2>&);
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+#endif
+
 #endif // CGAL_IMPROVE_MESH_2_H

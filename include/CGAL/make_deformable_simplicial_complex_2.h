@@ -300,4 +300,16 @@ make_deformable_simplicial_complex_2(const Deformable_simplicial_complexes::Toru
 
 } // namespace CGAL
 
+#ifdef CGAL_DSC_EXTERN // see the component Compiled
+#include <CGAL/Deformable_simplicial_complex_2.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+CGAL_DSC_EXTERN template void improve_new_mesh(Default_complex_2&, const New_mesh_options&);
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+#endif
+
 #endif // CGAL_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_2_H

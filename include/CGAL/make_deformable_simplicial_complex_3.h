@@ -378,4 +378,16 @@ make_deformable_simplicial_complex_3(const Deformable_simplicial_complexes::Toru
 
 } // namespace CGAL
 
+#ifdef CGAL_DSC_EXTERN // see the component Compiled
+#include <CGAL/Deformable_simplicial_complex_3.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+CGAL_DSC_EXTERN template void improve_new_mesh(Default_complex_3&, const New_mesh_options&);
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+#endif
+
 #endif // CGAL_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H

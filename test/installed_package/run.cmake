@@ -3,8 +3,11 @@
 file(REMOVE_RECURSE "${work_dir}")
 set(prefix "${work_dir}/prefix")
 set(components)
+if(with_compiled)
+  list(APPEND components Compiled)
+endif()
 if(with_tetgen)
-  set(components Tetgen)
+  list(APPEND components Tetgen)
 endif()
 
 function(run)

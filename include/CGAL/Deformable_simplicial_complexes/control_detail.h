@@ -11,6 +11,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Detail_controller.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
+#include <functional>
 #include <limits>
 
 namespace CGAL {
@@ -122,11 +123,10 @@ Improvement_report control_detail(Complex& dsc, const NamedParameters& np = Name
   const auto unit = internal::wanted_length(dsc, np),
              short_unit = internal::shortest_wanted_length(dsc, np);
 
-  internal::Detail_controller<Complex> controller(dsc, visitor.any(), thresholds, unit, short_unit);
-  controller.run(rounds, internal::parameter_or(np, tags::where, [](typename Complex::Cell_handle) {
-                   return true;
-                 }));
-  return controller.report();
+  const std::function<bool(typename Complex::Cell_handle)> where =
+      internal::parameter_or(np, tags::where, [](typename Complex::Cell_handle) { return true; });
+  return internal::run_detail_control(dsc, thresholds, unit, short_unit, rounds, where,
+                                      visitor.any());
 }
 
 } // namespace CGAL

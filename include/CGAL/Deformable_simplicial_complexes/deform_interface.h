@@ -7,7 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Interface_deformer.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/deform.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
@@ -161,32 +161,13 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
 
   internal::require_interface_edge(dsc);
 
-  const internal::For_each_index for_each_index(number_of_threads);
-  internal::Interface_deformer<Complex> deformer(dsc, visitor.any(), options, for_each_index);
-  deformer.set_destinations(destination);
-  unsigned pass = 0;
-  bool is_stopped = false;
-  const auto goes_further = [&] { return !(is_stopped = !visitor.visitor().go_further(pass + 1)); };
-  while (!deformer.is_complete() && deformer.is_progressing() && pass < maximum_number_of_passes &&
-         goes_further()) {
-    ++pass;
-    deformer.begin_pass();
-    deformer.move_together(pass);
-    deformer.move_one_by_one();
-    deformer.relabel_degenerate_cells(pass);
-    deformer.remove_obstacles(pass);
-    deformer.remove_degenerating_facets();
-    deformer.improve();
-  }
-  if (pass > 0 && !is_stopped) {
-    deformer.remove_small_angles(pass);
-    deformer.exchange_neighbors();
-  }
-  if (pass > 0)
-    deformer.measure_new_spacings();
-  Deformation_report<Complex> report = deformer.report(pass);
-  report.stopped = is_stopped;
-  return report;
+  const auto vertices = dsc.interface_vertices();
+  std::vector<typename Complex::Point> destinations;
+  for (auto v : vertices)
+    destinations.push_back(destination(v));
+  return internal::deform(dsc, vertices, destinations, options, maximum_number_of_passes,
+                          number_of_threads, visitor.any(),
+                          [&](unsigned pass) { return bool(visitor.visitor().go_further(pass)); });
 }
 
 /*!

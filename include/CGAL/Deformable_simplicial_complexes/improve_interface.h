@@ -141,15 +141,7 @@ Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = N
                                 defaults::Number_of_iterations::over_interface);
   const auto unit = internal::wanted_length(dsc, np);
 
-  internal::Interface_improver<Complex> improver(dsc, visitor.any(), thresholds, unit);
-  for (unsigned i = 0; i < iterations; ++i) {
-    improver.split_long_edges();
-    improver.collapse_short_edges();
-    improver.reconnect();
-    improver.smooth_vertices();
-    improver.improve_cells();
-  }
-  return improver.report();
+  return internal::remesh_interface(dsc, thresholds, unit, iterations, visitor.any());
 }
 
 } // namespace CGAL

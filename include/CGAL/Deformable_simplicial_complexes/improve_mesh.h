@@ -6,10 +6,9 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IMPROVE_MESH_H
 
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Patch_improver.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/improve_whole_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 namespace CGAL {
@@ -85,21 +84,8 @@ Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedP
                                 defaults::Number_of_iterations::over_mesh);
   const bool smooth_interface = internal::parameter_or(np, tags::smooth_interface, false);
 
-  internal::Mesh_improver<Complex> improver(dsc, visitor.any(), threshold, true, smooth_interface);
-  static constexpr int attempts = 5;
-  if (!aggressive) {
-    improver.improve_all(threshold, rounds, attempts);
-    return improver.report();
-  }
-  static constexpr double first = Threshold::of_mesh, step = 1.2, part = .8;
-  for (double t = first; t < part * threshold; t *= step)
-    improver.improve_all(t, rounds, attempts);
-  improver.improve_all(part * threshold, rounds, attempts);
-  internal::Patch_improver<Complex> patch_improver(dsc, visitor.any(), threshold, rounds);
-  if (rounds > 0)
-    patch_improver.run();
-  improver.improve_all(threshold, rounds, 0);
-  return improver.report() + patch_improver.report();
+  return internal::improve_whole_mesh(dsc, {threshold, rounds, aggressive, smooth_interface},
+                                      visitor.any());
 }
 
 } // namespace CGAL

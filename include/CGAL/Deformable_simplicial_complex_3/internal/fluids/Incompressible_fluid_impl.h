@@ -12,10 +12,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 template <class Complex, class Solver>
-template <class NamedParameters>
-auto Incompressible_fluid<Complex, Solver>::advance(double dt, const NamedParameters& np)
-    -> Report {
-  Options chosen = options(np);
+auto Incompressible_fluid<Complex, Solver>::advance_with(Options chosen, double dt) -> Report {
   require_step(dt);
   if (!(m_time + dt > m_time))
     throw Error("the step of time is too short to change the time");
@@ -24,10 +21,10 @@ auto Incompressible_fluid<Complex, Solver>::advance(double dt, const NamedParame
   Report report;
   const auto begin = Clock::now();
   if (chosen.adaptation_interval > 0 && m_steps % chosen.adaptation_interval == 0)
-    adapt(chosen.interface_tolerance, np, report);
+    adapt(chosen, report);
   if (!m_knows_accelerations)
     make_admissible(dt, chosen.number_of_threads, report);
-  step(dt, m_time + dt, chosen, std::numeric_limits<double>::infinity(), np, report);
+  step(dt, m_time + dt, chosen, std::numeric_limits<double>::infinity(), report);
   ++m_steps;
   m_damped_steps -= m_damped_steps > 0;
   if (!report.deformation.events.empty())
@@ -37,12 +34,10 @@ auto Incompressible_fluid<Complex, Solver>::advance(double dt, const NamedParame
 }
 
 template <class Complex, class Solver>
-template <class NamedParameters>
-double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps,
-                                                    const NamedParameters& np) {
+double Incompressible_fluid<Complex, Solver>::relax_with(Options chosen, double dt,
+                                                         unsigned steps) {
   static constexpr double rest = 1e-14;     // of the first step
   static constexpr double longest_way = .3; // edges in a step, as forces change on it
-  Options chosen = options(np);
   chosen.implicitness = 1;
   require_step(dt);
   Report report;
@@ -53,14 +48,14 @@ double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps,
   const std::unique_ptr<void, decltype(stop)> stops_in_the_end(this, stop);
   stop(this);
   if (chosen.adaptation_interval > 0)
-    adapt(chosen.interface_tolerance, np, report);
+    adapt(chosen, report);
   double first = 0, velocity = 0;
   internal::Fixed_point_accelerator accelerator;
   for (unsigned k = 0; k < steps; ++k) {
     const std::vector<std::size_t> before = stamps_of_interface();
     const Eigen::VectorXd from = coordinates_of_interface();
     report = {};
-    step(dt, m_time, chosen, longest_way, np, report);
+    step(dt, m_time, chosen, longest_way, report);
     stop(this);
     velocity = report.greatest_velocity;
     first = k == 0 ? velocity : first;
@@ -72,14 +67,14 @@ double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps,
     }
     const Eigen::VectorXd to = coordinates_of_interface();
     const double energy = balance().energy();
-    move_interface(Flow(*this, m_properties), accelerator.next(from, to), np, report);
+    move_interface(Flow(*this, m_properties), accelerator.next(from, to), chosen, report);
     if (before != stamps_of_interface()) {
       accelerator.forget();
       continue;
     }
     if (!(balance().energy() <= energy)) {
       accelerator.forget();
-      move_interface(Flow(*this, m_properties), to, np, report);
+      move_interface(Flow(*this, m_properties), to, chosen, report);
     }
   }
   return velocity;
@@ -105,10 +100,8 @@ Eigen::VectorXd Incompressible_fluid<Complex, Solver>::coordinates_of_interface(
 
 // Solids stand still if time does. Ways are cut down to the longest one, in edges.
 template <class Complex, class Solver>
-template <class NamedParameters>
 void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Options& chosen,
-                                                 double longest_way, const NamedParameters& np,
-                                                 Report& report) {
+                                                 double longest_way, Report& report) {
   const Flow flow(*this, m_properties);
   report.dt = dt;
   report.time = end;
@@ -147,10 +140,10 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
   report.moved = flow.balance(*this, destinations, after, m_time);
   note_momenta(flow, [&](const internal::Masses_3& masses) { return step.final_momentum(masses); });
   auto events = std::move(report.deformation.events); // of the adaptation
-  report.deformation = move(flow, step.contacts(), destinations, np);
+  report.deformation = move(flow, step.contacts(), destinations, chosen);
   events.insert(events.end(), report.deformation.events.begin(), report.deformation.events.end());
   report.deformation.events = std::move(events);
-  const Flow last = settle(np, report);
+  const Flow last = settle(chosen, report);
 
   report.solutions += step.solutions();
   report.iterations += step.iterations();
@@ -170,12 +163,10 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
 
 // Gives parts what they own, after changes of the mesh. Returns what is then.
 template <class Complex, class Solver>
-template <class NamedParameters>
-auto Incompressible_fluid<Complex, Solver>::settle(const NamedParameters& np, Report& report)
-    -> Flow {
+auto Incompressible_fluid<Complex, Solver>::settle(const Options& chosen, Report& report) -> Flow {
   Flow result(*this, m_properties);
   report.lost_volume += follow_parts(result);
-  restore_volumes(result, np, report);
+  restore_volumes(result, chosen, report);
   report.greatest_correction = (std::max)(report.greatest_correction, restore_momenta(result));
   return result;
 }
@@ -292,8 +283,8 @@ template <class NamedParameters>
 auto Incompressible_fluid<Complex, Solver>::options(const NamedParameters& np) const -> Options {
   namespace tags = internal_np;
   using Defaults = internal::defaults::Adaptive_advection<3>;
-  internal::deformation_options(m_complex, np); // throws before anything is changed
   const Options result = {
+      internal::deformation_options(m_complex, np),
       internal::number_parameter(np, tags::implicitness, internal::defaults::implicitness),
       internal::number_parameter(np, tags::interface_tolerance, Defaults::interface_tolerance),
       internal::count_parameter(np, tags::adaptation_interval, "adaptation_interval",
@@ -310,9 +301,7 @@ auto Incompressible_fluid<Complex, Solver>::options(const NamedParameters& np) c
 // The interface where it is worn, and inside of liquids edges about as long as those of the
 // interface: in the beginning, and later where the flow has stretched them a lot.
 template <class Complex, class Solver>
-template <class NamedParameters>
-void Incompressible_fluid<Complex, Solver>::adapt(double tolerance, const NamedParameters& np,
-                                                  Report& report) {
+void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen, Report& report) {
   // In mean edges of the interface. What is split later is collapsed to no less than it was.
   static constexpr double longest_of_new = 1.7, longest = 2.5, shortest = .3;
   static constexpr double quality = .3; // of tetrahedra, as of new meshes
@@ -320,6 +309,7 @@ void Incompressible_fluid<Complex, Solver>::adapt(double tolerance, const NamedP
   if (m_complex.interface_vertices().empty())
     return;
   internal::require_interface_edge(m_complex);
+  const double tolerance = chosen.interface_tolerance;
   const Flow flow(*this, m_properties);
   note_momenta(flow, [&](const internal::Masses_3& masses) {
     return internal::momentum(flow.mesh, masses, flow.positions, flow.velocities);
@@ -346,7 +336,7 @@ void Incompressible_fluid<Complex, Solver>::adapt(double tolerance, const NamedP
       result =
           result + improve_mesh(m_complex, parameters::quality_threshold(quality).visitor(visitor));
   });
-  settle(np, report);
+  settle(chosen, report);
 }
 
 template <class Complex, class Solver>
@@ -358,11 +348,9 @@ void Incompressible_fluid<Complex, Solver>::store(const Flow& flow, const Vector
 }
 
 template <class Complex, class Solver>
-template <class NamedParameters>
-Deformation_report<Complex> Incompressible_fluid<Complex, Solver>::move(const Flow& flow,
-                                                                        const Contacts& contacts,
-                                                                        const Vectors& destinations,
-                                                                        const NamedParameters& np) {
+Deformation_report<Complex>
+Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& contacts,
+                                            const Vectors& destinations, const Options& chosen) {
   const Mesh& mesh = flow.mesh;
   const Part_interface parts(m_complex, m_properties, flow.volumes());
   // The numbers of the mesh again, which the interface has overwritten.
@@ -394,7 +382,7 @@ Deformation_report<Complex> Incompressible_fluid<Complex, Solver>::move(const Fl
   };
   return change_followed([&](const auto& visitor) {
     return deform_interface_to(m_complex, parts.snapshot(), to,
-                               np.flow(inner_flow).visitor(visitor));
+                               chosen.parameters().flow(inner_flow).visitor(visitor));
   });
 }
 
@@ -414,8 +402,7 @@ auto Incompressible_fluid<Complex, Solver>::change_followed(const Change& change
 
 // Where changes of the mesh have altered them.
 template <class Complex, class Solver>
-template <class NamedParameters>
-void Incompressible_fluid<Complex, Solver>::restore_volumes(Flow& flow, const NamedParameters& np,
+void Incompressible_fluid<Complex, Solver>::restore_volumes(Flow& flow, const Options& chosen,
                                                             Report& report) {
   static constexpr double rounding = 1e-14;
   static constexpr int rounds = 3;
@@ -425,18 +412,17 @@ void Incompressible_fluid<Complex, Solver>::restore_volumes(Flow& flow, const Na
       report.volume_correction = (std::max)(report.volume_correction, report.volume_error);
     if (k == rounds || (report.volume_error <= rounding && !(flow.depth_in_solids(*this) > 0)))
       break;
-    flow = move_interface(flow, coordinates_of_interface(), np, report);
+    flow = move_interface(flow, coordinates_of_interface(), chosen, report);
   }
 }
 
 // To about given coordinates: out of solids, and so that parts have their volumes. The mesh stays
 // as it is if it can. Returns what is then.
 template <class Complex, class Solver>
-template <class NamedParameters>
 auto Incompressible_fluid<Complex, Solver>::move_interface(const Flow& flow,
                                                            const Eigen::VectorXd& coordinates,
-                                                           const NamedParameters& np,
-                                                           Report& report) -> Flow {
+                                                           const Options& chosen, Report& report)
+    -> Flow {
   const Mesh& mesh = flow.mesh;
   Vectors positions = flow.positions;
   const Contacts contacts(mesh, m_solids, m_complex, positions, m_time);
@@ -463,7 +449,8 @@ auto Incompressible_fluid<Complex, Solver>::move_interface(const Flow& flow,
       [&](std::size_t v) { return is_held[v] != 0; }, to);
   const auto deformation = change_followed([&](const auto& visitor) {
     return deform_interface_to(m_complex, parts.snapshot(), to,
-                               np.quality_threshold(0.)
+                               chosen.parameters()
+                                   .quality_threshold(0.)
                                    .relabeling_threshold(0.)
                                    .minimum_angle(0.)
                                    .minimum_facet_angle(0.)

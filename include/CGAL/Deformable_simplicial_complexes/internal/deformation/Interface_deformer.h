@@ -56,15 +56,12 @@ public:
   Interface_deformer(const Interface_deformer&) = delete;
   Interface_deformer& operator=(const Interface_deformer&) = delete;
 
-  // Nothing is changed if a destination is refused.
-  template <class Destination> void set_destinations(const Destination& destination) {
-    const auto vertices = m_complex.interface_vertices();
-    std::vector<Point> destinations;
+  // Those of `interface_vertices()`. Nothing is changed if one is refused.
+  void set_destinations(const std::vector<Vertex_handle>& vertices,
+                        const std::vector<Point>& destinations) {
     std::vector<typename Complex::Approximate_point> positions;
-    for (Vertex_handle v : vertices) {
-      destinations.push_back(destination(v));
-      positions.push_back(m_complex.approximate(destinations.back()));
-    }
+    for (const Point& p : destinations)
+      positions.push_back(m_complex.approximate(p));
     require_finite(positions, "a destination");
     m_trapped_cells.log().begin();
     for (std::size_t i = 0; i < vertices.size(); ++i)

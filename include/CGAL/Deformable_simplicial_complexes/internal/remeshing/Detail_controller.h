@@ -17,6 +17,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace CGAL {
@@ -56,7 +57,7 @@ public:
   const Improvement_report& report() const { return m_report; }
 
   // Works on all cells where that is wanted, then on those that arose from them, and so on.
-  template <class Where> void run(unsigned rounds, const Where& where) {
+  void run(unsigned rounds, const std::function<bool(Cell_handle)>& where) {
     Work_list<Cell_handle> cells;
     for (Cell_handle c : m_complex.finite_cells())
       cells.push(c);
@@ -157,6 +158,18 @@ private:
   Cavity<Complex> m_cavity;
   Improvement_report m_report;
 };
+
+// `control_detail()` with the parameters that it has read.
+template <class Complex>
+Improvement_report
+run_detail_control(Complex& dsc, const Detail_thresholds& thresholds,
+                   const Edge_unit<Complex>& unit, const Edge_unit<Complex>& short_unit,
+                   unsigned rounds, const std::function<bool(typename Complex::Cell_handle)>& where,
+                   Any_visitor<Complex>& visitor) {
+  Detail_controller<Complex> controller(dsc, visitor, thresholds, unit, short_unit);
+  controller.run(rounds, where);
+  return controller.report();
+}
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes

@@ -255,6 +255,22 @@ protected:
 // - `reconnect()`: joins the vertices of the interface by other facets
 template <class Complex, int dimension = Complex::dimension> class Interface_improver;
 
+// `improve_interface()` with the parameters that it has read.
+template <class Complex>
+Improvement_report remesh_interface(Complex& dsc, const Interface_thresholds& thresholds,
+                                    const Edge_unit<Complex>& unit, unsigned iterations,
+                                    Any_visitor<Complex>& visitor) {
+  Interface_improver<Complex> improver(dsc, visitor, thresholds, unit);
+  for (unsigned i = 0; i < iterations; ++i) {
+    improver.split_long_edges();
+    improver.collapse_short_edges();
+    improver.reconnect();
+    improver.smooth_vertices();
+    improver.improve_cells();
+  }
+  return improver.report();
+}
+
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_DEFORM_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_DEFORM_H
+
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Interface_deformer.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
+
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Algorithm 1: takes the vertices of the interface to their destinations in passes, until a bound
+// on their number, or `go_further(pass)` says no.
+template <class Complex>
+Deformation_report<Complex>
+deform(Complex& dsc, const std::vector<typename Complex::Vertex_handle>& vertices,
+       const std::vector<typename Complex::Point>& destinations,
+       const Deformation_options<Complex>& options, unsigned maximum_number_of_passes,
+       unsigned number_of_threads, Any_visitor<Complex>& visitor,
+       const std::function<bool(unsigned)>& go_further) {
+  const For_each_index for_each_index(number_of_threads);
+  Interface_deformer<Complex> deformer(dsc, visitor, options, for_each_index);
+  deformer.set_destinations(vertices, destinations);
+  unsigned pass = 0;
+  bool is_stopped = false;
+  while (!deformer.is_complete() && deformer.is_progressing() && pass < maximum_number_of_passes &&
+         !(is_stopped = !go_further(pass + 1))) {
+    ++pass;
+    deformer.begin_pass();
+    deformer.move_together(pass);
+    deformer.move_one_by_one();
+    deformer.relabel_degenerate_cells(pass);
+    deformer.remove_obstacles(pass);
+    deformer.remove_degenerating_facets();
+    deformer.improve();
+  }
+  if (pass > 0 && !is_stopped) {
+    deformer.remove_small_angles(pass);
+    deformer.exchange_neighbors();
+  }
+  if (pass > 0)
+    deformer.measure_new_spacings();
+  Deformation_report<Complex> report = deformer.report(pass);
+  report.stopped = is_stopped;
+  return report;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_DEFORM_H

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_IMPROVE_WHOLE_MESH_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_IMPROVE_WHOLE_MESH_H
+
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Patch_improver.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+struct Mesh_improvement_options
+{
+  double threshold;
+  unsigned rounds;
+  bool is_aggressive, smooths_interface;
+};
+
+// `improve_mesh()` with the parameters that it has read.
+template <class Complex>
+Improvement_report improve_whole_mesh(Complex& dsc, const Mesh_improvement_options& options,
+                                      Any_visitor<Complex>& visitor) {
+  const double threshold = options.threshold;
+  const unsigned rounds = options.rounds;
+  Mesh_improver<Complex> improver(dsc, visitor, threshold, true, options.smooths_interface);
+  static constexpr int attempts = 5;
+  if (!options.is_aggressive) {
+    improver.improve_all(threshold, rounds, attempts);
+    return improver.report();
+  }
+  static constexpr double first = defaults::Quality_threshold::of_mesh, step = 1.2, part = .8;
+  for (double t = first; t < part * threshold; t *= step)
+    improver.improve_all(t, rounds, attempts);
+  improver.improve_all(part * threshold, rounds, attempts);
+  Patch_improver<Complex> patch_improver(dsc, visitor, threshold, rounds);
+  if (rounds > 0)
+    patch_improver.run();
+  improver.improve_all(threshold, rounds, 0);
+  return improver.report() + patch_improver.report();
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_IMPROVE_WHOLE_MESH_H

@@ -1,3 +1,0 @@
-#define DSC_EXTERN
-
-#include "instantiations.h"
