@@ -66,13 +66,12 @@ public:
   void solve(bool knows_accelerations) {
     static constexpr unsigned geometries = 2; // that of the prediction, and of the first solution
     static constexpr unsigned most = 15;
-    static constexpr double tolerance = 1e-11;            // of residuals
-    static constexpr double tolerance_of_geometry = 1e-4; // where another solution follows
-    static constexpr double same = 1e-10;                 // above what the solver leaves
+    static constexpr double tolerance = 1e-11; // of residuals
+    static constexpr double same = 1e-10;      // above what the solver leaves
     for (unsigned k = 0; k < geometries; ++k) {
       assemble();
       if (k > 0 || knows_accelerations) {
-        solve_with_contacts(k + 1 < geometries ? tolerance_of_geometry : tolerance);
+        solve_with_contacts(k + 1 < geometries ? tolerance_of_geometry() : tolerance);
         continue;
       }
       double change = 1, size = 0;
@@ -159,6 +158,21 @@ public:
   }
 
 private:
+  // Of residuals, where another solution follows: as velocities change, in comparison to what they
+  // would by loads without pressures. So what rests stays where it is.
+  double tolerance_of_geometry() const {
+    static constexpr double part = 1e-4, finest = 1e-9, coarsest = 1e-4;
+    const Vector loads = m_equations.forces(Vectors_3(m_before.size(), Eigen::Vector3d::Zero()));
+    double changes = 0, all = 0; // squares, as masses weigh them
+    for (std::size_t v = 0; v < m_before.size(); ++v) {
+      const double mass = m_equations.masses()[v];
+      changes += mass * m_accelerations[v].squaredNorm();
+      all += loads.segment<3>(3 * Eigen::Index(v)).squaredNorm() / mass;
+    }
+    const double result = part * std::sqrt(changes / all);
+    return result < coarsest ? (std::max)(result, finest) : coarsest; // if no number, too
+  }
+
   void end() {
     Vectors_3 velocities;
     for (std::size_t v = 0; v < m_before.size(); ++v)

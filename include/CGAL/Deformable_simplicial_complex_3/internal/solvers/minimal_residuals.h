@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -51,78 +52,91 @@ double sum_of_blocks(const For_each_index& for_each, Eigen::Index n, const Funct
 // Solves a symmetric system by the method of minimal residuals, x being a guess first (C. C. Paige
 // and M. A. Saunders, "Solution of sparse indefinite systems of linear equations", SIAM J. Numer.
 // Anal. 12, 1975). `multiply(in, out)`, and `precondition(in, out)` by a positive definite matrix,
-// in whose norm the residual is to be a part of the right side. Returns the number of iterations.
-// \throws Error if it does not converge
+// in whose norm the residual is to be a part of the right side. The preconditioner may calculate in
+// single precision: what the method makes of residuals is then true for some digits only, so it
+// begins anew with that of the solution so far. Returns the number of iterations. \throws Error if
+// it does not converge
 template <class Multiply, class Precondition>
 unsigned minimal_residuals(const For_each_index& for_each, const Multiply& multiply,
                            const Precondition& precondition, const Eigen::VectorXd& right,
                            double tolerance, Eigen::VectorXd& x) {
   using Vector = Eigen::VectorXd;
   static constexpr unsigned most = 3000;
+  static constexpr double trusted = 1e-5; // of the residual with which the method begins
+  static constexpr double less = .5;      // of the last one, or rounding permits no better
   const Eigen::Index n = right.size();
   const auto dot = [&](const Vector& a, const Vector& b) {
     return sum_of_blocks(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
       return a.segment(begin, size).dot(b.segment(begin, size));
     });
   };
-  Vector z(n), q(n), next(n), w(Vector::Zero(n)), w_before(w);
+  Vector z(n), q(n), next(n), w(n), w_before(n);
   precondition(right, z);
   const double bound = tolerance * std::sqrt(dot(right, z));
   if (!std::isfinite(bound))
     throw Error(
         "the equations of the flow are not finite: the step may be too short or too long for "
         "numbers, or cells flat");
-  multiply(x, next);
-  Vector r = right - next, r_before = r;
-  precondition(r, z);
-  double beta = std::sqrt((std::max)(0., dot(r, z))), beta_before = 1, eta = beta;
-  double cosine = -1, sine = 0, epsilon = 0, delta_bar = 0;
+  Vector r(n), r_before(n);
   unsigned k = 0;
-  // By the names of Paige and Saunders: r are Lanczos' vectors, not normalized.
-  while (!(std::abs(eta) <= bound)) { // nor for what is no number
-    if (++k > most)
-      throw Error("the equations of the flow cannot be solved by iterations: cells may be too "
-                  "flat, or the step too long");
-    q = z / beta;
-    multiply(q, next);
-    const double back = k > 1 ? beta / beta_before : 0;
-    const double alpha = sum_of_blocks(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
-      auto part = next.segment(begin, size);
-      part -= back * r_before.segment(begin, size);
-      return q.segment(begin, size).dot(part);
-    });
-    r_before.swap(r);
-    for_each_block(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
-      r.segment(begin, size) =
-          next.segment(begin, size) - alpha / beta * r_before.segment(begin, size);
-    });
+  for (double last = std::numeric_limits<double>::infinity();;) {
+    multiply(x, next);
+    r = right - next;
     precondition(r, z);
-    beta_before = beta;
-    const double square = dot(r, z);
-    if (std::isnan(square))
-      throw Error("the equations of the flow have no finite solution: cells may be too flat");
-    beta = std::sqrt((std::max)(0., square));
-    const double epsilon_before = epsilon, delta = cosine * delta_bar + sine * alpha,
-                 gamma_bar = sine * delta_bar - cosine * alpha;
-    epsilon = sine * beta;
-    delta_bar = -cosine * beta;
-    const double gamma = std::hypot(gamma_bar, beta);
-    cosine = gamma_bar / gamma;
-    sine = beta / gamma;
-    const double phi = cosine * eta;
-    eta *= sine;
-    w_before.swap(w);
-    for_each_block(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
-      auto part = w.segment(begin, size);
-      part =
-          (q.segment(begin, size) - epsilon_before * part - delta * w_before.segment(begin, size)) /
-          gamma;
-      x.segment(begin, size) += phi * part;
-    });
-    if (!(beta > 0))
-      break;
+    double beta = std::sqrt((std::max)(0., dot(r, z))), beta_before = 1, eta = beta;
+    if (beta <= bound || beta > less * last)
+      return k;
+    last = beta;
+    const double enough = (std::max)(bound, trusted * beta);
+    double cosine = -1, sine = 0, epsilon = 0, delta_bar = 0;
+    r_before.setZero();
+    w.setZero();
+    w_before.setZero();
+    // By the names of Paige and Saunders: r are Lanczos' vectors, not normalized.
+    while (!(std::abs(eta) <= enough)) { // nor for what is no number
+      if (++k > most)
+        throw Error("the equations of the flow cannot be solved by iterations: cells may be too "
+                    "flat, or the step too long");
+      q = z / beta;
+      multiply(q, next);
+      const double back = beta / beta_before;
+      const double alpha = sum_of_blocks(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
+        auto part = next.segment(begin, size);
+        part -= back * r_before.segment(begin, size);
+        return q.segment(begin, size).dot(part);
+      });
+      r_before.swap(r);
+      for_each_block(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
+        r.segment(begin, size) =
+            next.segment(begin, size) - alpha / beta * r_before.segment(begin, size);
+      });
+      precondition(r, z);
+      beta_before = beta;
+      const double square = dot(r, z);
+      if (std::isnan(square))
+        throw Error("the equations of the flow have no finite solution: cells may be too flat");
+      beta = std::sqrt((std::max)(0., square));
+      const double epsilon_before = epsilon, delta = cosine * delta_bar + sine * alpha,
+                   gamma_bar = sine * delta_bar - cosine * alpha;
+      epsilon = sine * beta;
+      delta_bar = -cosine * beta;
+      const double gamma = std::hypot(gamma_bar, beta);
+      cosine = gamma_bar / gamma;
+      sine = beta / gamma;
+      const double phi = cosine * eta;
+      eta *= sine;
+      w_before.swap(w);
+      for_each_block(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
+        auto part = w.segment(begin, size);
+        part = (q.segment(begin, size) - epsilon_before * part -
+                delta * w_before.segment(begin, size)) /
+               gamma;
+        x.segment(begin, size) += phi * part;
+      });
+      if (!(beta > 0))
+        break;
+    }
   }
-  return k;
 }
 
 } // namespace internal

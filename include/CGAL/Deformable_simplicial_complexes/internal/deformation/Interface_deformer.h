@@ -80,8 +80,7 @@ public:
   // Interface and free vertices at once: most of most motions. Free vertices follow the flow of
   // space in the first pass, where it is known.
   void move_together(unsigned pass) {
-    static constexpr double far = 100;         // times the longest way: nothing to be followed
-    static constexpr double negligible = 1e-6; // of the longest way
+    static constexpr double far = 100; // times the longest way: nothing to be followed
     if (is_complete())
       return;
     std::vector<Vertex_handle> vertices = unfinished();
@@ -101,7 +100,7 @@ public:
       return m_complex.displacement(v, m_destinations.final_position(v));
     };
     const std::vector<Vector> ways =
-        motion_of_space(m_complex, free, way, flow, negligible * longest, m_for_each_index);
+        motion_of_space(m_complex, free, way, flow, longest, m_for_each_index);
     std::vector<Point> targets;
     for (std::size_t k = 0; k < vertices.size(); ++k)
       targets.push_back(m_destinations.destination(k));

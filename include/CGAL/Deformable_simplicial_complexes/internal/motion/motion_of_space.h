@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Time_stamps.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Harmonic_extension.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/motion_by_flow.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 
 #include <CGAL/Origin.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -25,16 +27,19 @@ How free vertices go while the interface does: where the flow of space is known,
 deviate from it only as interface and boundary do; elsewhere they follow the interface and those.
 
 `way(v)` is what a vertex of the interface has before it, and nothing for those of the boundary;
-`flow(v)` where any vertex is taken by the flow, if that is known; differences below a length count
-as none.
+`flow(v)` where any vertex is taken by the flow, if that is known; the longest way is known.
 */
 template <class Complex, class Way, class Flow>
 std::vector<typename Complex::Approximate_vector>
 motion_of_space(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& free,
-                const Way& way, const Flow& flow, double negligible,
+                const Way& way, const Flow& flow, double longest,
                 const For_each_index& for_each_index) {
   using Vertex_handle = typename Complex::Vertex_handle;
   using Vector = typename Complex::Approximate_vector;
+  if (auto followed = motion_by_flow(complex, free, way, flow, longest))
+    return *std::move(followed);
+  static constexpr double part = 1e-6; // of the longest way: differences below count as none
+  const double negligible = part * longest;
   std::vector<Vertex_handle> guided, others;
   std::vector<Vector> flows; // of guided ones
   for (Vertex_handle v : free)

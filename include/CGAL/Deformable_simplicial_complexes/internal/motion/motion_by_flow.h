@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_MOTION_BY_FLOW_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_MOTION_BY_FLOW_H
+
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+/*
+How all free vertices go if the whole interface goes with a flow of space that is known everywhere:
+with it, too, but less and less from where the interface is nearest to the boundary of the domain,
+a box, on outwards. Nothing if that is not so, or there is too little room for the flow to fade.
+
+`way(v)` is what a vertex of the interface has before it, the longest way is known; `flow(v)` where
+any vertex is taken by the flow.
+*/
+template <class Complex, class Way, class Flow>
+std::optional<std::vector<typename Complex::Approximate_vector>>
+motion_by_flow(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& free,
+               const Way& way, const Flow& flow, double longest) {
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Vector = typename Complex::Approximate_vector;
+  static constexpr double negligible = 1e-6; // deviation from the flow, of the longest way
+  static constexpr double steepest = .25;    // the longest way over the room in which it fades
+  Extent<Complex::dimension> box;
+  std::size_t number_of_inner = 0;
+  for (Vertex_handle v : complex.finite_vertices()) {
+    box.add(complex.position(v));
+    number_of_inner += !v->is_interface() && !complex.is_boundary(v);
+    if ((v->boundary_class() & Boundary_class::fixed) != 0)
+      return {};
+  }
+  if (free.size() != number_of_inner)
+    return {};
+  const auto distance = [&](Vertex_handle v) {
+    double result = std::numeric_limits<double>::infinity();
+    const auto p = complex.position(v);
+    for (int axis = 0; Complex::Domain::has_outside && axis < Complex::dimension; ++axis)
+      result = (std::min)({result, p[axis] - box.lower(axis), box.upper(axis) - p[axis]});
+    return result;
+  };
+  double room = std::numeric_limits<double>::infinity();
+  for (Vertex_handle v : complex.finite_vertices()) {
+    if (!v->is_interface())
+      continue;
+    const std::optional<Vector> known = flow(v);
+    if (!known || (way(v) - *known).squared_length() > negligible * negligible * longest * longest)
+      return {};
+    room = (std::min)(room, distance(v));
+    if (longest > steepest * room)
+      return {};
+  }
+  std::vector<Vector> result;
+  result.reserve(free.size());
+  for (Vertex_handle v : free) {
+    const std::optional<Vector> known = flow(v);
+    if (!known)
+      return {};
+    const double reach = distance(v);
+    result.push_back(reach < room ? reach / room * *known : *known);
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_MOTION_BY_FLOW_H
