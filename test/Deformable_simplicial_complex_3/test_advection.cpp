@@ -486,6 +486,31 @@ TEST(Advection, takes_the_space_around_along) {
   EXPECT_LT(part_that_follows(eddy, rk4.flow([](const Position& p) { return p; })), .1);
 }
 
+// A rotation would turn the box, too: it fades from the interface on outwards.
+TEST(Advection, flows_fade_towards_a_boundary_that_they_would_move) {
+  Complex dsc = mesh_helpers::sphere(8, .6);
+  const CGAL::Rigid_rotation_3 rotation({0, 0, 0}, {0, 0, 1}, 1);
+  static constexpr double dt = .02;
+  const auto distance = [](const Position& p) {
+    return 1 - (std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+  };
+  double room = 1;
+  for (Vertex_handle v : dsc.interface_vertices())
+    room = (std::min)(room, distance(dsc.position(v)));
+  EXPECT_GT(room, .35);
+  const auto vertices = dsc.vertices();
+  std::vector<Position> expected;
+  for (Vertex_handle v : vertices) {
+    const Position p = dsc.position(v);
+    expected.push_back(p + (std::min)(1., distance(p) / room) * (rotation(p, 0, dt) - p));
+  }
+  const auto report = CGAL::advect_interface(dsc, rotation, 0, dt);
+  EXPECT_TRUE(report.complete);
+  EXPECT_EQ(report.smoothed, 0u);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    EXPECT_LT((dsc.position(vertices[i]) - expected[i]).squared_length(), 1e-24);
+}
+
 // A ball folds, and its facets get small angles.
 TEST(Advection, keeps_facets_if_told_to) {
   const auto velocity = [](const Position& p, double) { return folding(p); };

@@ -20,8 +20,9 @@ namespace internal {
 
 /*
 How all free vertices go if the whole interface goes with a flow of space that is known everywhere:
-with it, too, but less and less from where the interface is nearest to the boundary of the domain,
-a box, on outwards. Nothing if that is not so, or there is too little room for the flow to fade.
+with it, too. If it would take along the boundary of the domain, a box, it fades: from where the
+interface is nearest to the boundary on outwards. Nothing if that is not so, or there is too little
+room to fade.
 
 `way(v)` is what a vertex of the interface has before it, the longest way is known; `flow(v)` where
 any vertex is taken by the flow.
@@ -34,20 +35,28 @@ motion_by_flow(const Complex& complex, const std::vector<typename Complex::Verte
   using Vector = typename Complex::Approximate_vector;
   static constexpr double negligible = 1e-6; // deviation from the flow, of the longest way
   static constexpr double steepest = .25;    // the longest way over the room in which it fades
+  const auto is_negligible = [&](const Vector& d) {
+    return d.squared_length() <= negligible * negligible * longest * longest;
+  };
   Extent<Complex::dimension> box;
   std::size_t number_of_inner = 0;
+  bool fades = false;
   for (Vertex_handle v : complex.finite_vertices()) {
-    box.add(complex.position(v));
     number_of_inner += !v->is_interface() && !complex.is_boundary(v);
-    if ((v->boundary_class() & Boundary_class::fixed) != 0)
+    if (!complex.is_boundary(v))
+      continue;
+    box.add(complex.position(v));
+    const std::optional<Vector> known = flow(v);
+    if (!known || (v->boundary_class() & Boundary_class::fixed) != 0)
       return {};
+    fades = fades || !is_negligible(*known);
   }
   if (free.size() != number_of_inner)
     return {};
   const auto distance = [&](Vertex_handle v) {
     double result = std::numeric_limits<double>::infinity();
     const auto p = complex.position(v);
-    for (int axis = 0; Complex::Domain::has_outside && axis < Complex::dimension; ++axis)
+    for (int axis = 0; fades && axis < Complex::dimension; ++axis)
       result = (std::min)({result, p[axis] - box.lower(axis), box.upper(axis) - p[axis]});
     return result;
   };
@@ -56,7 +65,7 @@ motion_by_flow(const Complex& complex, const std::vector<typename Complex::Verte
     if (!v->is_interface())
       continue;
     const std::optional<Vector> known = flow(v);
-    if (!known || (way(v) - *known).squared_length() > negligible * negligible * longest * longest)
+    if (!known || !is_negligible(way(v) - *known))
       return {};
     room = (std::min)(room, distance(v));
     if (longest > steepest * room)
