@@ -149,7 +149,7 @@ const std::vector<Named_scene>& named_scenes() {
       {"bubble", R"json({
   "title": "a light liquid that rises in a heavy one, in a closed cylinder with slippery walls",
   "domain": [-0.8, -0.8, -0.3, 0.8, 0.8, 2.3],
-  "edge": 0.06,
+  "edge": 0.055,
   "liquids": [
     {"shape": {"type": "ball", "center": [0, 0, 0.5], "radius": 0.25}, "density": 100,
      "viscosity": 1},
