@@ -55,6 +55,8 @@ const char* name(Invalid_surface_error::Reason reason) {
     return "too_fine";
   case Reason::outside_enclosing_box:
     return "outside_enclosing_box";
+  case Reason::contradicting_sides:
+    return "contradicting_sides";
   }
   return "unknown";
 }

@@ -154,8 +154,9 @@ TEST_F(Planar_program, finds_cut_loci_of_surfaces_like_a_sphere) {
   const Json locus = report("a.json");
   EXPECT_EQ(locus.at("arcs").size(), 1u);
   for (const Json& vertex : locus.at("vertices"))
-    if (vertex.at("multiplicity") == 1)
+    if (vertex.at("multiplicity") == 1) {
       EXPECT_NEAR(vertex.at("distance").get<double>(), .8 * std::acos(-1.), 1e-6);
+    }
 }
 
 TEST_F(Planar_program, draws_balls_of_surfaces) {
