@@ -486,7 +486,7 @@ TEST(Advection, takes_the_space_around_along) {
   EXPECT_LT(part_that_follows(eddy, rk4.flow([](const Position& p) { return p; })), .1);
 }
 
-// A rotation would turn the box, too: it fades from the interface on outwards.
+// A rotation would turn the box, too: it fades from half-way between interface and box on outwards.
 TEST(Advection, flows_fade_towards_a_boundary_that_they_would_move) {
   Complex dsc = mesh_helpers::sphere(8, .6);
   const CGAL::Rigid_rotation_3 rotation({0, 0, 0}, {0, 0, 1}, 1);
@@ -502,7 +502,7 @@ TEST(Advection, flows_fade_towards_a_boundary_that_they_would_move) {
   std::vector<Position> expected;
   for (Vertex_handle v : vertices) {
     const Position p = dsc.position(v);
-    expected.push_back(p + (std::min)(1., distance(p) / room) * (rotation(p, 0, dt) - p));
+    expected.push_back(p + (std::min)(1., 2 * distance(p) / room) * (rotation(p, 0, dt) - p));
   }
   const auto report = CGAL::advect_interface(dsc, rotation, 0, dt);
   EXPECT_TRUE(report.complete);

@@ -66,7 +66,7 @@ public:
   void solve(bool knows_accelerations) {
     static constexpr unsigned geometries = 2; // that of the prediction, and of the first solution
     static constexpr unsigned most = 15;
-    static constexpr double tolerance = 1e-11; // of residuals
+    static constexpr double tolerance = 5e-12; // of residuals
     static constexpr double same = 1e-10;      // above what the solver leaves
     for (unsigned k = 0; k < geometries; ++k) {
       assemble();

@@ -20,9 +20,9 @@ namespace internal {
 
 /*
 How all free vertices go if the whole interface goes with a flow of space that is known everywhere:
-with it, too. If it would take along the boundary of the domain, a box, it fades: from where the
-interface is nearest to the boundary on outwards. Nothing if that is not so, or there is too little
-room to fade.
+with it, too. If it would take along the boundary of the domain, a box, it fades towards that, but
+not before half-way between the boundary and the interface where that is nearest to it. Nothing if
+that is not so, or there is too little room to fade.
 
 `way(v)` is what a vertex of the interface has before it, the longest way is known; `flow(v)` where
 any vertex is taken by the flow.
@@ -34,7 +34,8 @@ motion_by_flow(const Complex& complex, const std::vector<typename Complex::Verte
   using Vertex_handle = typename Complex::Vertex_handle;
   using Vector = typename Complex::Approximate_vector;
   static constexpr double negligible = 1e-6; // deviation from the flow, of the longest way
-  static constexpr double steepest = .25;    // the longest way over the room in which it fades
+  static constexpr double fading = .5;       // of the room: cells at the interface keep their shape
+  static constexpr double steepest = .125;   // the longest way over that part of the room
   const auto is_negligible = [&](const Vector& d) {
     return d.squared_length() <= negligible * negligible * longest * longest;
   };
@@ -68,7 +69,7 @@ motion_by_flow(const Complex& complex, const std::vector<typename Complex::Verte
     if (!known || !is_negligible(way(v) - *known))
       return {};
     room = (std::min)(room, distance(v));
-    if (longest > steepest * room)
+    if (longest > steepest * fading * room)
       return {};
   }
   std::vector<Vector> result;
@@ -77,8 +78,8 @@ motion_by_flow(const Complex& complex, const std::vector<typename Complex::Verte
     const std::optional<Vector> known = flow(v);
     if (!known)
       return {};
-    const double reach = distance(v);
-    result.push_back(reach < room ? reach / room * *known : *known);
+    const double part = distance(v) / (fading * room);
+    result.push_back(part < 1 ? part * *known : *known);
   }
   return result;
 }
