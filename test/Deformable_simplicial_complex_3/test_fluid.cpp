@@ -156,6 +156,21 @@ TEST(Fluid, relaxes_to_rest) {
     EXPECT_LT(fluid.advance(.05).greatest_velocity, 1e-8);
 }
 
+// Where vertices are half-way is known as well as what they do there.
+TEST(Fluid, rests_when_solved_by_iterations) {
+  Complex complex = sphere(8, .6);
+  Fluid(complex, liquid(1, 0, 1)).relax(1, 100);
+  CGAL::Incompressible_fluid_3<Complex,
+                               CGAL::Deformable_simplicial_complexes::Iterative_saddle_point_solver>
+      fluid(complex, liquid(1, 0, 1));
+  for (int k = 0; k < 5; ++k)
+    EXPECT_LT(
+        fluid
+            .advance(.05, CGAL::Deformable_simplicial_complexes::parameters::adaptation_interval(0))
+            .greatest_velocity,
+        1e-8);
+}
+
 // A mode of three of a droplet moves only if volumes of vertices, not of cells, are kept.
 TEST(Fluid, droplet_oscillates) {
   Complex complex = sphere(12, .6);
