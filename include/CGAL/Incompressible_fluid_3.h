@@ -436,9 +436,6 @@ using Incompressible_fluid_3 =
 
 #ifdef CGAL_DSC_EXTERN // see the component Compiled
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/control_detail_3.h>
-#include <CGAL/deform_interface_3.h>
-#include <CGAL/improve_interface_3.h>
 
 namespace CGAL {
 CGAL_DSC_EXTERN template class Deformable_simplicial_complexes::Incompressible_fluid<

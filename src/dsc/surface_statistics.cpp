@@ -5,10 +5,11 @@
 #include "statistics.h"
 #include "surface.h"
 
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Number_groups.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace dsc {
 namespace {
@@ -16,26 +17,6 @@ namespace {
 using Vector = CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3;
 
 double norm(const Vector& v) { return std::sqrt(v.squared_length()); }
-
-/// Which vertices are connected: a forest in an array, paths halved on the way up.
-class Connectivity
-{
-public:
-  explicit Connectivity(std::size_t n) : m_parent(n) {
-    std::iota(m_parent.begin(), m_parent.end(), std::size_t(0));
-  }
-
-  std::size_t root(std::size_t v) {
-    while (m_parent[v] != v)
-      v = m_parent[v] = m_parent[m_parent[v]];
-    return v;
-  }
-
-  void join(std::size_t v, std::size_t w) { m_parent[root(v)] = root(w); }
-
-private:
-  std::vector<std::size_t> m_parent;
-};
 
 } // namespace
 
@@ -45,7 +26,7 @@ Surface_statistics surface_statistics(const std::string& path) {
   result.triangles = surface.triangles.size();
   result.min_angle = 180;
 
-  Connectivity connectivity(surface.points.size());
+  CGAL::Deformable_simplicial_complexes::internal::Number_groups connected(surface.points.size());
   std::vector<bool> used(surface.points.size());
   std::vector<std::array<std::size_t, 2>> edges;
   // Far from the origin, tetrahedra with it would cancel to nothing.
@@ -54,7 +35,7 @@ Surface_statistics surface_statistics(const std::string& path) {
     for (int i = 0; i < 3; ++i) {
       const std::size_t a = triangle[i], b = triangle[(i + 1) % 3], c = triangle[(i + 2) % 3];
       used[a] = true;
-      connectivity.join(a, b);
+      connected.join(a, b);
       edges.push_back({std::min(a, b), std::max(a, b)});
       const Vector u = surface.points[b] - surface.points[a],
                    v = surface.points[c] - surface.points[a];
@@ -71,7 +52,7 @@ Surface_statistics surface_statistics(const std::string& path) {
   for (std::size_t v = 0; v < used.size(); ++v)
     if (used[v]) {
       ++result.vertices;
-      result.components += connectivity.root(v) == v;
+      result.components += connected.of(v) == v;
     }
 
   std::sort(edges.begin(), edges.end());

@@ -97,12 +97,13 @@ became bad.
   \cgalParamNEnd
   \cgalParamNBegin{flow}
     \cgalParamDescription{where what is at a point, or a vertex, goes in the deformation: free
-                          vertices go there, too. Where the whole interface does, the flow fades towards a
-                          boundary of the domain, a box, that it would move; else vertices deviate
-                          from it by a harmonic function, as the interface or the boundary do. For the first pass only,
-in which most deformations end. Where it is not finite, or more than 100 times as long as the
-longest way of the interface, it counts as unknown: free vertices follow the interface there, and
-those whose flow is known.}
+                          vertices go there, too. Where the whole interface does, the flow fades
+                          towards a boundary of the domain, a box, that it would move; else
+                          vertices deviate from it by a harmonic function, as the interface or the
+                          boundary do. For the first pass only, in which most deformations end.
+                          Where it is not finite, or more than 100 times as long as the longest way
+                          of the interface, it counts as unknown: free vertices follow the interface
+                          there, and those whose flow is known.}
     \cgalParamType{function object `Approximate_point flow(Approximate_point p)` or
                    `Approximate_point flow(Vertex_handle v)`, in the coordinates of the complex}
     \cgalParamDefault{none: free vertices follow the interface}

@@ -25,19 +25,18 @@ not before half-way between the boundary and the interface where that is nearest
 that is not so, or there is too little room to fade.
 
 `way(v)` is what a vertex of the interface has before it, the longest way is known; `flow(v)` where
-any vertex is taken by the flow.
+any vertex is taken by the flow; differences below a length count as none.
 */
 template <class Complex, class Way, class Flow>
 std::optional<std::vector<typename Complex::Approximate_vector>>
 motion_by_flow(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& free,
-               const Way& way, const Flow& flow, double longest) {
+               const Way& way, const Flow& flow, double longest, double negligible) {
   using Vertex_handle = typename Complex::Vertex_handle;
   using Vector = typename Complex::Approximate_vector;
-  static constexpr double negligible = 1e-6; // deviation from the flow, of the longest way
-  static constexpr double fading = .5;       // of the room: cells at the interface keep their shape
-  static constexpr double steepest = .125;   // the longest way over that part of the room
+  static constexpr double fading = .5;     // of the room: cells at the interface keep their shape
+  static constexpr double steepest = .125; // the longest way over that part of the room
   const auto is_negligible = [&](const Vector& d) {
-    return d.squared_length() <= negligible * negligible * longest * longest;
+    return d.squared_length() <= negligible * negligible;
   };
   Extent<Complex::dimension> box;
   std::size_t number_of_inner = 0;
@@ -78,8 +77,8 @@ motion_by_flow(const Complex& complex, const std::vector<typename Complex::Verte
     const std::optional<Vector> known = flow(v);
     if (!known)
       return {};
-    const double part = distance(v) / (fading * room);
-    result.push_back(part < 1 ? part * *known : *known);
+    const double reach = distance(v), full = fading * room;
+    result.push_back(reach < full ? reach / full * *known : *known);
   }
   return result;
 }

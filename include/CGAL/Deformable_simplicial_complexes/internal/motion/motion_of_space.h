@@ -36,10 +36,10 @@ motion_of_space(const Complex& complex, const std::vector<typename Complex::Vert
                 const For_each_index& for_each_index) {
   using Vertex_handle = typename Complex::Vertex_handle;
   using Vector = typename Complex::Approximate_vector;
-  if (auto followed = motion_by_flow(complex, free, way, flow, longest))
-    return *std::move(followed);
   static constexpr double part = 1e-6; // of the longest way: differences below count as none
   const double negligible = part * longest;
+  if (auto followed = motion_by_flow(complex, free, way, flow, longest, negligible))
+    return *std::move(followed);
   std::vector<Vertex_handle> guided, others;
   std::vector<Vector> flows; // of guided ones
   for (Vertex_handle v : free)
