@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Rotates a surface by a whole turn, or offsets it out and back, and measures what it costs and
-// what becomes of the surface. Prints a row of a table, without its head.
+// Rotates a surface by a whole turn, offsets it out and back, pushes a small part of it, or
+// nothing, and measures what it costs and what becomes of the surface. Prints a row of a table,
+// without its head.
 
 #include "inputs.h"
 #include "measures.h"
@@ -192,6 +193,52 @@ Json offset(Complex& complex, Steps& steps) {
           {"components", components}};
 }
 
+/// A velocity that is not zero within a radius around a point only.
+struct Local_push
+{
+  Point center;
+  double radius;
+  Vector velocity;
+
+  Vector operator()(const Point& p, double) const {
+    const double part = (p - center).squared_length() / (radius * radius);
+    return part < 1 ? (1 - part) * (1 - part) * velocity : Vector(0, 0, 0);
+  }
+};
+
+/// Pushes a part of the interface out, by a quarter of its mean edge in each step, and back.
+Json push(Complex& complex, Steps& steps, double part) {
+  static constexpr int number_of_steps = 5;
+  const std::vector<Complex::Vertex_handle> vertices = complex.interface_vertices();
+  const auto is_lower = [&](Complex::Vertex_handle v, Complex::Vertex_handle w) {
+    return complex.position(v).z() < complex.position(w).z();
+  };
+  const Point top = complex.position(*std::max_element(vertices.begin(), vertices.end(), is_lower));
+  std::vector<double> squared_distances;
+  for (const Complex::Vertex_handle v : vertices)
+    squared_distances.push_back((complex.position(v) - top).squared_length());
+  std::sort(squared_distances.begin(), squared_distances.end());
+  const double radius = std::sqrt(squared_distances[std::size_t(part * double(vertices.size()))]);
+  const double distance = part > 0 ? .25 * complex.mean_interface_edge() : 0;
+  bool is_valid = true;
+  for (double way : {distance, -distance})
+    for (int i = 0; i < number_of_steps; ++i) {
+      steps.take(complex, Local_push{top, radius, Vector(0, 0, way)});
+      is_valid = is_valid && check(complex);
+    }
+  return {{"valid", is_valid}, {"incomplete_steps", steps.count("incomplete")}};
+}
+
+/// What a mode does to the complex.
+Json move(const std::string& mode, Complex& complex, Steps& steps) {
+  static constexpr double small_part = .004; // of the vertices of the interface
+  if (mode == "rotation")
+    return rotate(complex, steps);
+  if (mode == "offset")
+    return offset(complex, steps);
+  return push(complex, steps, mode == "push" ? small_part : 0);
+}
+
 int run(const std::string& mode, const std::string& input, std::size_t triangles,
         const std::string& json_path) {
   Surface surface = read_input(input, triangles);
@@ -204,7 +251,7 @@ int run(const std::string& mode, const std::string& input, std::size_t triangles
   result["tetrahedra"] = complex.number_of_cells();
 
   Steps steps(complex);
-  const Json motion = mode == "rotation" ? rotate(complex, steps) : offset(complex, steps);
+  const Json motion = move(mode, complex, steps);
   result["sweep_milliseconds"] = steps.mean("sweep_milliseconds");
   result.update(motion);
   result["sweeps_mean"] = steps.mean("sweeps");
@@ -235,10 +282,14 @@ int run(const std::string& mode, const std::string& input, std::size_t triangles
 } // namespace dsc_benchmark
 
 int main(int argc, char** argv) {
-  CLI::App app("Rotates a surface by a whole turn, or offsets it out and back, and measures it.");
+  CLI::App app(
+      "Rotates a surface by a whole turn, offsets it out and back, pushes a small part of it "
+      "or moves nothing, and measures it.");
   std::string mode, input, json_path;
   std::size_t triangles = 0;
-  app.add_option("mode", mode)->required()->check(CLI::IsMember({"rotation", "offset"}));
+  app.add_option("mode", mode)
+      ->required()
+      ->check(CLI::IsMember({"rotation", "offset", "push", "rest"}));
   app.add_option("mesh", input, "a file, or two_spheres")->required();
   app.add_option("--triangles", triangles, "to which a finer surface is decimated");
   app.add_option("--json", json_path, "a file for the numbers of all steps");

@@ -6,10 +6,10 @@
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/cell_corners.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/values/redistribute_contents.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Volume_changer.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Labelled_star.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Trapped_cells.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/values/redistribute_contents.h>
 
 #include <gtest/gtest.h>
 
@@ -216,6 +216,41 @@ TEST(Components, are_counted_for_each_label) {
     if (random.below(2) == 0)
       dsc.relabel(c, 3);
   expect_right_numbers();
+}
+
+// Numbers and volumes of components are kept up with relabelings one by one; is_valid() compares
+// them with a flood.
+TEST(Components, are_known_after_relabelings_that_keep_them) {
+  Complex dsc = jittered_grid(4, small_meshes::two_boxes, .3, 1);
+  Random random(3);
+  std::size_t known = 0, changed = 0;
+  for (int i = 0; i < 600; ++i) {
+    dsc.update_components();
+    const auto before = numbers_of_components(dsc);
+    const auto cells = dsc.cells();
+    const Cell_handle c = cells[random.below(cells.size())];
+    const Cell_handle n = c->neighbor(int(random.below(4)));
+    if (dsc.is_infinite(n) || n->label() == c->label())
+      continue;
+    dsc.relabel(c, n->label());
+    EXPECT_TRUE(dsc.is_valid(true));
+    const auto events = dsc.take_component_events();
+    EXPECT_TRUE(dsc.is_valid(true));
+    ++(events.empty() ? known : changed);
+    if (events.empty()) {
+      EXPECT_EQ(numbers_of_components(dsc), before);
+    }
+    for (const auto& event : events)
+      for (const auto& part : event.after) {
+        double volume = 0;
+        for (Cell_handle d : dsc.cells())
+          if (d->component() == part.component)
+            volume += dsc.measure(d);
+        EXPECT_NEAR(part.volume, volume, 1e-14);
+      }
+  }
+  EXPECT_GT(known, 50u);
+  EXPECT_GT(changed, 5u);
 }
 
 TEST(Redistribute_contents, adds_what_all_pairs_would) {

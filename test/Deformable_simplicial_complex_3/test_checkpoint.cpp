@@ -133,7 +133,7 @@ TEST(Checkpoint, damaged_files_are_refused) {
   std::string newer = whole;
   ++newer[8];
   write_bytes(path, newer);
-  EXPECT_TRUE(contains(complaint(path), "version 5"));
+  EXPECT_TRUE(contains(complaint(path), "version 6"));
 }
 
 TEST(Checkpoint, foreign_files_are_refused) {

@@ -29,7 +29,7 @@ struct Component_event
   struct Part
   {
     std::uint32_t component; ///< the `component()` of its cells, at the look before or now
-    double volume;           ///< then, in the coordinates of the complex
+    double volume; ///< just before the change, or after it, in the coordinates of the complex
   };
 
   Kind kind;                ///< what happened

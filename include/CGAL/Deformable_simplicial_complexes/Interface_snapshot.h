@@ -19,10 +19,12 @@ namespace Deformable_simplicial_complexes {
 The vertices of an interface, numbered, as velocities see them. Positions are kept apart: an
 integrator asks for velocities at positions that the vertices never take.
 
-\tparam Complex a deformable simplicial complex
+\tparam Complex_ a deformable simplicial complex
 */
-template <class Complex> struct Interface_vertices
+template <class Complex_> struct Interface_vertices
 {
+  using Complex = Complex_; ///< the complex
+
   /// A facet of the interface; its vertices are indices into `vertices`.
   struct Facet
   {
@@ -44,14 +46,14 @@ template <class Complex> struct Interface_vertices
     return result;
   }
 
-protected:
-  /// Takes them, and numbers them.
+  /// Takes them, and numbers them. n log n in their number, plus a pass over the vertices.
   explicit Interface_vertices(const Complex& complex)
       : vertices(complex.interface_vertices()), domain(complex.domain()) {
     for (std::uint32_t i = 0; i < vertices.size(); ++i)
       vertices[i]->set_scratch_index(i);
   }
 
+protected:
   /// The facets, in the order of `interface_facets()`. \pre the vertices are numbered
   static std::vector<Facet> numbered_facets(const Complex& complex) {
     std::vector<Facet> result;

@@ -12,6 +12,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Component_tracker.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Label_totals.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/kept_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Time_stamps.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
 
@@ -315,9 +316,9 @@ public:
   }
 
   /// Which components of now have cells of which components of the last call, or cells that
-  /// replaced these: pairs of their numbers, then and now, sorted. Components are numbered anew when
-  /// some of them change; those without a pair come from none, or are gone. Linear if the topology
-  /// may have changed.
+  /// replaced these: pairs of their numbers, then and now, sorted. Components are numbered anew
+  /// when some of them change; those without a pair come from none, or are gone. Linear if the
+  /// topology may have changed.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> take_component_lineage() {
     update_components();
     return m_components.take_lineage();
@@ -423,6 +424,14 @@ private:
     for (Vertex_handle v : facet_vertices(f))
       v->set_interface_degree(v->interface_degree() + std::uint32_t(number));
   }
+  // What a cell measures has changed by so many units of the totals.
+  void add_volume(Cell_handle c, std::int64_t units) {
+    m_totals.add_volume(c->label(), units);
+    m_components.add_volume(c->component(), units);
+  }
+  bool has_several_labels(const std::vector<Cell_handle>& cells) const;
+  bool are_kept(const internal::Connections<Labelled_complex>& connections,
+                const std::vector<Cell_handle>& created) const noexcept;
   void count_removed_interface(const Cavity& cavity);
   void collect_surroundings(const Cavity& cavity);
   void sew(bool counts_interface);

@@ -66,9 +66,6 @@ template <int d> struct State
   /// for each of `cells` the number of its component, as events name it; 0 for infinite cells
   std::vector<std::uint32_t> cell_components;
 
-  /// the volumes that the components had when they were numbered, by number
-  std::vector<double> component_volumes;
-
   /// the mean length of the interface edges when the complex was built
   double mean_interface_edge = 0;
 
@@ -91,12 +88,11 @@ namespace internal {
 // compile with a member too few.
 template <class State_d> auto members(State_d& state) {
   auto& [points, boundary_classes, spacings, vertex_cells, cells, cell_labels, noted_qualities,
-         failures, cell_components, component_volumes, mean_interface_edge, minimum_interface_edge,
+         failures, cell_components, mean_interface_edge, minimum_interface_edge,
          normalization_translation, normalization_scale, periods] = state;
   return std::tie(points, boundary_classes, spacings, vertex_cells, cells, cell_labels,
-                  noted_qualities, failures, cell_components, component_volumes,
-                  mean_interface_edge, minimum_interface_edge, normalization_translation,
-                  normalization_scale, periods);
+                  noted_qualities, failures, cell_components, mean_interface_edge,
+                  minimum_interface_edge, normalization_translation, normalization_scale, periods);
 }
 
 // Whether the arrays that run parallel have the same size.
@@ -132,14 +128,11 @@ template <int d> bool is_consistent(const State<d>& state) {
     return c < state.cells.size() &&
            std::find(state.cells[c].begin(), state.cells[c].end(), index) != state.cells[c].end();
   };
-  const auto is_volume = [](double volume) { return volume >= 0 && std::isfinite(volume); };
-  bool result =
-      has_finite_coordinates(state.normalization_translation) &&
-      std::all_of(state.component_volumes.begin(), state.component_volumes.end(), is_volume) &&
-      std::all_of(state.cells.begin(), state.cells.end(), is_cell) &&
-      std::all_of(state.points.begin(), state.points.end(),
-                  has_finite_coordinates<std::array<double, d>>) &&
-      (state.points.empty() || extent_of<d>(state.points).is_measurable());
+  bool result = has_finite_coordinates(state.normalization_translation) &&
+                std::all_of(state.cells.begin(), state.cells.end(), is_cell) &&
+                std::all_of(state.points.begin(), state.points.end(),
+                            has_finite_coordinates<std::array<double, d>>) &&
+                (state.points.empty() || extent_of<d>(state.points).is_measurable());
   for (std::size_t v = 0; result && v < state.vertex_cells.size(); ++v)
     result = is_cell_of(v);
   return result;

@@ -20,11 +20,11 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Where the vertices of a snapshot go in a step, by the named parameters of advect_interface().
-template <class Complex, class Velocity, class NamedParameters>
+// Where the vertices of an interface go in a step, by the named parameters of advect_interface().
+template <class Complex, class Interface, class Velocity, class NamedParameters>
 std::vector<typename Complex::Approximate_point>
-destinations_of_step(const Complex& dsc, const Interface_snapshot<Complex>& interface_,
-                     const Velocity& velocity, double t, double dt, const NamedParameters& np) {
+destinations_of_step(const Complex& dsc, const Interface& interface_, const Velocity& velocity,
+                     double t, double dt, const NamedParameters& np) {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const Integration_scheme scheme =
@@ -100,7 +100,7 @@ Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& veloc
                                              const NamedParameters& np = NamedParameters()) {
   namespace tags = Deformable_simplicial_complexes::internal_np;
   namespace internal = Deformable_simplicial_complexes::internal;
-  const Deformable_simplicial_complexes::Interface_snapshot<Complex> interface_(dsc);
+  const internal::Interface_seen_by<Complex, Velocity> interface_(dsc);
   const auto destinations = internal::destinations_of_step(dsc, interface_, velocity, t, dt, np);
   constexpr bool has_flow = !parameters::is_default_parameter<NamedParameters, tags::flow_t>::value;
   if constexpr (internal::is_flow_of_space<Complex, Velocity> && !has_flow) {

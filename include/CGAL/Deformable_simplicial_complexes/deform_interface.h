@@ -12,7 +12,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 
@@ -36,6 +35,27 @@ Deformation_options<Complex> deformation_options(const Complex& dsc, const Named
           parameter_or(np, tags::collision_order, false),
           parameter_or(np, tags::topology_control, Allow_topology_changes()),
           space_motion(dsc, CGAL::parameters::get_parameter(np, tags::flow))};
+}
+
+// Moves the vertices of the interface, all of them by increasing time stamp, by the named
+// parameters of `deform_interface()`.
+template <class Complex, class NamedParameters>
+Deformation_report<Complex>
+deform_by_parameters(Complex& dsc, const std::vector<typename Complex::Vertex_handle>& vertices,
+                     const std::vector<typename Complex::Point>& destinations,
+                     const NamedParameters& np) {
+  namespace tags = internal_np;
+  auto visitor = visitor_parameter<Complex>(np);
+  const unsigned maximum_number_of_passes =
+      count_parameter(np, tags::maximum_number_of_passes, "maximum_number_of_passes",
+                      defaults::maximum_number_of_passes);
+  const auto options = deformation_options(dsc, np);
+  const unsigned number_of_threads = count_parameter(
+      np, tags::number_of_threads, "number_of_threads", defaults::number_of_threads);
+  require_interface_edge(dsc);
+  return deform(dsc, vertices, destinations, options, maximum_number_of_passes, number_of_threads,
+                visitor.any(),
+                [&](unsigned pass) { return bool(visitor.visitor().go_further(pass)); });
 }
 
 } // namespace internal
@@ -149,27 +169,13 @@ template <
     class NamedParameters = Deformable_simplicial_complexes::parameters::Default_named_parameters>
 Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& destination,
                                              const NamedParameters& np = NamedParameters()) {
-  namespace tags = Deformable_simplicial_complexes::internal_np;
-  namespace internal = Deformable_simplicial_complexes::internal;
-  namespace defaults = internal::defaults;
-
-  auto visitor = internal::visitor_parameter<Complex>(np);
-  const unsigned maximum_number_of_passes =
-      internal::count_parameter(np, tags::maximum_number_of_passes, "maximum_number_of_passes",
-                                defaults::maximum_number_of_passes);
-  const auto options = internal::deformation_options(dsc, np);
-  const unsigned number_of_threads = internal::count_parameter(
-      np, tags::number_of_threads, "number_of_threads", defaults::number_of_threads);
-
-  internal::require_interface_edge(dsc);
-
-  const auto vertices = dsc.interface_vertices();
+  const std::vector<typename Complex::Vertex_handle> vertices = dsc.interface_vertices();
   std::vector<typename Complex::Point> destinations;
+  destinations.reserve(vertices.size());
   for (auto v : vertices)
     destinations.push_back(destination(v));
-  return internal::deform(dsc, vertices, destinations, options, maximum_number_of_passes,
-                          number_of_threads, visitor.any(),
-                          [&](unsigned pass) { return bool(visitor.visitor().go_further(pass)); });
+  return Deformable_simplicial_complexes::internal::deform_by_parameters(dsc, vertices,
+                                                                         destinations, np);
 }
 
 /*!
@@ -178,7 +184,7 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
 Deforms the interface as `deform_interface()` does, with destinations in the order of a snapshot.
 
 \param dsc the complex
-\param interface_ its interface. \pre the complex has not changed since
+\param interface_ its interface, or the vertices of it. \pre the complex has not changed since
 \param destinations one for each vertex of the snapshot, in the coordinates of the complex
 \param np the named parameters of `deform_interface()`
 \return what that returns
@@ -189,7 +195,7 @@ template <class Complex, class NamedParameters =
                              Deformable_simplicial_complexes::parameters::Default_named_parameters>
 Deformation_report<Complex>
 deform_interface_to(Complex& dsc,
-                    const Deformable_simplicial_complexes::Interface_snapshot<Complex>& interface_,
+                    const Deformable_simplicial_complexes::Interface_vertices<Complex>& interface_,
                     const std::vector<typename Complex::Approximate_point>& destinations,
                     const NamedParameters& np = NamedParameters()) {
   namespace internal = Deformable_simplicial_complexes::internal;
@@ -197,13 +203,11 @@ deform_interface_to(Complex& dsc,
     throw Deformable_simplicial_complexes::Invalid_destination_error(
         "a destination must be given for each vertex of the interface, no more and no fewer", {});
   internal::require_finite(destinations, "a destination"); // exact numbers could not express it
-  internal::number_vertices(interface_.vertices);
-  return deform_interface(
-      dsc,
-      [&](typename Complex::Vertex_handle v) {
-        return dsc.exact(destinations[v->scratch_index()]);
-      },
-      np);
+  std::vector<typename Complex::Point> points;
+  points.reserve(destinations.size());
+  for (const auto& p : destinations)
+    points.push_back(dsc.exact(p));
+  return internal::deform_by_parameters(dsc, interface_.vertices, points, np);
 }
 
 } // namespace CGAL

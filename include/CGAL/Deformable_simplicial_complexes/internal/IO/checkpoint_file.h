@@ -34,7 +34,7 @@ template <int d> std::string checkpoint_magic() {
   return "\211DSC" + std::to_string(d) + "\r\n\032";
 }
 constexpr std::size_t checkpoint_magic_size = 8;
-constexpr std::uint32_t checkpoint_version = 4;
+constexpr std::uint32_t checkpoint_version = 5;
 constexpr std::size_t checkpoint_header_size = 24;
 
 // What follows the metadata in a file of this version.
@@ -49,7 +49,6 @@ using Checkpoint_members =
                std::vector<float>&,                            // noted_qualities
                std::vector<std::uint8_t>&,                     // failures
                std::vector<std::uint32_t>&,                    // cell_components
-               std::vector<double>&,                           // component_volumes
                double&, double&,                               // mean_, minimum_interface_edge
                std::array<double, d>&, double&,                // normalization_translation, _scale
                std::array<double, d>&>;                        // periods

@@ -19,10 +19,10 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Connected components of labels. Each cell carries the number of its component; a cell that
-// replaces others inherits it. After a change that may have altered components they are numbered
-// anew, in the order of their oldest cells, and the pairs (old number, new number) met on the way
-// tell what merged, split or vanished.
+// Connected components of labels and their volumes. Each cell carries the number of its component;
+// a cell that replaces others inherits it. After a change that may have altered components they are
+// numbered anew, in the order of their oldest cells, and the pairs (old number, new number) met on
+// the way tell what merged, split or vanished.
 class Component_tracker
 {
 public:
@@ -34,6 +34,15 @@ public:
     m_is_counted = false;
   }
 
+  // Whether they did not change since they were numbered.
+  bool is_known() const { return m_is_known; }
+
+  // What a component measures has changed, in the units of totals.
+  void add_volume(Number component, std::int64_t units) {
+    if (m_is_known)
+      m_components[component].volume += units;
+  }
+
   // Numbers components anew if they may have changed. The totals tell the unit of volumes, in which
   // their sums are exact.
   template <class Complex> void update(const Complex& complex, const Label_totals& totals) {
@@ -42,7 +51,7 @@ public:
     const std::vector<Component> before = std::move(m_components);
     m_components.clear();
     const std::vector<Origin> origins = number(complex, before, totals);
-    compare(before, origins);
+    compare(before, origins, totals);
     prolong_lineage(origins);
     m_is_known = true;
     count_known();
@@ -57,14 +66,12 @@ public:
     begin_lineage();
   }
 
-  // Gives the components the numbers that their cells once had, and the volumes of that time.
-  // Returns false if these are no numbers of them.
+  // Gives the components the numbers that their cells once had. Returns false if these are no
+  // numbers of them. \pre is_known()
   template <class Complex>
   bool renumber(const Complex& complex, const std::vector<typename Complex::Cell_handle>& cells,
-                const std::vector<Number>& numbers, const std::vector<double>& volumes) {
+                const std::vector<Number>& numbers) {
     const std::size_t n = m_components.size();
-    if (volumes.size() != n)
-      return false;
     std::vector<Number> former(n, Number(n)); // n stands for none
     std::vector<Component> components(n);
     std::vector<bool> is_taken(n, false);
@@ -75,7 +82,7 @@ public:
       if (former[now] == n && numbers[i] < n && !is_taken[numbers[i]]) {
         former[now] = numbers[i];
         is_taken[numbers[i]] = true;
-        components[numbers[i]] = {m_components[now].label, volumes[numbers[i]]};
+        components[numbers[i]] = m_components[now];
       }
       if (former[now] != numbers[i] || numbers[i] >= n)
         return false;
@@ -84,14 +91,6 @@ public:
     m_components = std::move(components);
     begin_lineage();
     return true;
-  }
-
-  // As of the last update, by number.
-  std::vector<double> volumes() const {
-    std::vector<double> result;
-    for (const Component& component : m_components)
-      result.push_back(component.volume);
-    return result;
   }
 
   // Of now, whether or not they are numbered: a query, which alters no number.
@@ -118,11 +117,41 @@ public:
     return result;
   }
 
+  // Whether the numbers and the volumes are those of now, if that is said to be known.
+  template <class Complex> bool is_right(const Complex& complex, const Label_totals& totals) const {
+    using Cell_handle = typename Complex::Cell_handle;
+    if (!m_is_known)
+      return true;
+    std::vector<bool> is_found(m_components.size(), false);
+    std::vector<Cell_handle> seen;
+    Marks<Cell_handle> marks(seen);
+    std::size_t next = 0;
+    for (Cell_handle seed : complex.finite_cells()) {
+      if (marks.has(seed))
+        continue;
+      const Number i = seed->component();
+      if (i >= m_components.size() || is_found[i] || m_components[i].label != seed->label())
+        return false;
+      is_found[i] = true;
+      std::int64_t volume = 0;
+      for (marks.add(seed); next < seen.size(); ++next) {
+        const Cell_handle c = seen[next];
+        volume += totals.units(complex.measure(c));
+        if (c->component() != i)
+          return false;
+        add_neighbors(complex, c, marks);
+      }
+      if (volume != m_components[i].volume)
+        return false;
+    }
+    return std::find(is_found.begin(), is_found.end(), false) == is_found.end();
+  }
+
 private:
   struct Component
   {
     int label;
-    double volume;
+    std::int64_t volume; // now, or just before something happened to components
   };
   using Origin = std::pair<Number, Number>;
 
@@ -166,6 +195,14 @@ private:
     m_is_counted = true;
   }
 
+  // Those of the same component.
+  template <class Complex, class Marks>
+  static void add_neighbors(const Complex& complex, typename Complex::Cell_handle c, Marks& marks) {
+    for (int i = 0; i < Complex::corners; ++i)
+      if (c->neighbor(i)->label() == c->label() && !complex.is_infinite(c->neighbor(i)))
+        marks.add(c->neighbor(i));
+  }
+
   template <class Complex> void count(const Complex& complex) const {
     m_counts.clear();
     std::vector<typename Complex::Cell_handle> seen;
@@ -175,12 +212,8 @@ private:
       if (marks.has(seed))
         continue;
       ++count_of(seed->label());
-      for (marks.add(seed); next < seen.size(); ++next) {
-        const auto c = seen[next];
-        for (int i = 0; i < Complex::corners; ++i)
-          if (c->neighbor(i)->label() == c->label() && !complex.is_infinite(c->neighbor(i)))
-            marks.add(c->neighbor(i));
-      }
+      for (marks.add(seed); next < seen.size(); ++next)
+        add_neighbors(complex, seen[next], marks);
     }
     m_is_counted = true;
   }
@@ -223,7 +256,7 @@ private:
             visit(n);
         }
       }
-      found.push_back({seed->label(), totals.volume_of(volume)});
+      found.push_back({seed->label(), volume});
     }
     std::sort(oldest.begin(), oldest.end());
     std::vector<Number> rank(found.size());
@@ -241,7 +274,8 @@ private:
   }
 
   // Events of the sets of components of then and now that are connected by origins.
-  void compare(const std::vector<Component>& before, const std::vector<Origin>& origins) {
+  void compare(const std::vector<Component>& before, const std::vector<Origin>& origins,
+               const Label_totals& totals) {
     std::vector<std::vector<Number>> targets(before.size()), sources(m_components.size());
     for (const Origin& origin : origins) {
       targets[origin.first].push_back(origin.second);
@@ -249,7 +283,7 @@ private:
     }
     std::vector<bool> is_seen_before(before.size()), is_seen_now(m_components.size());
     const auto part = [&](const std::vector<Component>& components, Number i) {
-      return Component_event::Part{i, components[i].volume};
+      return Component_event::Part{i, totals.volume_of(components[i].volume)};
     };
     std::vector<Number> olds, news;
     const auto see = [](std::vector<bool>& is_seen, std::vector<Number>& list, Number i) {
@@ -298,7 +332,7 @@ private:
       }
   }
 
-  std::vector<Component> m_components; // as of the last update, by number
+  std::vector<Component> m_components; // by number
   std::vector<Component_event> m_events;
   std::vector<Origin> m_lineage; // since it was taken
   bool m_is_known = true;

@@ -16,6 +16,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <new>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -105,12 +107,12 @@ void CGAL_DSC_CLASS::place(Vertex_handle v, const std::vector<Cell_handle>& star
   ++m_version;
   for (Cell_handle c : star)
     if (!is_infinite(c))
-      m_totals.add_volume(c->label(), -m_totals.units(measure(c)));
+      add_volume(c, -m_totals.units(measure(c)));
   v->set_point(rounded(p));
   for (Cell_handle c : star)
     if (!is_infinite(c)) {
       CGAL_assertion(is_positive(c));
-      m_totals.add_volume(c->label(), m_totals.units(measure(c)));
+      add_volume(c, m_totals.units(measure(c)));
       c->set_quality(cell_quality(c));
     }
 }
@@ -153,7 +155,7 @@ void CGAL_DSC_CLASS::set_points(const std::vector<Vertex_handle>& vertices,
   });
   for (size_type i = 0; i < cells.size(); ++i)
     if (!is_infinite(cells[i])) {
-      m_totals.add_volume(cells[i]->label(), m_volume_changes[i]);
+      add_volume(cells[i], m_volume_changes[i]);
       note_motion(cells[i]);
     }
 }
@@ -161,6 +163,8 @@ void CGAL_DSC_CLASS::set_points(const std::vector<Vertex_handle>& vertices,
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::relabel(Cell_handle c, Label label) {
   m_totals.make_room(label);
+  const bool keeps_components =
+      m_components.is_known() && internal::relabeling_keeps_components(*this, c, label);
   // From here on nothing can fail.
   ++m_version;
   const auto count_interface = [&](int number) {
@@ -169,16 +173,19 @@ void CGAL_DSC_CLASS::relabel(Cell_handle c, Label label) {
         count_interface_facet(Facet(c, i), number);
   };
   const double volume = measure(c);
+  if (!keeps_components)
+    m_components.invalidate();
   count_interface(-1);
   m_totals.remove_cell(c->label(), volume);
+  m_components.add_volume(c->component(), -m_totals.units(volume));
   m_totals.add_cell(label, volume);
   c->set_label(label);
   count_interface(1);
   for (int i = 0; i < corners; ++i)
     if (c->neighbor(i)->label() == label && !is_infinite(c->neighbor(i)))
       c->set_component(c->neighbor(i)->component());
+  m_components.add_volume(c->component(), m_totals.units(volume));
   forget_failures(c);
-  m_components.invalidate();
 }
 
 // The new vertices and cells of a cavity, deleted again unless they are kept.
@@ -236,20 +243,22 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
   Triangulation_data_structure& tds = m_triangulation.tds();
   m_half_facets.clear();
   m_half_facets.reserve(corners * (cavity.removed().size() + cavity.planned().size()));
+  const bool is_label_mixed = has_several_labels(cavity.removed());
+  std::optional<internal::Connections<Labelled_complex>> connections;
+  if (is_label_mixed && m_components.is_known())
+    connections.emplace(*this, cavity.removed());
   Created_items items(tds, m_time_stamps, cavity);
   items.create();
   items.keep();
 
   // From here on nothing can fail.
   ++m_version;
-  bool is_label_mixed = false;
-  const Cell_handle* finite = nullptr;
-  for (const Cell_handle& c : cavity.removed()) {
+  for (Cell_handle c : cavity.removed()) {
     c->tds_data().mark_in_conflict();
     if (!is_infinite(c)) {
-      is_label_mixed = is_label_mixed || (finite && c->label() != (*finite)->label());
-      finite = &c;
-      m_totals.remove_cell(c->label(), measure(c));
+      const double volume = measure(c);
+      m_totals.remove_cell(c->label(), volume);
+      m_components.add_volume(c->component(), -m_totals.units(volume));
     }
   }
   if (is_label_mixed)
@@ -271,7 +280,9 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
       c->set_label(plan.parent->label());
       c->set_quality(plan.quality);
       c->set_noted_quality(float(plan.quality));
-      m_totals.add_cell(c->label(), measure(c));
+      const double volume = measure(c);
+      m_totals.add_cell(c->label(), volume);
+      m_components.add_volume(c->component(), m_totals.units(volume));
     }
   }
   sew(is_label_mixed);
@@ -281,8 +292,28 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
       tds.delete_vertex(v.handle);
   for (Cell_handle c : cavity.removed())
     Space::delete_cell(tds, c);
-  if (is_label_mixed)
+  if (is_label_mixed && !(connections && are_kept(*connections, cavity.created())))
     m_components.invalidate();
+}
+
+CGAL_DSC_TEMPLATE
+bool CGAL_DSC_CLASS::has_several_labels(const std::vector<Cell_handle>& cells) const {
+  const auto is_finite = [&](Cell_handle c) { return !is_infinite(c); };
+  const auto first = std::find_if(cells.begin(), cells.end(), is_finite);
+  return std::any_of(first, cells.end(), [&](Cell_handle c) {
+    return is_finite(c) && c->label() != (*first)->label();
+  });
+}
+
+// Whether cells connect what those did that they replace. Not if there is no memory to find out.
+CGAL_DSC_TEMPLATE
+bool CGAL_DSC_CLASS::are_kept(const internal::Connections<Labelled_complex>& connections,
+                              const std::vector<Cell_handle>& created) const noexcept {
+  try {
+    return connections.are_kept_by(created);
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
 }
 
 // Takes away the facets of the interface that removed cells have. \pre these are marked

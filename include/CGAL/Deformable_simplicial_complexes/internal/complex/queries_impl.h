@@ -102,7 +102,8 @@ auto CGAL_DSC_CLASS::interface_vertices() const -> std::vector<Vertex_handle> {
   for (Vertex_handle v : finite_vertices())
     if (v->is_interface())
       result.push_back(v);
-  std::sort(result.begin(), result.end(), internal::Less_time_stamp());
+  if (!std::is_sorted(result.begin(), result.end(), internal::Less_time_stamp()))
+    std::sort(result.begin(), result.end(), internal::Less_time_stamp());
   return result;
 }
 

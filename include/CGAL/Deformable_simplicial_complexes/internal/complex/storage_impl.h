@@ -252,7 +252,6 @@ auto CGAL_DSC_CLASS::state() const -> State {
   if (number_of_cells() == 0)
     return result;
   m_components.update(*this, m_totals);
-  result.component_volumes = m_components.volumes();
 
   const internal::Less_time_stamp order;
   const std::vector<Cell_handle> cells = all_cells();
@@ -333,7 +332,7 @@ void CGAL_DSC_CLASS::create_items(const State& state) {
   initialize_caches();
   for (size_type i = 0; i < cells.size(); ++i)
     cells[i]->set_noted_quality(state.noted_qualities[i]);
-  if (!m_components.renumber(*this, cells, state.cell_components, state.component_volumes))
+  if (!m_components.renumber(*this, cells, state.cell_components))
     throw Invalid_tetrahedra_error("the numbers of components are none of these tetrahedra");
 }
 
@@ -457,6 +456,10 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
     if (!report(totals.units_of(t.label) == t.volume, "the volume of a label is stale", verbose))
       return false;
   }
+
+  if (!report(m_components.is_right(*this, m_totals),
+              "a number or a volume of a component is stale", verbose))
+    return false;
 
   std::vector<Cell_handle> cells;
   for (Vertex_handle v : finite_vertices()) {

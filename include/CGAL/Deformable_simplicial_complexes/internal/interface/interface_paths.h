@@ -27,14 +27,14 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Velocities of all vertices of a snapshot at given positions, from a field of velocities
-// (position, time), which on a torus is asked in the box, or from a function of the whole
-// interface.
-template <class Complex, class Velocity>
-std::vector<typename Complex::Approximate_vector>
-velocities_at(const Interface_snapshot<Complex>& interface_,
-              const std::vector<typename Complex::Approximate_point>& positions, double t,
-              const Velocity& velocity) {
+// Velocities of all vertices of an interface at given positions, from a field of velocities
+// (position, time), which on a torus is asked in the box, or from a function of a snapshot.
+template <class Interface, class Velocity>
+std::vector<typename Interface::Complex::Approximate_vector>
+velocities_at(const Interface& interface_,
+              const std::vector<typename Interface::Complex::Approximate_point>& positions,
+              double t, const Velocity& velocity) {
+  using Complex = typename Interface::Complex;
   std::vector<typename Complex::Approximate_vector> result;
   if constexpr (std::is_invocable_v<const Velocity&, typename Complex::Approximate_point, double>) {
     for (const auto& p : positions)
@@ -54,11 +54,12 @@ velocities_at(const Interface_snapshot<Complex>& interface_,
 constexpr double smallest_adaptive_part = 1e-6;
 
 // Paths by the rule of Dormand and Prince, in as many steps as it takes to stay below a tolerance.
-template <class Complex, class Velocity>
-std::vector<typename Complex::Approximate_point>
-integrate_adaptively(const Interface_snapshot<Complex>& interface_,
-                     const std::vector<typename Complex::Approximate_point>& start,
+template <class Interface, class Velocity>
+std::vector<typename Interface::Complex::Approximate_point>
+integrate_adaptively(const Interface& interface_,
+                     const std::vector<typename Interface::Complex::Approximate_point>& start,
                      const Velocity& velocity, double t, double dt, double tolerance) {
+  using Complex = typename Interface::Complex;
   namespace odeint = boost::numeric::odeint;
   using State = std::vector<double>; // coordinates of all vertices
   using Points = std::vector<typename Complex::Approximate_point>;
@@ -128,12 +129,13 @@ Place follow_rate(const Place& start, double t, double dt, Integration_scheme sc
 }
 
 // Paths by a rule of Runge and Kutta in one step.
-template <class Complex, class Velocity>
-std::vector<typename Complex::Approximate_point>
-integrate_with_fixed_steps(const Interface_snapshot<Complex>& interface_,
-                           const std::vector<typename Complex::Approximate_point>& start,
+template <class Interface, class Velocity>
+std::vector<typename Interface::Complex::Approximate_point>
+integrate_with_fixed_steps(const Interface& interface_,
+                           const std::vector<typename Interface::Complex::Approximate_point>& start,
                            const Velocity& velocity, double t, double dt,
                            Integration_scheme scheme) {
+  using Complex = typename Interface::Complex;
   using Points = std::vector<typename Complex::Approximate_point>;
   using Vectors = std::vector<typename Complex::Approximate_vector>;
   const auto rate = [&](const Points& positions, double time) {
@@ -164,12 +166,22 @@ struct Is_invertible<Map, std::void_t<typename Map::Is_invertible>> : Map::Is_in
 {
 };
 
-// Whether space goes with a velocity: a field, or a flow map that does not fold or collapse it.
 template <class Complex, class Velocity, class Point = typename Complex::Approximate_point>
-constexpr bool is_flow_of_space = is_flow_map<Complex, Velocity>
-                                      ? Is_invertible<Velocity>::value
-                                      : (!is_interface_step<Complex, Velocity> &&
-                                         std::is_invocable_v<const Velocity&, Point, double>);
+constexpr bool is_velocity_field =
+    !is_flow_map<Complex, Velocity> && !is_interface_step<Complex, Velocity> &&
+    std::is_invocable_v<const Velocity&, Point, double>;
+
+// Whether space goes with a velocity: a field, or a flow map that does not fold or collapse it.
+template <class Complex, class Velocity>
+constexpr bool is_flow_of_space = is_velocity_field<Complex, Velocity> ||
+                                  (is_flow_map<Complex, Velocity> &&
+                                   Is_invertible<Velocity>::value);
+
+// What a velocity needs to know of the interface: facets only where it is a function of all of it.
+template <class Complex, class Velocity>
+using Interface_seen_by =
+    std::conditional_t<is_velocity_field<Complex, Velocity> || is_flow_map<Complex, Velocity>,
+                       Interface_vertices<Complex>, Interface_snapshot<Complex>>;
 
 // Where what is at p at t is at t + dt, as a guide, for which a rule of Runge and Kutta will do.
 // Not finite if a velocity is not. \pre is_flow_of_space
@@ -192,13 +204,14 @@ typename Complex::Approximate_point follow_flow(const typename Complex::Domain& 
   }
 }
 
-// Where the vertices of a snapshot are at t + dt, for all that `advect_interface()` takes.
-template <class Complex, class Velocity>
-std::vector<typename Complex::Approximate_point>
-find_destinations(const Interface_snapshot<Complex>& interface_,
-                  const std::vector<typename Complex::Approximate_point>& start,
+// Where the vertices of an interface are at t + dt, for all that `advect_interface()` takes.
+template <class Interface, class Velocity>
+std::vector<typename Interface::Complex::Approximate_point>
+find_destinations(const Interface& interface_,
+                  const std::vector<typename Interface::Complex::Approximate_point>& start,
                   const Velocity& velocity, double t, double dt, Integration_scheme scheme,
                   double tolerance) {
+  using Complex = typename Interface::Complex;
   using Point = typename Complex::Approximate_point;
   if constexpr (is_flow_map<Complex, Velocity>) {
     std::vector<Point> result;
