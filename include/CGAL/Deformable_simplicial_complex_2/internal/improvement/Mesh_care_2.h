@@ -16,6 +16,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 
 #include <cstddef>
@@ -41,7 +42,7 @@ public:
         m_relabeling_threshold(options.relabeling_threshold), m_cavity(complex),
         m_improver(complex, visitor, destinations, options.quality_threshold) {}
 
-  void begin_pass() {}
+  void begin_pass(const For_each_index&) {}
   bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
 
   void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {

@@ -14,6 +14,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 
@@ -51,9 +52,7 @@ public:
 
   // Facets of the interface that will have a small angle at their destinations, and a smaller one
   // than now: what moves as a whole keeps its facets.
-  void begin_pass() {
-    using Triangle = std::array<typename Complex::Approximate_point, 3>;
-    static constexpr double more = 1 + 1e-6; // than what rounding does
+  void begin_pass(const For_each_index& for_each_index) {
     const std::vector<Vertex_handle>& unfinished = m_destinations.unfinished();
     m_degenerating.clear();
     const auto now = [&](Vertex_handle v) { return m_complex.position(v); };
@@ -64,21 +63,17 @@ public:
     const auto final = [&](Vertex_handle v) {
       return is_numbered(v, unfinished) ? destinations[v->scratch_index()] : now(v);
     };
-    for (Cell_handle c : star_union(m_complex, unfinished))
-      for (int i = 0; i < Complex::corners; ++i) {
-        const Cell_handle d = c->neighbor(i);
-        if (d->label() >= c->label() || m_complex.is_infinite(d))
-          continue;
-        const auto v = m_complex.facet_vertices({c, i});
-        const auto cosine_with = [&](const auto& position_of) {
-          const auto p = position_of(v[0]);
-          return largest_cosine(Triangle{p, m_complex.domain().near(p, position_of(v[1])),
-                                         m_complex.domain().near(p, position_of(v[2]))});
-        };
-        const double after = cosine_with(final);
-        if (after > m_degenerate_cosine && after > more * cosine_with(now))
-          m_degenerating.push_back({c, c->time_stamp(), i});
-      }
+    const std::vector<Cell_handle> cells = star_union(m_complex, unfinished);
+    std::vector<std::array<bool, 4>> degenerates(cells.size()); // each facet
+    for_each_index(cells.size(), [&](std::size_t k) {
+      for (int i = 0; i < 4; ++i)
+        degenerates[k][std::size_t(i)] =
+            is_interface_from(cells[k], i) && will_degenerate({cells[k], i}, now, final);
+    });
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      for (int i = 0; i < 4; ++i)
+        if (degenerates[k][std::size_t(i)])
+          m_degenerating.push_back({cells[k], cells[k]->time_stamp(), i});
     std::sort(m_degenerating.begin(), m_degenerating.end(),
               [](const Facet_item& a, const Facet_item& b) {
                 return std::tie(a.time_stamp, a.index) < std::tie(b.time_stamp, b.index);
@@ -134,6 +129,27 @@ private:
     std::size_t time_stamp; // the cell may have been replaced
     int index;
   };
+
+  // Whether the interface has the facet of a cell, and the cell is on the side of the larger label.
+  bool is_interface_from(Cell_handle c, int i) const {
+    const Cell_handle n = c->neighbor(i);
+    return n->label() < c->label() && !m_complex.is_infinite(n);
+  }
+
+  // Whether a facet will have a small angle, and a smaller one than now, by positions of vertices.
+  template <class Now, class Final>
+  bool will_degenerate(const typename Complex::Facet& f, const Now& now, const Final& final) const {
+    using Triangle = std::array<typename Complex::Approximate_point, 3>;
+    static constexpr double more = 1 + 1e-6; // than what rounding does
+    const auto v = m_complex.facet_vertices(f);
+    const auto cosine_with = [&](const auto& position_of) {
+      const auto p = position_of(v[0]);
+      return largest_cosine(Triangle{p, m_complex.domain().near(p, position_of(v[1])),
+                                     m_complex.domain().near(p, position_of(v[2]))});
+    };
+    const double after = cosine_with(final);
+    return after > m_degenerate_cosine && after > more * cosine_with(now);
+  }
 
   // Removes one of the facets of a cell.
   bool remove_degenerate_facet(Cell_handle c, double cosine, Cells& touched) {

@@ -75,7 +75,7 @@ public:
   bool is_progressing() const { return m_idle_passes < 2; }
 
   // What the mesh is like before a pass.
-  void begin_pass() { m_mesh.begin_pass(); }
+  void begin_pass() { m_mesh.begin_pass(m_for_each_index); }
 
   // Interface and free vertices at once: most of most motions. Free vertices follow the flow of
   // space in the first pass, where it is known.

@@ -12,7 +12,7 @@ namespace internal {
 /*
 What a deformation does to the mesh, made of the operations of one dimension:
 
-- `begin_pass()`: some vertices have not arrived
+- `begin_pass(for_each_index)`: some vertices have not arrived
 - `is_bad(c)`: a cell is worth being improved
 - `remove_obstacle(c, may_remove_facets, touched)`: a cell keeps a vertex from its destination
 - `remove_degenerating_facets(touched)`: those of the interface that the pass made bad

@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -39,7 +41,10 @@ public:
       std::array<Point, Complex::corners> points;
       for (int i = 0; i < Complex::corners; ++i)
         points[i] = complex.position_near(m_position, c->vertex(i));
-      add(points, c->index(v));
+      if constexpr (std::is_same_v<Measure, typename Complex::Quality_measure>)
+        add(points, c->index(v), c->quality());
+      else
+        add(points, c->index(v));
     }
   }
 
@@ -48,9 +53,16 @@ public:
 
   // Adds a cell of the star, of which the vertex with this index moves.
   void add(const std::array<Point, Complex::corners>& points, int vertex) {
+    add(points, vertex, 0);
+    m_functions.back().value = value(m_functions.back(), m_position);
+  }
+
+  // The same if the quality of the cell is known.
+  void add(const std::array<Point, Complex::corners>& points, int vertex, double quality) {
     Function f;
     f.points = points;
     f.vertex = vertex;
+    f.value = quality;
     m_functions.push_back(f);
     m_length = (std::max)(
         m_length,
@@ -70,7 +82,7 @@ private:
   {
     std::array<Point, Complex::corners> points;
     int vertex;
-    double value;
+    double value, next_value; // at the position, and at one that is tried
     Vector gradient;
   };
 
@@ -89,14 +101,18 @@ private:
                                               [&](int i) -> const Point& { return f.points[i]; });
   }
 
-  double worst(const Point& p, double bound) {
-    double result = std::numeric_limits<double>::infinity();
-    for (Function& f : m_functions) {
-      result = (std::min)(result, value(f, p));
-      if (!(result > bound))
-        break;
-    }
-    return result;
+  // Whether all functions are above a bound at p. The one that was not the last time is asked
+  // first.
+  bool are_above(double bound, const Point& p) {
+    const auto is_above = [&](Function& f) { return (f.next_value = value(f, p)) > bound; };
+    if (!is_above(m_functions[m_suspect]))
+      return false;
+    for (std::size_t i = 0; i < m_functions.size(); ++i)
+      if (i != m_suspect && !is_above(m_functions[i])) {
+        m_suspect = i;
+        return false;
+      }
+    return true;
   }
 
   void differentiate(Function& f) const {
@@ -163,10 +179,8 @@ private:
     static constexpr double worth = .02;          // of the worst value: to go on
     static constexpr int maximum_number_of_halvings = 6;
     double before = std::numeric_limits<double>::infinity();
-    for (Function& f : m_functions) {
-      f.value = value(f, m_position);
+    for (const Function& f : m_functions)
       before = (std::min)(before, f.value);
-    }
     if (!std::isfinite(before)) // a measure that gives no number
       return false;
     // Those that are much better than the worst will not become the worst in one step. The worst
@@ -190,9 +204,13 @@ private:
     }
     for (int halvings = 0; halvings < maximum_number_of_halvings; ++halvings, way /= 2) {
       const Point p = m_position + way * d;
-      const double after = worst(p, before);
-      if (after > before) {
+      if (are_above(before, p)) {
         m_position = p;
+        double after = std::numeric_limits<double>::infinity();
+        for (Function& f : m_functions) {
+          f.value = f.next_value;
+          after = (std::min)(after, f.value);
+        }
         return after > before + worth * std::abs(before);
       }
     }
@@ -204,6 +222,7 @@ private:
   std::vector<Vector> m_blocked;
   std::vector<Function> m_functions;
   double m_length = 0;
+  std::size_t m_suspect = 0;
 };
 
 } // namespace internal
