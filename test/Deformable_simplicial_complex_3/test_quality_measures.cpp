@@ -212,45 +212,22 @@ TYPED_TEST(Quality_measures, decreases_with_the_height_of_a_sliver) {
 }
 
 // Against central differences, on thin tetrahedra too.
-template <class Measure> void expect_gradient_agrees_with_differences(const Measure& measure) {
+TEST(Volume_length_ratio, gradient_agrees_with_differences) {
+  const CGAL::Volume_length_ratio_3 measure;
   mesh_helpers::Random random(8);
-  int smooth = 0;
   for (int i = 0; i < 500; ++i) {
     Tetrahedron t = random_tetrahedron(random);
     if (i % 2 == 0) // nearly flat
       t[0] = t[1] + .3 * (t[2] - t[1]) + .4 * (t[3] - t[1]) + 1e-3 * (t[0] - t[1]);
-    const auto gradient = [&](const Vector& moved) {
-      return measure.gradient(t[0] + moved, t[1], t[2], t[3]);
-    };
-    static constexpr double h = 1e-5;
+    const Vector gradient = measure.gradient(t[0], t[1], t[2], t[3]);
     const auto slope = [&](const Vector& axis) {
+      static constexpr double h = 1e-5;
       return (measure(t[0] + h * axis, t[1], t[2], t[3]) -
               measure(t[0] - h * axis, t[1], t[2], t[3])) /
              (2 * h);
     };
-    const Vector here = gradient(Vector(0, 0, 0)), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-    // Where another angle becomes the smallest within reach, there is no derivative.
-    bool is_smooth = true;
-    for (const Vector& axis : {x, y, z})
-      for (double way : {-h, h})
-        is_smooth = is_smooth && length(gradient(way * axis) - here) < .1 * length(here);
-    if (!is_smooth)
-      continue;
-    ++smooth;
-    const Vector expected(slope(x), slope(y), slope(z));
-    EXPECT_LT(length(here - expected), 1e-5 * (1 + length(expected)));
+    const Vector expected(slope(Vector(1, 0, 0)), slope(Vector(0, 1, 0)), slope(Vector(0, 0, 1)));
+    EXPECT_LT(std::sqrt((gradient - expected).squared_length()),
+              1e-6 * (1 + std::sqrt(expected.squared_length())));
   }
-  EXPECT_GT(smooth, 300);
-}
-
-TEST(Volume_length_ratio, gradient_agrees_with_differences) {
-  expect_gradient_agrees_with_differences(CGAL::Volume_length_ratio_3());
-}
-
-TEST(Minimum_sine, gradient_agrees_with_differences) {
-  expect_gradient_agrees_with_differences(CGAL::Minimum_sine_3());
-  expect_gradient_agrees_with_differences(CGAL::Biased_minimum_sine_3());
-  const Point p(0, 0, 0), q(1, 0, 0);
-  EXPECT_EQ(CGAL::Minimum_sine_3().gradient(p, p, p, p), Vector(0, 0, 0));
-  EXPECT_EQ(CGAL::Minimum_sine_3().gradient(p, q, q, q), Vector(0, 0, 0));
 }

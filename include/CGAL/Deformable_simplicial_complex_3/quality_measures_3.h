@@ -41,81 +41,46 @@ template <class Point> struct Tetrahedron_frame
 
 constexpr double sine_of_regular = 0.94280904158206337; // of its dihedral angles, sqrt(8) / 3
 
-// The smallest sine of a dihedral angle of a tetrahedron over that of the regular one, those of
-// obtuse angles times a weight.
-template <class Point> class Smallest_sine
-{
-public:
-  using Vector = typename Tetrahedron_frame<Point>::Vector;
-
-  Smallest_sine(const Point& p, const Point& q, const Point& r, const Point& s,
-                double obtuse_weight)
-      : m_frame(p, q, r, s), m_normals(m_frame.area_vectors()) {
-    const auto edges = m_frame.edges();
-    // In units of the longest edge, so that nothing overflows.
-    double unit = 0;
-    std::array<double, 6> squared_edges;
-    for (int i = 0; i < 6; ++i) {
-      squared_edges[i] = edges[i].squared_length();
-      unit = (std::max)(unit, squared_edges[i]);
-    }
-    if (unit == 0)
-      return;
-    const double per_unit = 1 / unit;
-    std::array<double, 4> squared_areas;
-    for (int i = 0; i < 4; ++i)
-      squared_areas[i] = m_normals[i].squared_length() * per_unit * per_unit;
-    // The least square of a sine over that of six volumes, as a fraction: divisions cost most.
-    const double squared_weight = obtuse_weight * obtuse_weight;
-    double numerator = 1, denominator = 0;
-    for (int i = 0; i < 6; ++i) {
-      const int f = facets[i][0], g = facets[i][1];
-      const double squared_edge = squared_edges[i] * per_unit;
-      const double n =
-          m_normals[f] * m_normals[g] > 0 ? squared_weight * squared_edge : squared_edge;
-      const double d = squared_areas[f] * squared_areas[g];
-      const bool is_less = n * denominator < numerator * d;
-      numerator = is_less ? n : numerator;
-      denominator = is_less ? d : denominator;
-      m_edge = is_less ? i : m_edge;
-    }
-    if (denominator != 0)
-      m_per_six_volumes =
-          per_unit / std::sqrt(unit) * std::sqrt(numerator / denominator) / sine_of_regular;
-  }
-
-  double value() const { return m_frame.six_volumes * m_per_six_volumes; }
-
-  // By the position of p: of six volumes times the edge over the areas of the facets at it.
-  Vector gradient() const {
-    if (m_per_six_volumes == 0)
-      return m_frame.a - m_frame.a;
-    const Vector &a = m_frame.a, &b = m_frame.b, &c = m_frame.c;
-    Vector of_logarithm = -(of_area(facets[m_edge][0]) + of_area(facets[m_edge][1]));
-    if (m_edge % 2 == 0) { // the edge has p
-      const Vector& edge = m_edge == 0 ? a : m_edge == 2 ? b : c;
-      of_logarithm = of_logarithm - edge / edge.squared_length();
-    }
-    return m_per_six_volumes * (cross_product(c - a, b - a) + m_frame.six_volumes * of_logarithm);
-  }
-
-private:
+// The smallest sine of a dihedral angle over that of the regular tetrahedron, those of obtuse
+// angles times a weight.
+template <class Point>
+double minimum_sine(const Point& p, const Point& q, const Point& r, const Point& s,
+                    double obtuse_weight) {
+  const Tetrahedron_frame<Point> t(p, q, r, s);
+  const auto normals = t.area_vectors();
+  const auto edges = t.edges();
   // Facets opposite to two vertices meet in the edge of the two others.
   static constexpr int facets[6][2] = {{2, 3}, {0, 1}, {1, 3}, {0, 2}, {1, 2}, {0, 3}};
-
-  // The gradient of the logarithm of the area of a facet; that opposite to p stays.
-  Vector of_area(int facet) const {
-    const Vector &a = m_frame.a, &b = m_frame.b, &c = m_frame.c;
-    const Vector& n = m_normals[facet];
-    const Vector opposite = facet == 1 ? b - c : facet == 2 ? c - a : facet == 3 ? a - b : a - a;
-    return cross_product(n, opposite) / n.squared_length();
+  // In units of the longest edge, so that nothing overflows.
+  double unit = 0;
+  std::array<double, 6> squared_edges;
+  for (int i = 0; i < 6; ++i) {
+    squared_edges[i] = edges[i].squared_length();
+    unit = (std::max)(unit, squared_edges[i]);
   }
-
-  Tetrahedron_frame<Point> m_frame;
-  std::array<Vector, 4> m_normals;
-  int m_edge = 0;
-  double m_per_six_volumes = 0;
-};
+  if (unit == 0)
+    return 0;
+  const double per_unit = 1 / unit;
+  std::array<double, 4> squared_areas;
+  for (int i = 0; i < 4; ++i)
+    squared_areas[i] = normals[i].squared_length() * per_unit * per_unit;
+  // The least square of a sine over that of six volumes, as a fraction: divisions cost most.
+  const double squared_weight = obtuse_weight * obtuse_weight;
+  double numerator = 1, denominator = 0;
+  for (int i = 0; i < 6; ++i) {
+    const int f = facets[i][0], g = facets[i][1];
+    const double squared_edge = squared_edges[i] * per_unit;
+    const double n = normals[f] * normals[g] > 0 ? squared_weight * squared_edge : squared_edge;
+    const double d = squared_areas[f] * squared_areas[g];
+    const bool is_less = n * denominator < numerator * d;
+    numerator = is_less ? n : numerator;
+    denominator = is_less ? d : denominator;
+  }
+  if (denominator == 0)
+    return 0;
+  return t.six_volumes * per_unit / std::sqrt(unit) * std::sqrt(numerator / denominator) /
+         sine_of_regular;
+}
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
@@ -167,15 +132,7 @@ struct Minimum_sine_3
   /// \tparam Point a point of a kernel whose coordinates are of type `double`
   template <class Point>
   double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const {
-    return Deformable_simplicial_complexes::internal::Smallest_sine<Point>(p, q, r, s, 1).value();
-  }
-
-  /// returns the derivative of the quality by the position of p, of one of the smallest sines where
-  /// several are equal. \pre the points are not all on a line
-  template <class Point>
-  auto gradient(const Point& p, const Point& q, const Point& r, const Point& s) const {
-    return Deformable_simplicial_complexes::internal::Smallest_sine<Point>(p, q, r, s, 1)
-        .gradient();
+    return Deformable_simplicial_complexes::internal::minimum_sine(p, q, r, s, 1);
   }
 };
 
@@ -190,15 +147,7 @@ struct Biased_minimum_sine_3
   /// \tparam Point a point of a kernel whose coordinates are of type `double`
   template <class Point>
   double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const {
-    return Deformable_simplicial_complexes::internal::Smallest_sine<Point>(p, q, r, s, .7).value();
-  }
-
-  /// returns the derivative of the quality by the position of p, of one of the smallest sines where
-  /// several are equal. \pre the points are not all on a line
-  template <class Point>
-  auto gradient(const Point& p, const Point& q, const Point& r, const Point& s) const {
-    return Deformable_simplicial_complexes::internal::Smallest_sine<Point>(p, q, r, s, .7)
-        .gradient();
+    return Deformable_simplicial_complexes::internal::minimum_sine(p, q, r, s, .7);
   }
 };
 
