@@ -22,8 +22,10 @@ Cell of a deformable simplicial complex in space.
 \cgalModels `DeformableSimplicialComplexCellBase_3`
 */
 template <class Traits, class Cb = Triangulation_cell_base_3<Traits>>
-class Deformable_simplicial_complex_cell_base_3 : public Cb,
-                                                  public Deformable_simplicial_complexes::Cell_data
+class Deformable_simplicial_complex_cell_base_3
+    : public Cb,
+      public Deformable_simplicial_complexes::Cell_failures,
+      public Deformable_simplicial_complexes::Cell_data
 {
 public:
   /// The cell of another triangulation data structure.

@@ -20,8 +20,10 @@ Triangle of a deformable simplicial complex in the plane: one of its cells.
 \tparam Fb a face base class of 2D triangulations
 */
 template <class Traits, class Fb = Triangulation_face_base_2<Traits>>
-class Deformable_simplicial_complex_face_base_2 : public Fb,
-                                                  public Deformable_simplicial_complexes::Cell_data
+class Deformable_simplicial_complex_face_base_2
+    : public Fb,
+      public Deformable_simplicial_complexes::Cell_failures,
+      public Deformable_simplicial_complexes::Cell_data
 {
 public:
   /// The triangle of another triangulation data structure.
@@ -31,25 +33,7 @@ public:
     using Other = Deformable_simplicial_complex_face_base_2<Traits, Fb2>; ///< the same for `Tds2`
   };
 
-  /// The mark that walks over cells leave, as cells of 3D triangulations have one.
-  class Tds_data
-  {
-  public:
-    void mark_in_conflict() { m_is_in_conflict = true; }     ///< sets the mark
-    bool is_in_conflict() const { return m_is_in_conflict; } ///< whether it is set
-    void clear() { m_is_in_conflict = false; }               ///< takes it away
-
-  private:
-    bool m_is_in_conflict = false;
-  };
-
   using Fb::Fb;
-
-  Tds_data& tds_data() { return m_tds_data; }             ///< the mark
-  const Tds_data& tds_data() const { return m_tds_data; } ///< the mark
-
-private:
-  Tds_data m_tds_data;
 };
 
 } // namespace CGAL

@@ -132,13 +132,13 @@ public:
   void set_boundary_class(std::uint8_t boundary_class) { m_boundary_class = boundary_class; }
   float spacing() const { return m_spacing; }
   void set_spacing(float spacing) { m_spacing = spacing; }
-  std::uint32_t scratch_index() const { return m_scratch_index; }
-  void set_scratch_index(std::uint32_t index) { m_scratch_index = index; }
+  std::uint32_t id() const { return m_id; }
+  void set_id(std::uint32_t id) { m_id = id; }
 
 private:
   Point m_point;
   std::size_t m_time_stamp = std::size_t(-1);
-  std::uint32_t m_scratch_index = 0, m_interface_degree = 0;
+  std::uint32_t m_id = 0, m_interface_degree = 0;
   float m_spacing = 0;
   std::uint8_t m_boundary_class = 0;
 };
@@ -159,6 +159,8 @@ public:
 
   std::size_t time_stamp() const { return m_time_stamp; }
   void set_time_stamp(std::size_t stamp) { m_time_stamp = stamp; }
+  std::uint32_t id() const { return m_id; }
+  void set_id(std::uint32_t id) { m_id = id; }
   int label() const { return m_label; }
   void set_label(int label) { m_label = label; }
   double quality() const { return m_quality; }
@@ -172,7 +174,7 @@ public:
 
 private:
   int m_label = 0;
-  std::uint32_t m_component = 0;
+  std::uint32_t m_component = 0, m_id = 0;
   std::uint8_t m_failures = 0;
   float m_noted_quality = 1;
   double m_quality = 1;

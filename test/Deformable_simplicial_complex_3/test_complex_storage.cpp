@@ -1,6 +1,9 @@
 #include "mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/deform_interface_3.h>
 #include <CGAL/improve_mesh_3.h>
@@ -221,6 +224,32 @@ TEST(Complex_storage, orders_follow_creation) {
   EXPECT_TRUE(used_complex().state() == dsc.state());
 }
 
+TEST(Complex_storage, ids_stay_dense) {
+  Complex dsc = small_meshes::make_complex(small_meshes::grid(3, small_meshes::two_boxes));
+  const std::size_t vertices = dsc.number_of_vertices() + 1, // and the infinite one
+      cells = dsc.triangulation().tds().number_of_cells();
+  EXPECT_EQ(dsc.vertex_id_bound(), vertices);
+  EXPECT_EQ(dsc.cell_id_bound(), cells);
+  CGAL::Cavity_3<Complex> cavity(dsc);
+  std::size_t most_vertices = vertices, most_cells = cells;
+  for (int i = 0; i < 60; ++i) {
+    const auto all = dsc.cells();
+    const auto c = all[std::size_t(i) * 7 % all.size()];
+    const bool is_split = i % 3 != 0 && CGAL::propose_edge_split(dsc, c, 0, 1, .5, cavity);
+    if (!is_split && !CGAL::propose_edge_collapse(dsc, c, i % 4, (i + 1) % 4, 0, cavity))
+      continue;
+    // New cells are there before those that they replace go.
+    const std::size_t planned = cavity.planned().size();
+    most_vertices = (std::max)(most_vertices, dsc.number_of_vertices() + 2);
+    most_cells = (std::max)(most_cells, dsc.triangulation().tds().number_of_cells() + planned);
+    dsc.replace(cavity);
+    ASSERT_TRUE(dsc.is_valid(true));
+    EXPECT_LE(dsc.vertex_id_bound(), most_vertices);
+    EXPECT_LE(dsc.cell_id_bound(), most_cells);
+  }
+  EXPECT_GT(dsc.version(), 30u);
+}
+
 TEST(Complex_storage, stars_hold_each_cell_around_once) {
   const Complex dsc = used_complex();
   std::vector<Cell_handle> star, expected;
@@ -358,6 +387,8 @@ TEST(Is_valid, sees_what_was_tampered_with) {
   for (std::size_t i : {0, 20, 90}) {
     expect_invalid([&](Complex& dsc) { dsc.cells()[i]->set_quality(.5); });
     expect_invalid([&](Complex& dsc) { dsc.cells()[i]->set_label(9); });
+    expect_invalid([&](Complex& dsc) { dsc.cells()[i]->set_id(dsc.cells()[i + 1]->id()); });
+    expect_invalid([&](Complex& dsc) { dsc.vertices()[i]->set_id(1000000); });
     expect_invalid([&](Complex& dsc) {
       const Cell_handle c = dsc.cells()[i];
       c->set_label(c->label() == 0 ? 1 : 0);

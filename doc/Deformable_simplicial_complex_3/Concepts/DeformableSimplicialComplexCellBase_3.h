@@ -28,6 +28,16 @@ public:
   void set_time_stamp(std::size_t stamp);
 
   /// @}
+  /// \name Numbering
+  /// @{
+
+  /// an index into arrays beside the complex; 0 for a new cell.
+  std::uint32_t id() const;
+
+  /// sets `id()`.
+  void set_id(std::uint32_t id);
+
+  /// @}
 
   /// \name Label
   /// @{

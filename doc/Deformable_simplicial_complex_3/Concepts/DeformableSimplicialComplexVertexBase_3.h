@@ -72,15 +72,13 @@ public:
 
   /// @}
   /// \name Numbering
-  /// An index into some list of vertices, for whoever makes one. Others may have overwritten it:
-  /// the vertex is in a list only if the list has it at this index.
   /// @{
 
-  /// the index.
-  std::uint32_t scratch_index() const;
+  /// an index into arrays beside the complex; 0 for a new vertex.
+  std::uint32_t id() const;
 
-  /// sets `scratch_index()`.
-  void set_scratch_index(std::uint32_t index);
+  /// sets `id()`.
+  void set_id(std::uint32_t id);
 
   /// @}
 };

@@ -5,6 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CAVITY_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CAVITY_H
 
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Id_map.h>
+
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -51,6 +53,7 @@ public:
   using Point = typename Complex::Point;                         ///< as in the complex
   using Approximate_point = typename Complex::Approximate_point; ///< as in the complex
   using Index = std::uint32_t; ///< index of a vertex within the cavity, into `vertices()`
+  static constexpr Index none = Index(-1);    ///< no index
   using Indices = std::array<Index, corners>; ///< the corners of a planned cell
 
   /// A vertex of the complex, or one to be created.
@@ -86,6 +89,7 @@ public:
     m_kind = Proposal_kind::replacement;
     m_version = m_complex->version();
     m_vertices.clear();
+    m_indices.clear();
     m_removed.clear();
     m_planned.clear();
     m_created.clear();
@@ -93,12 +97,14 @@ public:
     m_quality_before = m_quality_after = std::numeric_limits<double>::infinity();
   }
 
+  /// The index of a vertex of the complex, `none` if it is none of the cavity.
+  Index index_of(Vertex_handle v) const { return m_indices.find(v->id()); }
+
   /// The index of v, which becomes a vertex of the cavity if it was none.
   Index add(Vertex_handle v) {
-    const Index known = v->scratch_index();
-    if (known < m_vertices.size() && m_vertices[known].handle == v)
+    if (const Index known = index_of(v); known != none)
       return known;
-    v->set_scratch_index(Index(m_vertices.size()));
+    m_indices.insert(v->id(), Index(m_vertices.size()));
     if (m_complex->is_infinite(v)) // it is nowhere
       m_vertices.push_back({v, Point(), Approximate_point(), v->boundary_class()});
     else
@@ -208,6 +214,7 @@ private:
   Proposal_kind m_kind = Proposal_kind::replacement;
   std::uint64_t m_version;
   std::vector<Vertex> m_vertices;
+  internal::Id_map m_indices; // of those that exist
   std::vector<Cell_handle> m_removed;
   std::vector<Planned_cell> m_planned;
   std::vector<Cell_handle> m_created;

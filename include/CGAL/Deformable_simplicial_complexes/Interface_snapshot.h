@@ -5,6 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERFACE_SNAPSHOT_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERFACE_SNAPSHOT_H
 
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Vertex_numbers.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -46,22 +48,20 @@ template <class Complex_> struct Interface_vertices
     return result;
   }
 
-  /// Takes them, and numbers them. n log n in their number, plus a pass over the vertices.
+  /// Takes them. n log n in their number, plus a pass over the vertices.
   explicit Interface_vertices(const Complex& complex)
-      : vertices(complex.interface_vertices()), domain(complex.domain()) {
-    for (std::uint32_t i = 0; i < vertices.size(); ++i)
-      vertices[i]->set_scratch_index(i);
-  }
+      : vertices(complex.interface_vertices()), domain(complex.domain()) {}
 
 protected:
-  /// The facets, in the order of `interface_facets()`. \pre the vertices are numbered
-  static std::vector<Facet> numbered_facets(const Complex& complex) {
+  /// The facets, in the order of `interface_facets()`.
+  std::vector<Facet> facets_of(const Complex& complex) const {
     std::vector<Facet> result;
+    const internal::Vertex_numbers numbers(complex, vertices);
     for (const auto& f : complex.interface_facets()) {
       result.push_back({{}, f.first->label(), f.first->neighbor(f.second)->label()});
       const auto v = complex.facet_vertices(f);
       for (int i = 0; i < Complex::dimension; ++i)
-        result.back().vertices[i] = v[i]->scratch_index();
+        result.back().vertices[i] = numbers(v[i]);
     }
     return result;
   }
@@ -86,7 +86,7 @@ template <class Complex> struct Interface_snapshot<Complex, 3> : public Interfac
 
   /// Takes the snapshot. n log n in the size of the interface, plus a pass over the cells.
   explicit Interface_snapshot(const Complex& complex)
-      : Interface_vertices<Complex>(complex), triangles(this->numbered_facets(complex)) {}
+      : Interface_vertices<Complex>(complex), triangles(this->facets_of(complex)) {}
 
   /// The triangles, by the name that holds in any dimension.
   const std::vector<Triangle>& facets() const { return triangles; }
@@ -101,7 +101,7 @@ template <class Complex> struct Interface_snapshot<Complex, 2> : public Interfac
 
   /// Takes the snapshot. n log n in the size of the interface, plus a pass over the cells.
   explicit Interface_snapshot(const Complex& complex)
-      : Interface_vertices<Complex>(complex), segments(this->numbered_facets(complex)) {}
+      : Interface_vertices<Complex>(complex), segments(this->facets_of(complex)) {}
 
   /// The segments, by the name that holds in any dimension.
   const std::vector<Segment>& facets() const { return segments; }

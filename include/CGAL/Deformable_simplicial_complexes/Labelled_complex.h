@@ -12,8 +12,10 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Component_tracker.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Label_totals.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Marks.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/kept_components.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Time_stamps.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Item_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
 
 #include <array>
@@ -41,8 +43,10 @@ kernel: what comes in is rounded first, see `rounded()`. Measures, copies and fi
 nothing, and sides of a box stay flat.
 
 Orders never depend on addresses: lists of simplices are ordered by time stamps, that is by
-creation. Handles stay valid until their simplex is removed. Queries about stars, facets of the
-interface and components write marks into the cells: one thread at a time may use a complex.
+creation. Handles stay valid until their simplex is removed.
+
+Any number of threads may call const member functions of a complex at once, and propose changes to
+it, while none changes it.
 
 \tparam Derived the complex of some dimension that this is a part of
 \tparam Space_ simplices, predicates and measures of that dimension
@@ -157,6 +161,11 @@ public:
   }
   /// Number of finite cells. Constant time in the number of cells.
   size_type number_of_cells() const;
+  /// Ids of vertices, of the infinite one too, are below: the size of an array that is indexed by
+  /// them.
+  size_type vertex_id_bound() const { return m_numbers.vertex_id_bound(); }
+  /// Ids of cells, of infinite ones too, are below.
+  size_type cell_id_bound() const { return m_numbers.cell_id_bound(); }
   std::vector<Vertex_handle> vertices() const; ///< finite vertices by increasing time stamp
   std::vector<Cell_handle> cells() const;      ///< finite cells by increasing time stamp
 
@@ -432,8 +441,8 @@ private:
   bool has_several_labels(const std::vector<Cell_handle>& cells) const;
   bool are_kept(const internal::Connections<Labelled_complex>& connections,
                 const std::vector<Cell_handle>& created) const noexcept;
-  void count_removed_interface(const Cavity& cavity);
-  void collect_surroundings(const Cavity& cavity);
+  void count_removed_interface(const Cavity& cavity, const internal::Marks& removed);
+  void collect_surroundings(const Cavity& cavity, const internal::Marks& removed);
   void sew(bool counts_interface);
   void initialize_caches();
   std::vector<Cell_handle> all_cells() const;
@@ -453,7 +462,7 @@ private:
   };
 
   Triangulation m_triangulation;
-  internal::Time_stamps m_time_stamps;
+  internal::Item_numbers m_numbers;
   Quality_measure m_quality_measure;
   Domain m_domain;
   internal::Label_totals m_totals;
@@ -463,7 +472,7 @@ private:
   mutable internal::Component_tracker m_components;
 
   // Buffers whose memory is reused.
-  mutable std::vector<Cell_handle> m_star;
+  std::vector<Cell_handle> m_star;
   std::vector<Half_facet> m_half_facets;
   std::vector<std::int64_t> m_volume_changes;
 };

@@ -49,14 +49,15 @@ public:
   /// Sets `spacing()`.
   void set_spacing(float spacing) { m_spacing = spacing; }
 
-  /// A place in whatever list an algorithm numbers vertices by; the list must confirm it.
-  std::uint32_t scratch_index() const { return m_scratch_index; }
-  /// Sets `scratch_index()`.
-  void set_scratch_index(std::uint32_t index) { m_scratch_index = index; }
+  /// An index into arrays beside the complex, below its `vertex_id_bound()`. Vertices that are
+  /// created get ids of those that were removed.
+  std::uint32_t id() const { return m_id; }
+  /// Sets `id()`.
+  void set_id(std::uint32_t id) { m_id = id; }
 
 private:
   std::size_t m_time_stamp = std::size_t(-1);
-  std::uint32_t m_scratch_index = 0;
+  std::uint32_t m_id = 0;
   std::uint32_t m_interface_degree = 0;
   float m_spacing = 0;
   std::uint8_t m_boundary_class = 0;

@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Marks.h>
 
 #include <algorithm>
 #include <array>
@@ -152,21 +153,22 @@ private:
   Sectors sectors(const Star& cells) const {
     Sectors result;
     Star front;
+    Marks unseen = cell_marks(m_complex);
     for (Cell_handle c : cells)
-      c->tds_data().mark_in_conflict();
+      unseen.add(c);
     for (Cell_handle seed : cells) {
-      if (!seed->tds_data().is_in_conflict())
+      if (!unseen.has(seed))
         continue;
       bool is_at_edge = false;
-      seed->tds_data().clear();
+      unseen.remove(seed);
       front.push_back(seed);
       while (!front.empty()) {
         const Cell_handle c = front.back();
         front.pop_back();
         is_at_edge = is_at_edge || c->has_vertex(m_b);
         for (int i = 0; i <= d; ++i)
-          if (c->neighbor(i)->tds_data().is_in_conflict() && has_same_label(c, c->neighbor(i))) {
-            c->neighbor(i)->tds_data().clear();
+          if (unseen.has(c->neighbor(i)) && has_same_label(c, c->neighbor(i))) {
+            unseen.remove(c->neighbor(i));
             front.push_back(c->neighbor(i));
           }
       }

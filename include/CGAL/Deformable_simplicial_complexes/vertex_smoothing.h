@@ -5,6 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_SMOOTHING_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_SMOOTHING_H
 
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Marks.h>
+
 #include <CGAL/Origin.h>
 
 #include <algorithm>
@@ -64,7 +66,9 @@ bool propose_smart_laplacian(const Complex& complex, typename Complex::Vertex_ha
   if (v->is_interface())
     return false;
   using Vector = typename Complex::Approximate_vector;
-  std::vector<typename Complex::Vertex_handle> neighbors;
+  Deformable_simplicial_complexes::internal::Marks seen =
+      Deformable_simplicial_complexes::internal::vertex_marks(complex);
+  std::size_t number = 0; // of neighbors
   const auto from = complex.position(v);
   Vector sum(CGAL::NULL_VECTOR);
   double worst = std::numeric_limits<double>::infinity();
@@ -74,15 +78,13 @@ bool propose_smart_laplacian(const Complex& complex, typename Complex::Vertex_ha
     worst = (std::min)(worst, c->quality());
     for (int i = 0; i < Complex::corners; ++i) {
       const auto w = c->vertex(i);
-      const auto known = w->scratch_index();
-      if (w == v || (known < neighbors.size() && neighbors[known] == w))
+      if (w == v || !seen.add(w))
         continue;
-      w->set_scratch_index(std::uint32_t(neighbors.size()));
-      neighbors.push_back(w);
+      ++number;
       sum = sum + (complex.position_near(from, w) - CGAL::ORIGIN);
     }
   }
-  const auto to = CGAL::ORIGIN + sum / double(neighbors.size());
+  const auto to = CGAL::ORIGIN + sum / double(number);
   for (double step : {1., .5}) {
     target = complex.admissible_destination(v, complex.exact(from + step * (to - from)));
     if (Deformable_simplicial_complexes::internal::star_quality(

@@ -7,6 +7,8 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Fluid_properties_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Vertex_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 
 #include <Eigen/Core>
 
@@ -33,6 +35,7 @@ template <class Point> Eigen::Vector3d eigen_vector(const Point& p) { return {p[
 template <class Complex> struct Fluid_mesh_3
 {
   using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
   using Index = std::uint32_t;
 
   struct Cell
@@ -75,31 +78,26 @@ template <class Complex> struct Fluid_mesh_3
 
   // n log n. \pre components are up to date
   Fluid_mesh_3(const Complex& complex, const Fluid_properties_3& properties) {
-    static constexpr Index none = Index(-1);
     sides.fill(std::numeric_limits<double>::infinity());
     for (Vertex_handle v : complex.finite_vertices()) {
-      v->set_scratch_index(none);
       for (std::size_t side = 0; side < sides.size(); ++side)
         if (v->boundary_class() >> side & 1)
           sides[side] = complex.position(v)[int(side / 2)];
     }
-    for (auto c : complex.finite_cells())
+    std::vector<Cell_handle> liquid;
+    for (Cell_handle c : complex.finite_cells())
       if (properties.liquid(c->label()))
-        for (int i = 0; i < 4; ++i)
-          c->vertex(i)->set_scratch_index(0);
-    for (Vertex_handle v : complex.finite_vertices())
-      if (v->scratch_index() != none)
-        vertices.push_back(v);
+        liquid.push_back(c);
+    vertices = vertices_of(complex, liquid);
     sort_along_axis(complex);
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      vertices[i]->set_scratch_index(Index(i));
-      is_on_interface.push_back(vertices[i]->is_interface());
-    }
-    add_cells(complex, properties);
+    const Vertex_numbers numbers(complex, vertices);
+    for (Vertex_handle v : vertices)
+      is_on_interface.push_back(v->is_interface());
+    add_cells(liquid, numbers, properties);
     number_pressures();
     if (!properties.gases().empty())
       add_gases(complex, properties);
-    add_facets(complex, properties);
+    add_facets(complex, numbers, properties);
   }
 
   Vectors_3 positions(const Complex& complex) const {
@@ -146,23 +144,22 @@ private:
   }
 
   // In the order of their first vertices, and then by time stamp.
-  void add_cells(const Complex& complex, const Fluid_properties_3& properties) {
-    std::vector<std::vector<std::pair<std::size_t, typename Complex::Cell_handle>>> by_first(
-        vertices.size());
-    for (auto c : complex.finite_cells())
-      if (properties.liquid(c->label())) {
-        Index first = c->vertex(0)->scratch_index();
-        for (int i = 1; i < 4; ++i)
-          first = (std::min)(first, Index(c->vertex(i)->scratch_index()));
-        by_first[first].emplace_back(c->time_stamp(), c);
-      }
+  void add_cells(const std::vector<Cell_handle>& liquid, const Vertex_numbers& numbers,
+                 const Fluid_properties_3& properties) {
+    std::vector<std::vector<std::pair<std::size_t, Cell_handle>>> by_first(vertices.size());
+    for (Cell_handle c : liquid) {
+      Index first = numbers(c->vertex(0));
+      for (int i = 1; i < 4; ++i)
+        first = (std::min)(first, Index(numbers(c->vertex(i))));
+      by_first[first].emplace_back(c->time_stamp(), c);
+    }
     for (auto& around : by_first) {
       std::sort(around.begin(), around.end(),
                 [](const auto& a, const auto& b) { return a.first < b.first; });
       for (const auto& [stamp, c] : around) {
         Cell cell{{}, {}, properties.liquid(c->label()), c->label(), c->component()};
         for (std::size_t i = 0; i < 4; ++i)
-          cell.vertices[i] = c->vertex(int(i))->scratch_index();
+          cell.vertices[i] = numbers(c->vertex(int(i)));
         cells.push_back(cell);
       }
     }
@@ -180,7 +177,7 @@ private:
   }
 
   // Of a cell.
-  template <class Cell_handle> Index gas_of(Cell_handle c) const {
+  Index gas_of(Cell_handle c) const {
     const auto found =
         std::lower_bound(gases.begin(), gases.end(), c->component(),
                          [](const Gas_part& a, std::uint32_t b) { return a.component < b; });
@@ -188,7 +185,8 @@ private:
                                                                       : no_gas;
   }
 
-  void add_facets(const Complex& complex, const Fluid_properties_3& properties) {
+  void add_facets(const Complex& complex, const Vertex_numbers& numbers,
+                  const Fluid_properties_3& properties) {
     for (const auto& f : complex.interface_facets()) {
       const int behind = f.first->label(), in_front = f.first->neighbor(f.second)->label();
       const bool is_behind = properties.liquid(behind), is_in_front = properties.liquid(in_front);
@@ -200,7 +198,7 @@ private:
       Facet facet{{}, properties.surface_tension(behind, in_front), is_free, gas, is_behind};
       const auto corners = complex.facet_vertices(f);
       for (std::size_t i = 0; i < 3; ++i)
-        facet.vertices[i] = corners[i]->scratch_index();
+        facet.vertices[i] = numbers(corners[i]);
       facets.push_back(facet);
     }
   }

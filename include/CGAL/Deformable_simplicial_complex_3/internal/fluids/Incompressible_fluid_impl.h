@@ -353,13 +353,7 @@ Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& co
                                             const Vectors& destinations, const Options& chosen) {
   const Mesh& mesh = flow.mesh;
   const Part_interface parts(m_complex, m_properties, flow.volumes());
-  // The numbers of the mesh again, which the interface has overwritten.
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-    mesh.vertices[v]->set_scratch_index(std::uint32_t(v));
-  const auto number = [&](Vertex_handle v) -> std::size_t {
-    const std::size_t i = v->scratch_index();
-    return i < mesh.vertices.size() && mesh.vertices[i] == v ? i : mesh.vertices.size();
-  };
+  const internal::Vertex_numbers number(m_complex, mesh.vertices);
   const auto from = parts.snapshot().positions(m_complex);
   auto to = from;
   std::vector<char> is_held(to.size(), false);

@@ -9,6 +9,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_improver_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Small_angle_remover_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_care.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
@@ -56,12 +57,13 @@ public:
     const std::vector<Vertex_handle>& unfinished = m_destinations.unfinished();
     m_degenerating.clear();
     const auto now = [&](Vertex_handle v) { return m_complex.position(v); };
-    number_vertices(unfinished);
+    const Vertex_numbers numbers(m_complex, unfinished);
     std::vector<typename Complex::Approximate_point> destinations;
     for (std::size_t k = 0; k < unfinished.size(); ++k)
       destinations.push_back(m_complex.approximate(m_destinations.destination(k)));
     const auto final = [&](Vertex_handle v) {
-      return is_numbered(v, unfinished) ? destinations[v->scratch_index()] : now(v);
+      const std::uint32_t number = numbers(v);
+      return number != Vertex_numbers::none ? destinations[number] : now(v);
     };
     const std::vector<Cell_handle> cells = star_union(m_complex, unfinished);
     std::vector<std::array<bool, 4>> degenerates(cells.size()); // each facet

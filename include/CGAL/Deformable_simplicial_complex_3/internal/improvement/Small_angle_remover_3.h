@@ -152,7 +152,7 @@ private:
       if (m_complex.is_alive(item.cell, item.time_stamp) && is_to_be_removed(item.cell))
         stuck.push_back(item.cell);
     Cells result;
-    for (Cell_handle c : star_union(m_complex, numbered_vertices_of<Complex>(stuck)))
+    for (Cell_handle c : star_union(m_complex, vertices_of(m_complex, stuck)))
       result.push(c);
     return result;
   }

@@ -8,6 +8,8 @@
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Marks.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 
 #include <array>
@@ -29,13 +31,14 @@ public:
   using Cell_handle = typename Complex::Cell_handle;
 
   // The cells must stay in the complex as long as the patch is used.
-  explicit Patch_3(const std::vector<Cell_handle>& cells) {
-    add_by_parts(cells);
-    m_origins = numbered_vertices_of<Complex>(m_replaced);
+  Patch_3(const Complex& complex, const std::vector<Cell_handle>& cells) {
+    add_by_parts(complex, cells);
+    m_origins = vertices_of(complex, m_replaced);
+    const Vertex_numbers numbers(complex, m_origins);
     for (Vertex_handle v : m_origins)
       m_points.push_back(v->point());
     for (Cell_handle c : m_replaced)
-      m_tetrahedra.push_back(vertices_of(c));
+      m_tetrahedra.push_back(corners_of(c, numbers));
   }
 
   // Makes `copy` a complex of the patch alone, in which each part of one label has its own.
@@ -63,13 +66,10 @@ public:
         vertices.push_back(m_copied[i]);
         origins.push_back(m_origins[i]);
       }
-    number_vertices(vertices);
+    Vertex_numbers numbers(copy, vertices);
     for (Vertex_handle v : copy.vertices())
-      if (!is_numbered(v, vertices)) {
-        v->set_scratch_index(std::uint32_t(vertices.size()));
-        vertices.push_back(v);
-        origins.push_back(Vertex_handle());
-      }
+      numbers.add(v, vertices);
+    origins.resize(vertices.size()); // null for new ones
     m_origins = std::move(origins);
     m_points.clear();
     for (Vertex_handle v : vertices)
@@ -77,7 +77,7 @@ public:
     m_tetrahedra.clear();
     m_parts.clear();
     for (Cell_handle c : copy.cells()) {
-      m_tetrahedra.push_back(vertices_of(c));
+      m_tetrahedra.push_back(corners_of(c, numbers));
       m_parts.push_back(c->label());
     }
   }
@@ -102,21 +102,22 @@ public:
 private:
   using Indices = std::array<std::size_t, 4>;
 
-  static Indices vertices_of(Cell_handle c) {
-    const auto index = [&](int i) { return std::size_t(c->vertex(i)->scratch_index()); };
+  static Indices corners_of(Cell_handle c, const Vertex_numbers& numbers) {
+    const auto index = [&](int i) { return std::size_t(numbers(c->vertex(i))); };
     return {index(0), index(1), index(2), index(3)};
   }
 
   // Takes the cells part by part: sets of one label that are connected through facets. The first
   // cell of a part becomes the parent of what will be there.
-  void add_by_parts(const std::vector<Cell_handle>& cells) {
+  void add_by_parts(const Complex& complex, const std::vector<Cell_handle>& cells) {
+    Marks unseen = cell_marks(complex);
     for (Cell_handle c : cells)
-      c->tds_data().mark_in_conflict();
+      unseen.add(c);
     for (Cell_handle seed : cells) {
-      if (!seed->tds_data().is_in_conflict())
+      if (!unseen.has(seed))
         continue;
       const auto add = [&](Cell_handle c) {
-        c->tds_data().clear();
+        unseen.remove(c);
         m_replaced.push_back(c);
         m_parts.push_back(typename Complex::Label(m_parents.size()));
       };
@@ -124,7 +125,7 @@ private:
       for (add(seed); next < m_replaced.size(); ++next)
         for (int i = 0; i < 4; ++i) {
           const Cell_handle n = m_replaced[next]->neighbor(i);
-          if (n->tds_data().is_in_conflict() && n->label() == seed->label())
+          if (unseen.has(n) && n->label() == seed->label())
             add(n);
         }
       m_parents.push_back(seed);

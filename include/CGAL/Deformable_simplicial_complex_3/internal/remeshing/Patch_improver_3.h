@@ -13,8 +13,8 @@
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Patch_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Patch_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 #include <CGAL/Random.h>
 
@@ -39,8 +39,7 @@ public:
   using Vector = typename Complex::Approximate_vector_3;
 
   // Each improvement of a copy takes a number of rounds at the most.
-  Patch_improver(Complex& complex, Any_visitor<Complex>& visitor, double threshold,
-                   unsigned rounds)
+  Patch_improver(Complex& complex, Any_visitor<Complex>& visitor, double threshold, unsigned rounds)
       : m_complex(complex), m_visitor(visitor), m_threshold(threshold),
         m_rounds((std::min)(rounds, 5u)), m_cavity(complex),
         m_copy(complex.geom_traits(), complex.quality_measure()), m_copy_cavity(m_copy) {}
@@ -90,7 +89,6 @@ private:
     bool is_ball = improve_patch(cells_around({c}, rings));
     for (int i = 0; i < 4 && !is_ball; ++i) {
       const std::vector<Vertex_handle> center(1, c->vertex(i));
-      number_vertices(center);
       is_ball = improve_patch(cells_around(sorted_star_union(m_complex, center), rings - 1));
     }
   }
@@ -99,7 +97,7 @@ private:
   bool improve_patch(const std::vector<Cell_handle>& cells) {
     static constexpr int tries = 10, attempts = 1;
     static constexpr double less = 1 - 1e-6; // than what rounding does
-    Patch_3<Complex> patch(cells);
+    Patch_3<Complex> patch(m_complex, cells);
     Any_visitor<Complex> nobody;
     double best = deficit(cells);
     const double worst = worst_quality(cells);
@@ -130,7 +128,7 @@ private:
   // The cells and those around them, in a number of steps.
   std::vector<Cell_handle> cells_around(std::vector<Cell_handle> cells, int rings) const {
     for (int i = 0; i < rings; ++i)
-      cells = sorted_star_union(m_complex, numbered_vertices_of<Complex>(cells));
+      cells = sorted_star_union(m_complex, vertices_of(m_complex, cells));
     return cells;
   }
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -46,6 +47,7 @@ public:
   // Numbers components anew if they may have changed. The totals tell the unit of volumes, in which
   // their sums are exact.
   template <class Complex> void update(const Complex& complex, const Label_totals& totals) {
+    const std::lock_guard<std::mutex> lock(m_guard.mutex);
     if (m_is_known)
       return;
     const std::vector<Component> before = std::move(m_components);
@@ -96,6 +98,7 @@ public:
   // Of now, whether or not they are numbered: a query, which alters no number.
   template <class Complex>
   std::size_t number_of_components(const Complex& complex, int label) const {
+    const std::lock_guard<std::mutex> lock(m_guard.mutex);
     if (!m_is_counted)
       count(complex);
     const auto it = std::lower_bound(m_counts.begin(), m_counts.end(), label, is_below);
@@ -124,7 +127,7 @@ public:
       return true;
     std::vector<bool> is_found(m_components.size(), false);
     std::vector<Cell_handle> seen;
-    Marks<Cell_handle> marks(seen);
+    Marks marks = cell_marks(complex);
     std::size_t next = 0;
     for (Cell_handle seed : complex.finite_cells()) {
       if (marks.has(seed))
@@ -134,12 +137,12 @@ public:
         return false;
       is_found[i] = true;
       std::int64_t volume = 0;
-      for (marks.add(seed); next < seen.size(); ++next) {
+      for (add(seed, marks, seen); next < seen.size(); ++next) {
         const Cell_handle c = seen[next];
         volume += totals.units(complex.measure(c));
         if (c->component() != i)
           return false;
-        add_neighbors(complex, c, marks);
+        add_neighbors(complex, c, marks, seen);
       }
       if (volume != m_components[i].volume)
         return false;
@@ -173,6 +176,15 @@ private:
     m_lineage.swap(result);
   }
 
+  // Of what queries of several threads find out once. Copies have their own.
+  struct Guard
+  {
+    Guard() = default;
+    Guard(const Guard&) noexcept {}
+    Guard& operator=(const Guard&) noexcept { return *this; }
+    std::mutex mutex;
+  };
+
   struct Count
   {
     int label;
@@ -195,25 +207,32 @@ private:
     m_is_counted = true;
   }
 
+  template <class Cell_handle>
+  static void add(Cell_handle c, Marks& marks, std::vector<Cell_handle>& seen) {
+    if (marks.add(c))
+      seen.push_back(c);
+  }
+
   // Those of the same component.
-  template <class Complex, class Marks>
-  static void add_neighbors(const Complex& complex, typename Complex::Cell_handle c, Marks& marks) {
+  template <class Complex>
+  static void add_neighbors(const Complex& complex, typename Complex::Cell_handle c, Marks& marks,
+                            std::vector<typename Complex::Cell_handle>& seen) {
     for (int i = 0; i < Complex::corners; ++i)
       if (c->neighbor(i)->label() == c->label() && !complex.is_infinite(c->neighbor(i)))
-        marks.add(c->neighbor(i));
+        add(c->neighbor(i), marks, seen);
   }
 
   template <class Complex> void count(const Complex& complex) const {
     m_counts.clear();
     std::vector<typename Complex::Cell_handle> seen;
-    Marks<typename Complex::Cell_handle> marks(seen);
+    Marks marks = cell_marks(complex);
     std::size_t next = 0;
     for (typename Complex::Cell_handle seed : complex.finite_cells()) {
       if (marks.has(seed))
         continue;
       ++count_of(seed->label());
-      for (marks.add(seed); next < seen.size(); ++next)
-        add_neighbors(complex, seen[next], marks);
+      for (add(seed, marks, seen); next < seen.size(); ++next)
+        add_neighbors(complex, seen[next], marks, seen);
     }
     m_is_counted = true;
   }
@@ -338,6 +357,7 @@ private:
   bool m_is_known = true;
   mutable std::vector<Count> m_counts; // by label
   mutable bool m_is_counted = false;
+  mutable Guard m_guard;
 };
 
 } // namespace internal

@@ -5,38 +5,53 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_ACCOUNTS_MARKS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_ACCOUNTS_MARKS_H
 
-#include <vector>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Borrowed_table.h>
+
+#include <cstddef>
+#include <cstdint>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Adds cells to a list and marks them; takes the marks back in the end, whatever happens.
-template <class Cell_handle> class Marks
+struct Mark
+{
+  std::uint32_t epoch = 0;
+};
+
+// Marked items, vertices or cells; none at first.
+class Marks
 {
 public:
-  // The list is empty, and outlives the marks.
-  explicit Marks(std::vector<Cell_handle>& cells) : m_cells(cells) {}
-  Marks(const Marks&) = delete;
-  Marks& operator=(const Marks&) = delete;
-  ~Marks() {
-    for (Cell_handle c : m_cells)
-      c->tds_data().clear();
+  // Ids are below a bound.
+  explicit Marks(std::size_t bound) : m_table(bound) {}
+
+  template <class Handle> bool has(Handle item) const {
+    return m_table[item->id()].epoch == m_table.epoch();
   }
 
-  static bool has(Cell_handle c) { return c->tds_data().is_in_conflict(); }
-
-  // A cell that has no mark gets one and comes into the list.
-  void add(Cell_handle c) {
-    if (has(c))
-      return;
-    m_cells.push_back(c);
-    c->tds_data().mark_in_conflict();
+  // Returns whether the item had no mark.
+  template <class Handle> bool add(Handle item) {
+    std::uint32_t& epoch = m_table[item->id()].epoch;
+    if (epoch == m_table.epoch())
+      return false;
+    epoch = m_table.epoch();
+    return true;
   }
+
+  template <class Handle> void remove(Handle item) { m_table[item->id()].epoch = 0; }
 
 private:
-  std::vector<Cell_handle>& m_cells;
+  Borrowed_table<Mark> m_table;
 };
+
+template <class Complex> Marks cell_marks(const Complex& complex) {
+  return Marks(complex.cell_id_bound());
+}
+
+template <class Complex> Marks vertex_marks(const Complex& complex) {
+  return Marks(complex.vertex_id_bound());
+}
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes

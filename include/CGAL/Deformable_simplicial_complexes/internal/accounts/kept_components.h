@@ -26,8 +26,12 @@ bool are_connected_nearby(const Complex& complex,
                           const IsNear& is_near, typename Complex::Cell_handle avoided = {}) {
   using Cell_handle = typename Complex::Cell_handle;
   std::vector<Cell_handle> reached;
-  Marks<Cell_handle> marks(reached);
-  marks.add(cells.front());
+  Marks marks = cell_marks(complex);
+  const auto add = [&](Cell_handle c) {
+    if (marks.add(c))
+      reached.push_back(c);
+  };
+  add(cells.front());
   std::size_t connected = 0; // of the cells, the first ones
   for (std::size_t k = 0; k < reached.size(); ++k) {
     while (connected < cells.size() && marks.has(cells[connected]))
@@ -41,7 +45,7 @@ bool are_connected_nearby(const Complex& complex,
         is_in_reach = is_near(n->vertex(j));
       if (is_in_reach && n != avoided && n->label() == cells.front()->label() &&
           !complex.is_infinite(n))
-        marks.add(n);
+        add(n);
     }
   }
   return false;

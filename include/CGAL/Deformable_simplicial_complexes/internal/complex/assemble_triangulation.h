@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_ASSEMBLE_TRIANGULATION_H
 
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Item_numbers.h>
 
 #include <algorithm>
 #include <array>
@@ -119,14 +120,14 @@ template <class Space> void prepare_for_cells(typename Space::Triangulation& tri
 // side.
 template <class Space>
 std::vector<typename Space::Cell_handle>
-create_cells(typename Space::Triangulation_data_structure& tds, Time_stamps& stamps,
+create_cells(typename Space::Triangulation_data_structure& tds, Item_numbers& numbers,
              const std::vector<typename Space::Vertex_handle>& vertices,
              const std::vector<Cell_vertices<Space::dimension>>& cells) {
   static constexpr int corners = Space::dimension + 1;
   std::vector<typename Space::Cell_handle> handles;
   handles.reserve(cells.size());
   for (const auto& c : cells) {
-    handles.push_back(stamps.mark(Space::create_cell(tds)));
+    handles.push_back(numbers.add_cell(Space::create_cell(tds)));
     for (int i = 0; i < corners; ++i) {
       handles.back()->set_vertex(i, vertices[c[i]]);
       vertices[c[i]]->set_cell(handles.back());

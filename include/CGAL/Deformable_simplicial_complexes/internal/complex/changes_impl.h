@@ -193,23 +193,26 @@ CGAL_DSC_TEMPLATE
 class CGAL_DSC_CLASS::Created_items
 {
 public:
-  Created_items(Triangulation_data_structure& tds, internal::Time_stamps& stamps, Cavity& cavity)
-      : m_tds(tds), m_stamps(stamps), m_cavity(cavity) {}
+  Created_items(Triangulation_data_structure& tds, internal::Item_numbers& numbers, Cavity& cavity)
+      : m_tds(tds), m_numbers(numbers), m_cavity(cavity) {}
   Created_items(const Created_items&) = delete;
   Created_items& operator=(const Created_items&) = delete;
 
   void create() {
+    // For what the cavity removes, or what is created here if it is not kept.
+    m_numbers.make_room(m_cavity.vertices().size(),
+                        m_cavity.removed().size() + m_cavity.planned().size());
     for (std::size_t i = 0; i < m_cavity.m_vertices.size(); ++i)
       if (m_cavity.m_vertices[i].handle == Vertex_handle()) {
         m_new_vertices.push_back(i);
         auto& v = m_cavity.m_vertices[i];
-        v.handle = m_stamps.mark(m_tds.create_vertex());
+        v.handle = m_numbers.add_vertex(m_tds.create_vertex());
         v.handle->set_point(v.point);
         v.handle->set_boundary_class(v.boundary_class);
       }
     m_cavity.m_created.reserve(m_cavity.m_planned.size());
     while (m_cavity.m_created.size() < m_cavity.m_planned.size())
-      m_cavity.m_created.push_back(m_stamps.mark(Space::create_cell(m_tds)));
+      m_cavity.m_created.push_back(m_numbers.add_cell(Space::create_cell(m_tds)));
   }
 
   void keep() { m_are_kept = true; }
@@ -217,19 +220,23 @@ public:
   ~Created_items() {
     if (m_are_kept)
       return;
-    for (Cell_handle c : m_cavity.m_created)
+    for (Cell_handle c : m_cavity.m_created) {
+      m_numbers.remove_cell(c);
       Space::delete_cell(m_tds, c);
+    }
     m_cavity.m_created.clear();
     for (std::size_t i : m_new_vertices) {
-      if (m_cavity.m_vertices[i].handle != Vertex_handle())
+      if (m_cavity.m_vertices[i].handle != Vertex_handle()) {
+        m_numbers.remove_vertex(m_cavity.m_vertices[i].handle);
         m_tds.delete_vertex(m_cavity.m_vertices[i].handle);
+      }
       m_cavity.m_vertices[i].handle = Vertex_handle();
     }
   }
 
 private:
   Triangulation_data_structure& m_tds;
-  internal::Time_stamps& m_stamps;
+  internal::Item_numbers& m_numbers;
   Cavity& m_cavity;
   std::vector<std::size_t> m_new_vertices; // by their indices within the cavity
   bool m_are_kept = false;
@@ -247,14 +254,15 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
   std::optional<internal::Connections<Labelled_complex>> connections;
   if (is_label_mixed && m_components.is_known())
     connections.emplace(*this, cavity.removed());
-  Created_items items(tds, m_time_stamps, cavity);
+  Created_items items(tds, m_numbers, cavity);
   items.create();
+  internal::Marks removed(cell_id_bound());
   items.keep();
 
   // From here on nothing can fail.
   ++m_version;
   for (Cell_handle c : cavity.removed()) {
-    c->tds_data().mark_in_conflict();
+    removed.add(c);
     if (!is_infinite(c)) {
       const double volume = measure(c);
       m_totals.remove_cell(c->label(), volume);
@@ -262,8 +270,8 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
     }
   }
   if (is_label_mixed)
-    count_removed_interface(cavity);
-  collect_surroundings(cavity);
+    count_removed_interface(cavity, removed);
+  collect_surroundings(cavity, removed);
 
   for (auto& v : cavity.m_vertices)
     if (!is_infinite(v.handle) && !(v.handle->point() == v.point))
@@ -288,10 +296,14 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
   sew(is_label_mixed);
 
   for (const auto& v : cavity.vertices())
-    if (v.handle->cell()->tds_data().is_in_conflict()) // a removed cell: it has no other
+    if (removed.has(v.handle->cell())) { // it has no other
+      m_numbers.remove_vertex(v.handle);
       tds.delete_vertex(v.handle);
-  for (Cell_handle c : cavity.removed())
+    }
+  for (Cell_handle c : cavity.removed()) {
+    m_numbers.remove_cell(c);
     Space::delete_cell(tds, c);
+  }
   if (is_label_mixed && !(connections && are_kept(*connections, cavity.created())))
     m_components.invalidate();
 }
@@ -316,13 +328,13 @@ bool CGAL_DSC_CLASS::are_kept(const internal::Connections<Labelled_complex>& con
   }
 }
 
-// Takes away the facets of the interface that removed cells have. \pre these are marked
+// Takes away the facets of the interface that removed cells, which are marked, have.
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::count_removed_interface(const Cavity& cavity) {
+void CGAL_DSC_CLASS::count_removed_interface(const Cavity& cavity, const internal::Marks& removed) {
   for (Cell_handle c : cavity.removed())
     for (int i = 0; i < corners; ++i) {
       const Cell_handle n = c->neighbor(i);
-      const bool comes_again = n->tds_data().is_in_conflict() && n->label() < c->label();
+      const bool comes_again = removed.has(n) && n->label() < c->label();
       if (is_interface(Facet(c, i)) && !comes_again)
         count_interface_facet(Facet(c, i), -1);
     }
@@ -331,9 +343,7 @@ void CGAL_DSC_CLASS::count_removed_interface(const Cavity& cavity) {
 // Collects the facets to be sewn: those of cells around the cavity and of planned ones.
 // \pre removed cells are marked, and there is room
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::collect_surroundings(const Cavity& cavity) {
-  for (std::size_t i = 0; i < cavity.vertices().size(); ++i)
-    cavity.vertices()[i].handle->set_scratch_index(std::uint32_t(i));
+void CGAL_DSC_CLASS::collect_surroundings(const Cavity& cavity, const internal::Marks& removed) {
   const auto add = [&](Cell_handle c, int i, const auto& index_of) {
     Half_facet facet;
     for (int k = 1; k < corners; ++k)
@@ -347,9 +357,9 @@ void CGAL_DSC_CLASS::collect_surroundings(const Cavity& cavity) {
   for (Cell_handle c : cavity.removed())
     for (int i = 0; i < corners; ++i) {
       const Cell_handle outside = c->neighbor(i);
-      if (outside->tds_data().is_in_conflict())
+      if (removed.has(outside))
         continue;
-      const auto known = add(c, i, [&](int k) { return c->vertex(k)->scratch_index(); });
+      const auto known = add(c, i, [&](int k) { return cavity.index_of(c->vertex(k)); });
       m_half_facets[known].cell = outside;
       m_half_facets[known].index = outside->index(c);
     }

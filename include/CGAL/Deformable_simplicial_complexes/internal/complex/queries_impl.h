@@ -9,7 +9,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Marks.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Time_stamps.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 
 #include <algorithm>
 #include <array>
@@ -52,13 +52,17 @@ auto CGAL_DSC_CLASS::cells() const -> std::vector<Cell_handle> {
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::star(Vertex_handle v, std::vector<Cell_handle>& star) const {
   star.clear();
-  internal::Marks<Cell_handle> marks(star);
-  marks.add(v->cell());
+  internal::Marks marks(cell_id_bound());
+  const auto add = [&](Cell_handle c) {
+    if (marks.add(c))
+      star.push_back(c);
+  };
+  add(v->cell());
   for (size_type i = 0; i < star.size(); ++i) {
     const Cell_handle c = star[i];
     for (int j = 0; j < corners; ++j)
       if (c->vertex(j) != v)
-        marks.add(c->neighbor(j));
+        add(c->neighbor(j));
   }
 }
 

@@ -9,8 +9,10 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Time_stamps.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Item_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>
@@ -47,7 +49,7 @@ CGAL_DSC_CLASS::Labelled_complex(const Labelled_complex& other)
     };
     copy_time_stamps(other.vertices(), vertices());
     copy_time_stamps(other.all_cells(), all_cells());
-    m_time_stamps = other.m_time_stamps;
+    m_numbers.continue_time_stamps(other.m_numbers);
     m_totals = other.m_totals;
     m_components = other.m_components;
   }
@@ -67,7 +69,8 @@ auto CGAL_DSC_CLASS::all_cells() const -> std::vector<Cell_handle> {
 // A moved complex is an empty one.
 CGAL_DSC_TEMPLATE
 CGAL_DSC_CLASS::Labelled_complex(Labelled_complex&& other) noexcept
-    : m_triangulation(std::move(other.m_triangulation)), m_time_stamps(other.m_time_stamps),
+    : m_triangulation(std::move(other.m_triangulation)),
+      m_numbers(std::exchange(other.m_numbers, internal::Item_numbers())),
       m_quality_measure(other.m_quality_measure), m_domain(other.m_domain),
       m_totals(std::move(other.m_totals)),
       m_normalization(std::exchange(other.m_normalization, Normalization())),
@@ -81,7 +84,7 @@ CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::swap(Labelled_complex& other) noexcept {
   using std::swap;
   m_triangulation.swap(other.m_triangulation);
-  swap(m_time_stamps, other.m_time_stamps);
+  swap(m_numbers, other.m_numbers);
   swap(m_quality_measure, other.m_quality_measure);
   swap(m_domain, other.m_domain);
   swap(m_totals, other.m_totals);
@@ -147,10 +150,11 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
   const std::vector<size_type> cell_order = internal::hilbert_order<Space>(barycenters);
   internal::prepare_for_cells<Space>(result.m_triangulation);
   std::vector<size_type> rank(points.size());
-  std::vector<Vertex_handle> handles(1, result.m_triangulation.infinite_vertex());
+  std::vector<Vertex_handle> handles(
+      1, result.m_numbers.add_vertex(result.m_triangulation.infinite_vertex()));
   for (size_type i = 0; i < vertex_order.size(); ++i) {
     rank[vertex_order[i]] = i + 1;
-    handles.push_back(result.m_time_stamps.mark(result.m_triangulation.tds().create_vertex()));
+    handles.push_back(result.m_numbers.add_vertex(result.m_triangulation.tds().create_vertex()));
     handles.back()->set_point(exact(positions[vertex_order[i]]));
   }
   std::vector<Cell_vertices> cells;
@@ -163,7 +167,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
     if (Domain::has_outside)
       internal::append_infinite_cells(cells);
     const auto cell_handles = internal::create_cells<Space>(result.m_triangulation.tds(),
-                                                            result.m_time_stamps, handles, cells);
+                                                            result.m_numbers, handles, cells);
     for (size_type i = 0; i < cell_order.size(); ++i)
       cell_handles[i]->set_label(labels[cell_order[i]]);
     result.check_stars(handles);
@@ -260,12 +264,13 @@ auto CGAL_DSC_CLASS::state() const -> State {
         std::lower_bound(cells.begin(), cells.end(), v->cell(), order) - cells.begin();
     result.vertex_cells.push_back(std::uint32_t(position));
   };
+  internal::Vertex_numbers numbers(*this);
   std::uint32_t index = 0;
-  m_triangulation.infinite_vertex()->set_scratch_index(index);
+  numbers.set(m_triangulation.infinite_vertex(), index);
   if (Domain::has_outside)
     add_cell_of(m_triangulation.infinite_vertex());
   for (Vertex_handle v : vertices()) {
-    v->set_scratch_index(++index);
+    numbers.set(v, ++index);
     add_cell_of(v);
     result.points.push_back(internal::coordinates_of<dimension>(position(v)));
     result.boundary_classes.push_back(v->boundary_class());
@@ -274,7 +279,7 @@ auto CGAL_DSC_CLASS::state() const -> State {
   for (Cell_handle c : cells) {
     result.cells.emplace_back();
     for (int i = 0; i < corners; ++i)
-      result.cells.back()[i] = c->vertex(i)->scratch_index();
+      result.cells.back()[i] = numbers(c->vertex(i));
     result.cell_labels.push_back(c->label());
     result.noted_qualities.push_back(c->noted_quality());
     result.failures.push_back(c->failures());
@@ -307,9 +312,9 @@ void CGAL_DSC_CLASS::rebuild(const State& state) {
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::create_items(const State& state) {
   internal::prepare_for_cells<Space>(m_triangulation);
-  std::vector<Vertex_handle> vertices(1, m_triangulation.infinite_vertex());
+  std::vector<Vertex_handle> vertices(1, m_numbers.add_vertex(m_triangulation.infinite_vertex()));
   for (size_type i = 0; i < state.points.size(); ++i) {
-    vertices.push_back(m_time_stamps.mark(m_triangulation.tds().create_vertex()));
+    vertices.push_back(m_numbers.add_vertex(m_triangulation.tds().create_vertex()));
     vertices.back()->set_point(exact(internal::point_at<Labelled_complex>(state.points[i])));
     vertices.back()->set_boundary_class(state.boundary_classes[i]);
     vertices.back()->set_spacing(state.spacings[i]);
@@ -318,7 +323,7 @@ void CGAL_DSC_CLASS::create_items(const State& state) {
   for (size_type c = 0; c < indices.size(); ++c)
     std::copy(state.cells[c].begin(), state.cells[c].end(), indices[c].begin());
   const auto cells =
-      internal::create_cells<Space>(m_triangulation.tds(), m_time_stamps, vertices, indices);
+      internal::create_cells<Space>(m_triangulation.tds(), m_numbers, vertices, indices);
   for (size_type i = 0; i < cells.size(); ++i) {
     if (!is_infinite(cells[i]))
       cells[i]->set_label(state.cell_labels[i]);
@@ -340,14 +345,14 @@ void CGAL_DSC_CLASS::create_items(const State& state) {
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::check_stars(const std::vector<Vertex_handle>& vertices) const {
   std::vector<size_type> degrees(vertices.size(), 0);
-  for (std::uint32_t i = 0; i < vertices.size(); ++i)
-    vertices[i]->set_scratch_index(i);
+  const internal::Vertex_numbers numbers(*this, vertices);
   for (Cell_handle c : Space::all_cells(m_triangulation))
     for (int i = 0; i < corners; ++i)
-      ++degrees[c->vertex(i)->scratch_index()];
+      ++degrees[numbers(c->vertex(i))];
+  std::vector<Cell_handle> cells;
   const auto is_connected = [&](size_type i) {
-    star(vertices[i], m_star);
-    return m_star.size() == degrees[i];
+    star(vertices[i], cells);
+    return cells.size() == degrees[i];
   };
   for (size_type i = 1; i < vertices.size(); ++i)
     if (degrees[i] == 0 || !is_connected(i))
@@ -372,15 +377,16 @@ void CGAL_DSC_CLASS::check_boundary() const {
       throw Invalid_tetrahedra_error("the cells cover the torus more than once");
     return;
   }
-  star(m_triangulation.infinite_vertex(), m_star);
+  std::vector<Cell_handle> outside;
+  star(m_triangulation.infinite_vertex(), outside);
   std::vector<size_type> vertices;
-  for (Cell_handle c : m_star)
+  for (Cell_handle c : outside)
     for (int i = 0; i < corners; ++i)
       if (!is_infinite(c->vertex(i)))
         vertices.push_back(c->vertex(i)->time_stamp());
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  if (!Space::is_sphere(vertices.size(), m_star.size()))
+  if (!Space::is_sphere(vertices.size(), outside.size()))
     throw Invalid_tetrahedra_error("the boundary of the tetrahedra is no sphere: give a mesh whose "
                                    "domain is a ball");
 }
@@ -437,6 +443,16 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
   if (m_triangulation.dimension() < dimension) // empty
     return report(number_of_cells() == 0, "cells without space", verbose);
   if (!report(is_sewn(verbose), "invalid data structure", verbose))
+    return false;
+
+  const auto are_numbered = [](const auto& items, size_type bound) {
+    internal::Marks seen(bound);
+    return std::all_of(items.begin(), items.end(),
+                       [&](auto item) { return item->id() < bound && seen.add(item); });
+  };
+  if (!report(are_numbered(vertices(), vertex_id_bound()) &&
+                  are_numbered(all_cells(), cell_id_bound()),
+              "ids are too large or given twice", verbose))
     return false;
 
   auto totals = m_totals;

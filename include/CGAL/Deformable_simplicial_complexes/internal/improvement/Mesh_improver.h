@@ -250,7 +250,7 @@ protected:
     for (Cell_handle c : m_complex.finite_cells())
       if (c->quality() < bound && !has_dictated_angle(m_complex, c))
         stuck.push_back(c);
-    for (Cell_handle c : star_union(m_complex, numbered_vertices_of<Complex>(stuck)))
+    for (Cell_handle c : star_union(m_complex, vertices_of(m_complex, stuck)))
       push_afresh(c, cells);
   }
 

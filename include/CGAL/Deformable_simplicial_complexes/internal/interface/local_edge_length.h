@@ -28,7 +28,7 @@ double local_edge_length(const Complex& complex,
                          const std::vector<typename Complex::Cell_handle>& cells) {
   double sum = 0;
   std::size_t number = 0;
-  for (auto v : numbered_vertices_of<Complex>(cells))
+  for (auto v : vertices_of(complex, cells))
     if (v->is_interface()) {
       sum += local_edge_length(complex, v);
       ++number;

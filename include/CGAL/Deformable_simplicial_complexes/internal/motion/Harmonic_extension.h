@@ -6,7 +6,8 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_HARMONIC_EXTENSION_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Time_stamps.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Vertex_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/Linear_element.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Affine_phases.h>
@@ -130,8 +131,8 @@ private:
   // Numbers the cells around free vertices, their vertices and their phases. Returns the vertices:
   // free ones first.
   std::vector<Vertex_handle> number_cells() {
-    number_vertices(m_free);
     std::vector<Vertex_handle> vertices = m_free;
+    Vertex_numbers numbers(m_complex, vertices);
     m_phases.resize(m_free.size());
     m_handles = sorted_star_union(m_complex, m_free);
     m_cells.reserve(m_handles.size());
@@ -140,11 +141,7 @@ private:
       const auto phase = phases.emplace(c->label(), std::uint32_t(phases.size())).first;
       m_cells.push_back({{}, phase->second});
       for (int i = 0; i < Complex::corners; ++i) {
-        if (!is_numbered(c->vertex(i), vertices)) {
-          c->vertex(i)->set_scratch_index(std::uint32_t(vertices.size()));
-          vertices.push_back(c->vertex(i));
-        }
-        const std::uint32_t number = c->vertex(i)->scratch_index();
+        const std::uint32_t number = numbers.add(c->vertex(i), vertices);
         m_cells.back().vertices[i] = number;
         if (number < m_free.size())
           m_phases[number] = phase->second;

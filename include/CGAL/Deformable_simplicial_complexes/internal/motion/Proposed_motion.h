@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_PROPOSED_MOTION_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_PROPOSED_MOTION_H
 
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 
@@ -34,10 +35,7 @@ public:
   Proposed_motion(Complex& complex, const std::vector<Vertex_handle>& vertices,
                   const std::vector<Point>& points, const For_each_index& for_each_index)
       : m_complex(complex), m_for_each_index(for_each_index), m_vertices(vertices),
-        m_points(points) {
-    number_vertices(m_vertices);
-    m_cells = star_union(complex, m_vertices);
-  }
+        m_points(points), m_numbers(complex, vertices), m_cells(star_union(complex, m_vertices)) {}
 
   const Complex& complex() const { return m_complex; }
   std::size_t size() const { return m_vertices.size(); }
@@ -45,8 +43,8 @@ public:
   const Point& point(Number i) const { return m_points[i]; }
   void set_point(Number i, const Point& p) { m_points[i] = m_complex.rounded(p); }
 
-  bool has(Vertex_handle v) const { return is_numbered(v, m_vertices); }
-  static Number number(Vertex_handle v) { return v->scratch_index(); }
+  bool has(Vertex_handle v) const { return m_numbers.has(v); }
+  Number number(Vertex_handle v) const { return m_numbers(v); }
 
   // The finite cells around all vertices.
   const std::vector<Cell_handle>& cells() const { return m_cells; }
@@ -72,7 +70,7 @@ public:
     std::vector<Vertex_handle> vertices;
     for (Number i : numbers)
       vertices.push_back(m_vertices[i]);
-    return stars_of(m_complex, vertices, [&](Vertex_handle v) {
+    return stars_of(m_complex, vertices, m_numbers, [&](Vertex_handle v) {
       return has(v) && std::binary_search(numbers.begin(), numbers.end(), number(v));
     });
   }
@@ -111,12 +109,16 @@ private:
     return m_complex.is_positive(c, [&](Vertex_handle v) -> const Point& { return point_of(v); });
   }
 
-  const Point& point_of(Vertex_handle v) const { return has(v) ? m_points[number(v)] : v->point(); }
+  const Point& point_of(Vertex_handle v) const {
+    const Number i = number(v);
+    return i != Vertex_numbers::none ? m_points[i] : v->point();
+  }
 
   Complex& m_complex;
   const For_each_index& m_for_each_index;
   const std::vector<Vertex_handle>& m_vertices;
   std::vector<Point> m_points;
+  Vertex_numbers m_numbers;
   std::vector<Cell_handle> m_cells;
 };
 

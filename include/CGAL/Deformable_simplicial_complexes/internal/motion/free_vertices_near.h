@@ -6,7 +6,8 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_FREE_VERTICES_NEAR_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Time_stamps.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Marks.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 
 #include <algorithm>
@@ -45,14 +46,14 @@ free_vertices_near(const Complex& complex,
   } else {
     std::vector<Vertex_handle> front = moving, next;
     std::vector<typename Complex::Cell_handle> star;
+    Marks seen = vertex_marks(complex);
     for (unsigned layer = 0; layer < layers; ++layer) {
       next.clear();
       for (Vertex_handle v : front) {
         complex.star(v, star);
         for (auto c : star)
           for (int i = 0; i < Complex::corners; ++i)
-            if (is_free(c->vertex(i)) && !is_numbered(c->vertex(i), found)) {
-              c->vertex(i)->set_scratch_index(std::uint32_t(found.size()));
+            if (is_free(c->vertex(i)) && seen.add(c->vertex(i))) {
               found.push_back(c->vertex(i));
               next.push_back(c->vertex(i));
             }

@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_MOTION_OF_SPACE_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_MOTION_OF_SPACE_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Time_stamps.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Harmonic_extension.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/motion_by_flow.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>

@@ -62,9 +62,9 @@ private:
       for (Cell_handle c : star)
         for (int j = 0; j < Complex::corners; ++j)
           if (c->vertex(j) != v && m_motion.has(c->vertex(j)) &&
-              follow(Motion::number(c->vertex(j)), held[k],
+              follow(m_motion.number(c->vertex(j)), held[k],
                      m_motion.complex().displacement(v, c->vertex(j))))
-            held.push_back(Motion::number(c->vertex(j)));
+            held.push_back(m_motion.number(c->vertex(j)));
     }
     return held;
   }

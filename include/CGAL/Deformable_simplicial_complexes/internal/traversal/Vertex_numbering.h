@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_VERTEX_NUMBERING_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_VERTEX_NUMBERING_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Time_stamps.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -5,6 +5,9 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_STAR_UNION_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_STAR_UNION_H
 
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Marks.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Vertex_numbers.h>
+
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <cstddef>
@@ -16,46 +19,33 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Numbers vertices by their place in a list.
-template <class Vertex_handle> void number_vertices(const std::vector<Vertex_handle>& vertices) {
-  for (std::uint32_t i = 0; i < vertices.size(); ++i)
-    vertices[i]->set_scratch_index(i);
-}
-
-// Whether v is in a list whose vertices are numbered by it.
-template <class Vertex_handle>
-bool is_numbered(Vertex_handle v, const std::vector<Vertex_handle>& vertices) {
-  return v->scratch_index() < vertices.size() && vertices[v->scratch_index()] == v;
-}
-
-// Numbers the vertices of cells and lists them.
+// The vertices of cells.
 template <class Complex>
 std::vector<typename Complex::Vertex_handle>
-numbered_vertices_of(const std::vector<typename Complex::Cell_handle>& cells) {
+vertices_of(const Complex& complex, const std::vector<typename Complex::Cell_handle>& cells) {
   std::vector<typename Complex::Vertex_handle> result;
+  Marks seen = vertex_marks(complex);
   for (auto c : cells)
     for (int i = 0; i < Complex::corners; ++i)
-      if (!is_numbered(c->vertex(i), result)) {
-        c->vertex(i)->set_scratch_index(std::uint32_t(result.size()));
+      if (seen.add(c->vertex(i)))
         result.push_back(c->vertex(i));
-      }
   return result;
 }
 
-// The finite cells around some numbered vertices, each once, at the first of its vertices for which
-// is_one_of_them(v).
+// The finite cells around vertices with increasing numbers, each once, at the first of its vertices
+// for which is_one_of_them(v).
 template <class Complex, class IsOneOfThem>
 std::vector<typename Complex::Cell_handle>
 stars_of(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices,
-         const IsOneOfThem& is_one_of_them) {
+         const Vertex_numbers& numbers, const IsOneOfThem& is_one_of_them) {
   std::vector<typename Complex::Cell_handle> result, star;
   for (auto v : vertices) {
     complex.star(v, star);
     for (auto c : star) {
       bool is_first = true;
       for (int i = 0; i < Complex::corners; ++i)
-        is_first = is_first && !(is_one_of_them(c->vertex(i)) &&
-                                 c->vertex(i)->scratch_index() < v->scratch_index());
+        is_first =
+            is_first && !(is_one_of_them(c->vertex(i)) && numbers(c->vertex(i)) < numbers(v));
       if (is_first && !complex.is_infinite(c))
         result.push_back(c);
     }
@@ -63,15 +53,16 @@ stars_of(const Complex& complex, const std::vector<typename Complex::Vertex_hand
   return result;
 }
 
-// The finite cells around numbered vertices, each once, in no particular order. Where many vertices
+// The finite cells around vertices, each once, in no particular order. Where many vertices
 // are asked for, one pass over the cells is cheaper than their stars.
 template <class Complex>
 std::vector<typename Complex::Cell_handle>
 star_union(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices) {
   static constexpr std::size_t many = 8; // a star costs about as much as 8 cells of a pass each
-  const auto is_one_of_them = [&](auto v) { return is_numbered(v, vertices); };
+  const Vertex_numbers numbers(complex, vertices);
+  const auto is_one_of_them = [&](auto v) { return numbers.has(v); };
   if (vertices.size() * many <= complex.number_of_vertices())
-    return stars_of(complex, vertices, is_one_of_them);
+    return stars_of(complex, vertices, numbers, is_one_of_them);
   std::vector<typename Complex::Cell_handle> result;
   for (auto c : complex.finite_cells()) {
     bool is_around = false;

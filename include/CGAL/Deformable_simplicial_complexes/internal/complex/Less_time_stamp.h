@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_LESS_TIME_STAMP_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_LESS_TIME_STAMP_H
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// By creation, see Item_numbers.
+struct Less_time_stamp
+{
+  template <class Handle> bool operator()(Handle a, Handle b) const {
+    return a->time_stamp() < b->time_stamp();
+  }
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_LESS_TIME_STAMP_H
