@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Rotates a surface by a whole turn, offsets it out and back, pushes a small part of it, or
-// nothing, and measures what it costs and what becomes of the surface. Prints a row of a table,
-// without its head.
+// Rotates a surface by a whole turn, offsets it out and back, or inwards, shrinks it by its mean
+// curvature, pushes a small part of it, or nothing, and measures what it costs and what becomes of
+// the surface. Prints a row of a table, without its head.
 
 #include "inputs.h"
 #include "measures.h"
@@ -13,6 +13,7 @@
 #include <CGAL/advect_interface_3.h>
 #include <CGAL/interface_flows_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
+#include <CGAL/mean_curvature_flow_3.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -96,10 +97,10 @@ public:
   explicit Steps(const Complex& complex) : m_initial(complex), m_cells(m_initial.cells()) {}
 
   /// Takes one step, of which only the motion is timed. More may be added to what is returned.
-  template <class Flow> Json& take(Complex& complex, const Flow& flow) {
+  template <class Flow> Json& take(Complex& complex, const Flow& flow, double dt = 1) {
     const double sweep = sweep_seconds(m_initial, m_cells);
     const double start = processor_seconds();
-    const auto report = CGAL::advect_interface(complex, flow, double(m_steps.size()), 1.);
+    const auto report = CGAL::advect_interface(complex, flow, dt * double(m_steps.size()), dt);
     const double seconds = processor_seconds() - start;
     m_steps.push_back({{"seconds", seconds},
                        {"sweep_milliseconds", 1000 * sweep},
@@ -229,6 +230,17 @@ Json push(Complex& complex, Steps& steps, double part) {
   return {{"valid", is_valid}, {"incomplete_steps", steps.count("incomplete")}};
 }
 
+/// Some steps of a flow.
+template <class Flow> Json flow(Complex& complex, Steps& steps, const Flow& flow, double dt = 1) {
+  static constexpr int number_of_steps = 20;
+  bool is_valid = true;
+  for (int i = 0; i < number_of_steps; ++i) {
+    steps.take(complex, flow, dt);
+    is_valid = is_valid && check(complex);
+  }
+  return {{"valid", is_valid}, {"incomplete_steps", steps.count("incomplete")}};
+}
+
 /// What a mode does to the complex.
 Json move(const std::string& mode, Complex& complex, Steps& steps) {
   static constexpr double small_part = .004; // of the vertices of the interface
@@ -236,6 +248,13 @@ Json move(const std::string& mode, Complex& complex, Steps& steps) {
     return rotate(complex, steps);
   if (mode == "offset")
     return offset(complex, steps);
+  const double edge = complex.mean_interface_edge();
+  if (mode == "inwards")
+    return flow(complex, steps, CGAL::Normal_offset_3{-edge / 4});
+  if (mode == "curvature")
+    return flow(complex, steps, CGAL::Mean_curvature_flow_3(), edge * edge);
+  if (mode == "slow_curvature")
+    return flow(complex, steps, CGAL::Mean_curvature_flow_3(), edge * edge / 6);
   return push(complex, steps, mode == "push" ? small_part : 0);
 }
 
@@ -282,14 +301,15 @@ int run(const std::string& mode, const std::string& input, std::size_t triangles
 } // namespace dsc_benchmark
 
 int main(int argc, char** argv) {
-  CLI::App app(
-      "Rotates a surface by a whole turn, offsets it out and back, pushes a small part of it "
-      "or moves nothing, and measures it.");
+  CLI::App app("Rotates a surface by a whole turn, offsets it out and back, or inwards, shrinks it "
+               "by its mean "
+               "curvature, pushes a small part of it or moves nothing, and measures it.");
   std::string mode, input, json_path;
   std::size_t triangles = 0;
   app.add_option("mode", mode)
       ->required()
-      ->check(CLI::IsMember({"rotation", "offset", "push", "rest"}));
+      ->check(CLI::IsMember(
+          {"rotation", "offset", "inwards", "curvature", "slow_curvature", "push", "rest"}));
   app.add_option("mesh", input, "a file, or two_spheres")->required();
   app.add_option("--triangles", triangles, "to which a finer surface is decimated");
   app.add_option("--json", json_path, "a file for the numbers of all steps");

@@ -70,9 +70,7 @@ public:
     std::vector<Vertex_handle> vertices;
     for (Number i : numbers)
       vertices.push_back(m_vertices[i]);
-    return stars_of(m_complex, vertices, m_numbers, [&](Vertex_handle v) {
-      return has(v) && std::binary_search(numbers.begin(), numbers.end(), number(v));
-    });
+    return stars_of(m_complex, vertices);
   }
 
   // The moving vertices of cells for which a condition on the number holds, increasing.

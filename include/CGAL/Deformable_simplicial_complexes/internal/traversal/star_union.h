@@ -6,7 +6,6 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_STAR_UNION_H
 
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Marks.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Vertex_numbers.h>
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
@@ -32,42 +31,37 @@ vertices_of(const Complex& complex, const std::vector<typename Complex::Cell_han
   return result;
 }
 
-// The finite cells around vertices with increasing numbers, each once, at the first of its vertices
-// for which is_one_of_them(v).
-template <class Complex, class IsOneOfThem>
+// The finite cells around vertices, each once, by their stars.
+template <class Complex>
 std::vector<typename Complex::Cell_handle>
-stars_of(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices,
-         const Vertex_numbers& numbers, const IsOneOfThem& is_one_of_them) {
+stars_of(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices) {
   std::vector<typename Complex::Cell_handle> result, star;
+  Marks seen = cell_marks(complex);
   for (auto v : vertices) {
     complex.star(v, star);
-    for (auto c : star) {
-      bool is_first = true;
-      for (int i = 0; i < Complex::corners; ++i)
-        is_first =
-            is_first && !(is_one_of_them(c->vertex(i)) && numbers(c->vertex(i)) < numbers(v));
-      if (is_first && !complex.is_infinite(c))
+    for (auto c : star)
+      if (!complex.is_infinite(c) && seen.add(c))
         result.push_back(c);
-    }
   }
   return result;
 }
 
-// The finite cells around vertices, each once, in no particular order. Where many vertices
-// are asked for, one pass over the cells is cheaper than their stars.
+// The same in no particular order. Where many vertices are asked for, one pass over the cells is
+// cheaper than their stars.
 template <class Complex>
 std::vector<typename Complex::Cell_handle>
 star_union(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices) {
   static constexpr std::size_t many = 8; // a star costs about as much as 8 cells of a pass each
-  const Vertex_numbers numbers(complex, vertices);
-  const auto is_one_of_them = [&](auto v) { return numbers.has(v); };
   if (vertices.size() * many <= complex.number_of_vertices())
-    return stars_of(complex, vertices, numbers, is_one_of_them);
+    return stars_of(complex, vertices);
+  Marks around = vertex_marks(complex);
+  for (auto v : vertices)
+    around.add(v);
   std::vector<typename Complex::Cell_handle> result;
   for (auto c : complex.finite_cells()) {
     bool is_around = false;
     for (int i = 0; i < Complex::corners && !is_around; ++i)
-      is_around = is_one_of_them(c->vertex(i));
+      is_around = around.has(c->vertex(i));
     if (is_around)
       result.push_back(c);
   }

@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Does the same work with several numbers of threads, in turns, and prints a row of a table: the
+// seconds that each takes, and whether all come to the same bits.
+
+#include "inputs.h"
+#include "measures.h"
+
+#include <CGAL/Tetgen_tetrahedralizer_3.h>
+#include <CGAL/advect_interface_3.h>
+#include <CGAL/improve_mesh_3.h>
+#include <CGAL/interface_flows_3.h>
+#include <CGAL/make_deformable_simplicial_complex_3.h>
+#include <CGAL/mean_curvature_flow_3.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dsc_benchmark {
+namespace {
+
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
+using Work = std::function<void(Complex&, unsigned number_of_threads)>;
+
+/// A number of steps of a flow.
+template <class Flow> Work steps_of(const Flow& flow, int number, double dt) {
+  return [=](Complex& complex, unsigned number_of_threads) {
+    for (int i = 0; i < number; ++i)
+      CGAL::advect_interface(complex, flow, i * dt, dt,
+                             parameters::number_of_threads(number_of_threads));
+  };
+}
+
+/// What is done to a complex, by its name.
+std::map<std::string, Work> works(const Complex& complex) {
+  static constexpr int number_of_steps = 10;
+  const CGAL::Bbox_3 box = bounding_box(complex);
+  const Point centre((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
+                     (box.zmin() + box.zmax()) / 2);
+  const double edge = complex.mean_interface_edge();
+  return {{"rotation", steps_of(CGAL::Rigid_rotation_3(centre, Vector(0, 0, 1), 2 * degree),
+                                number_of_steps, 1)},
+          {"offset", steps_of(CGAL::Normal_offset_3{edge / 4}, number_of_steps, 1)},
+          {"mean_curvature",
+           steps_of(CGAL::Mean_curvature_flow_3(), number_of_steps, edge * edge)},
+          {"improvement", [](Complex& c, unsigned number_of_threads) {
+             CGAL::improve_mesh(c, parameters::number_of_threads(number_of_threads));
+           }}};
+}
+
+int run(const std::string& name, const std::string& input, std::size_t triangles,
+        const std::vector<unsigned>& threads, int repetitions) {
+  const bool is_at_rest = name == "improvement";
+  Complex initial = CGAL::make_deformable_simplicial_complex_3<Complex>(
+      {read_input(input, triangles)}, CGAL::Tetgen_tetrahedralizer_3(),
+      parameters::normalize(true).improve(!is_at_rest));
+  initial.sort_storage();
+  const Work work = works(initial).at(name);
+
+  std::vector<std::vector<double>> seconds(threads.size());
+  bool is_same = true;
+  Complex::State expected;
+  for (int repetition = 0; repetition < repetitions; ++repetition)
+    for (std::size_t k = 0; k < threads.size(); ++k) {
+      Complex complex = initial;
+      const auto start = std::chrono::steady_clock::now();
+      work(complex, threads[k]);
+      const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
+      seconds[k].push_back(duration.count());
+      if (repetition == 0 && k == 0)
+        expected = complex.state();
+      else
+        is_same = is_same && complex.state() == expected;
+    }
+
+  std::cout.precision(3);
+  std::cout << "| " << name << " | " << std::filesystem::path(input).stem().string() << " | "
+            << initial.number_of_cells() << " | ";
+  double first = 0;
+  for (std::size_t k = 0; k < threads.size(); ++k) {
+    std::sort(seconds[k].begin(), seconds[k].end());
+    const double median = seconds[k][seconds[k].size() / 2];
+    first = k == 0 ? median : first;
+    std::cout << median << " | ";
+    if (k > 0)
+      std::cout << first / median << " | ";
+  }
+  std::cout << (is_same ? "same" : "different") << " |" << std::endl;
+  return is_same ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+} // namespace
+} // namespace dsc_benchmark
+
+int main(int argc, char** argv) {
+  CLI::App app("Does the same work with several numbers of threads, in turns.");
+  std::string work, input;
+  std::size_t triangles = 0;
+  std::vector<unsigned> threads = {1, 2};
+  int repetitions = 5;
+  app.add_option("work", work)
+      ->required()
+      ->check(CLI::IsMember({"rotation", "offset", "mean_curvature", "improvement"}));
+  app.add_option("mesh", input, "a file, or two_spheres")->required();
+  app.add_option("--triangles", triangles, "to which a finer surface is decimated");
+  app.add_option("--threads", threads, "their numbers");
+  app.add_option("--repetitions", repetitions, "of which the median is taken");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return dsc_benchmark::run(work, input, triangles, threads, repetitions);
+  } catch (const std::exception& error) {
+    std::cerr << "threads: " << input << ": " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+}
