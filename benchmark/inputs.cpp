@@ -165,6 +165,8 @@ Surface decimated(Surface surface, std::size_t triangles) {
 } // namespace
 
 Surface read_input(const std::string& input, std::size_t triangles) {
+  if (input == "sphere")
+    return sphere(1, std::size_t(std::lround(std::sqrt(double(triangles) / 20))));
   Surface surface = input == "two_spheres"
                         ? two_spheres()
                         : CGAL::IO::read_labelled_surface<Kernel::Point_3>(input);

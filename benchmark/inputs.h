@@ -42,8 +42,8 @@ constexpr double dumbbell_bar_radius = .25;
 /// Appends the triangles of another surface.
 void append(Surface& surface, const Surface& other);
 
-/// The surface in a file, or `two_spheres`, decimated if it has more than `triangles` triangles and
-/// these are not zero.
+/// `sphere`, of about so many triangles; or the surface in a file, or `two_spheres`, decimated if
+/// it has more than `triangles` triangles and these are not zero.
 Surface read_input(const std::string& input, std::size_t triangles);
 
 } // namespace dsc_benchmark

@@ -87,7 +87,7 @@ int main(int argc, char** argv) {
   CLI::App app("Counts the bytes per tetrahedron of a complex.");
   std::string input, json_path;
   std::size_t triangles = 0;
-  app.add_option("mesh", input, "a file, or two_spheres")->required();
+  app.add_option("mesh", input, "a file, sphere, or two_spheres")->required();
   app.add_option("--triangles", triangles, "to which a finer surface is decimated");
   app.add_option("--json", json_path, "a file for the numbers");
   CLI11_PARSE(app, argc, argv);

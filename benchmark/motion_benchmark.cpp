@@ -89,6 +89,17 @@ private:
   std::vector<Triangle> m_triangles;                     // sorted
 };
 
+/// Where the time of a step went.
+Json parts(const CGAL::Deformation_report<Complex>::Seconds& seconds) {
+  return {{"extension", seconds.extension},
+          {"motion", seconds.motion},
+          {"relabeling", seconds.relabeling},
+          {"obstacles", seconds.obstacles},
+          {"improvement", seconds.improvement},
+          {"small angles", seconds.small_angles},
+          {"rest", seconds.rest}};
+}
+
 /// Numbers of all steps of a run, and what they amount to.
 class Steps
 {
@@ -113,7 +124,9 @@ public:
                        {"flipped", report.flipped},
                        {"smoothed", report.smoothed},
                        {"relabeled", report.relabeled},
-                       {"tetrahedra", complex.number_of_cells()}});
+                       {"tetrahedra", complex.number_of_cells()},
+                       {"interface_vertices", complex.interface_vertices().size()},
+                       {"parts", parts(report.seconds)}});
     return m_steps.back();
   }
 
@@ -140,14 +153,13 @@ private:
   Json m_steps = Json::array();
 };
 
-/// A whole turn about the z axis through the centre of the box.
-Json rotate(Complex& complex, Steps& steps) {
-  static constexpr int number_of_steps = 180;
+/// Two degrees in each step, about the z axis through the centre of the box.
+Json rotate(Complex& complex, Steps& steps, int number_of_steps) {
   const CGAL::Bbox_3 box = bounding_box(complex);
   const Initial_interface initial(complex);
   const CGAL::Rigid_rotation_3 rotation(CGAL::midpoint(Point(box.xmin(), box.ymin(), box.zmin()),
                                                        Point(box.xmax(), box.ymax(), box.zmax())),
-                                        Vector(0, 0, 1), 360. / number_of_steps * degree);
+                                        Vector(0, 0, 1), 2 * degree);
   for (int i = 0; i < number_of_steps; ++i)
     steps.take(complex, rotation);
 
@@ -169,9 +181,8 @@ double volume(const Complex& complex) {
   return sum * std::pow(complex.normalization().scale, 3);
 }
 
-/// Five mean edges out and back, a quarter of one in each step.
-Json offset(Complex& complex, Steps& steps) {
-  static constexpr int number_of_steps = 20;
+/// Out and back, a quarter of a mean edge in each step.
+Json offset(Complex& complex, Steps& steps, int number_of_steps) {
   const double distance = .25 * complex.mean_interface_edge();
   Json volumes = Json::array({volume(complex)});
   Json components = Json::array({complex.number_of_components(1)});
@@ -208,8 +219,7 @@ struct Local_push
 };
 
 /// Pushes a part of the interface out, by a quarter of its mean edge in each step, and back.
-Json push(Complex& complex, Steps& steps, double part) {
-  static constexpr int number_of_steps = 5;
+Json push(Complex& complex, Steps& steps, int number_of_steps, double part) {
   const std::vector<Complex::Vertex_handle> vertices = complex.interface_vertices();
   const auto is_lower = [&](Complex::Vertex_handle v, Complex::Vertex_handle w) {
     return complex.position(v).z() < complex.position(w).z();
@@ -231,8 +241,8 @@ Json push(Complex& complex, Steps& steps, double part) {
 }
 
 /// Some steps of a flow.
-template <class Flow> Json flow(Complex& complex, Steps& steps, const Flow& flow, double dt = 1) {
-  static constexpr int number_of_steps = 20;
+template <class Flow>
+Json flow(Complex& complex, Steps& steps, int number_of_steps, const Flow& flow, double dt = 1) {
   bool is_valid = true;
   for (int i = 0; i < number_of_steps; ++i) {
     steps.take(complex, flow, dt);
@@ -241,25 +251,26 @@ template <class Flow> Json flow(Complex& complex, Steps& steps, const Flow& flow
   return {{"valid", is_valid}, {"incomplete_steps", steps.count("incomplete")}};
 }
 
-/// What a mode does to the complex.
-Json move(const std::string& mode, Complex& complex, Steps& steps) {
+/// What a mode does to the complex, in so many steps, or as many as it is known for if these are 0.
+Json move(const std::string& mode, Complex& complex, Steps& steps, int number_of_steps) {
   static constexpr double small_part = .004; // of the vertices of the interface
-  if (mode == "rotation")
-    return rotate(complex, steps);
-  if (mode == "offset")
-    return offset(complex, steps);
+  const auto number = [&](int usual) { return number_of_steps > 0 ? number_of_steps : usual; };
+  if (mode == "rotation") // a whole turn
+    return rotate(complex, steps, number(180));
+  if (mode == "offset") // five mean edges
+    return offset(complex, steps, number(20));
   const double edge = complex.mean_interface_edge();
   if (mode == "inwards")
-    return flow(complex, steps, CGAL::Normal_offset_3{-edge / 4});
+    return flow(complex, steps, number(20), CGAL::Normal_offset_3{-edge / 4});
   if (mode == "curvature")
-    return flow(complex, steps, CGAL::Mean_curvature_flow_3(), edge * edge);
+    return flow(complex, steps, number(20), CGAL::Mean_curvature_flow_3(), edge * edge);
   if (mode == "slow_curvature")
-    return flow(complex, steps, CGAL::Mean_curvature_flow_3(), edge * edge / 6);
-  return push(complex, steps, mode == "push" ? small_part : 0);
+    return flow(complex, steps, number(20), CGAL::Mean_curvature_flow_3(), edge * edge / 6);
+  return push(complex, steps, number(5), mode == "push" ? small_part : 0);
 }
 
 int run(const std::string& mode, const std::string& input, std::size_t triangles,
-        const std::string& json_path) {
+        int number_of_steps, const std::string& json_path) {
   Surface surface = read_input(input, triangles);
   Json result = {{"mode", mode},
                  {"input", std::filesystem::path(input).stem().string()},
@@ -270,7 +281,7 @@ int run(const std::string& mode, const std::string& input, std::size_t triangles
   result["tetrahedra"] = complex.number_of_cells();
 
   Steps steps(complex);
-  const Json motion = move(mode, complex, steps);
+  const Json motion = move(mode, complex, steps, number_of_steps);
   result["sweep_milliseconds"] = steps.mean("sweep_milliseconds");
   result.update(motion);
   result["sweeps_mean"] = steps.mean("sweeps");
@@ -306,16 +317,19 @@ int main(int argc, char** argv) {
                "curvature, pushes a small part of it or moves nothing, and measures it.");
   std::string mode, input, json_path;
   std::size_t triangles = 0;
+  int number_of_steps = 0;
   app.add_option("mode", mode)
       ->required()
       ->check(CLI::IsMember(
           {"rotation", "offset", "inwards", "curvature", "slow_curvature", "push", "rest"}));
-  app.add_option("mesh", input, "a file, or two_spheres")->required();
+  app.add_option("mesh", input, "a file, sphere, or two_spheres")->required();
   app.add_option("--triangles", triangles, "to which a finer surface is decimated");
+  app.add_option("--steps", number_of_steps, "how many, instead of as many as the table has")
+      ->check(CLI::PositiveNumber);
   app.add_option("--json", json_path, "a file for the numbers of all steps");
   CLI11_PARSE(app, argc, argv);
   try {
-    return dsc_benchmark::run(mode, input, triangles, json_path);
+    return dsc_benchmark::run(mode, input, triangles, number_of_steps, json_path);
   } catch (const std::exception& error) {
     std::cerr << "motion_benchmark: " << input << ": " << error.what() << '\n';
     return EXIT_FAILURE;

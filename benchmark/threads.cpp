@@ -56,8 +56,7 @@ std::map<std::string, Work> works(const Complex& complex) {
   return {{"rotation", steps_of(CGAL::Rigid_rotation_3(centre, Vector(0, 0, 1), 2 * degree),
                                 number_of_steps, 1)},
           {"offset", steps_of(CGAL::Normal_offset_3{edge / 4}, number_of_steps, 1)},
-          {"mean_curvature",
-           steps_of(CGAL::Mean_curvature_flow_3(), number_of_steps, edge * edge)},
+          {"mean_curvature", steps_of(CGAL::Mean_curvature_flow_3(), number_of_steps, edge * edge)},
           {"improvement", [](Complex& c, unsigned number_of_threads) {
              CGAL::improve_mesh(c, parameters::number_of_threads(number_of_threads));
            }}};
@@ -116,7 +115,7 @@ int main(int argc, char** argv) {
   app.add_option("work", work)
       ->required()
       ->check(CLI::IsMember({"rotation", "offset", "mean_curvature", "improvement"}));
-  app.add_option("mesh", input, "a file, or two_spheres")->required();
+  app.add_option("mesh", input, "a file, sphere, or two_spheres")->required();
   app.add_option("--triangles", triangles, "to which a finer surface is decimated");
   app.add_option("--threads", threads, "their numbers");
   app.add_option("--repetitions", repetitions, "of which the median is taken");

@@ -33,9 +33,9 @@ check_headers() {
 
 check_threads() {
   g++ "${flags[@]}" -Iinclude -Itest/thread_sanitizer -Itest/Deformable_simplicial_complex_3 \
-    -O1 -g1 -fsanitize=thread test/Deformable_simplicial_complex_3/test_two_threads.cpp \
-    -o "$work/test_two_threads" -lgtest -lgtest_main -lmpfr -lgmp -pthread
-  "$work/test_two_threads"
+    -O1 -g1 -fsanitize=thread test/Deformable_simplicial_complex_3/test_threads.cpp \
+    -o "$work/test_threads" -lgtest -lgtest_main -lmpfr -lgmp -pthread
+  "$work/test_threads"
 }
 
 check_clang() {

@@ -43,6 +43,23 @@ template <class Complex> struct Deformation_report
     double volume_after = 0;  ///< 0 if the label is gone
   };
 
+  /// Where the time went, by the wall clock.
+  struct Seconds
+  {
+    double extension = 0;    ///< finding how space follows the interface
+    double motion = 0;       ///< moving vertices, and finding facets that degenerate
+    double relabeling = 0;   ///< of cells that have become flat
+    double obstacles = 0;    ///< removing what keeps vertices from their destinations
+    double improvement = 0;  ///< of cells that have become bad
+    double small_angles = 0; ///< removing them in the end
+    double rest = 0;         ///< beginning and end
+
+    /// All of it.
+    double sum() const {
+      return extension + motion + relabeling + obstacles + improvement + small_angles + rest;
+    }
+  };
+
   bool complete = true;                      ///< whether `unfinished` is empty
   std::vector<Unfinished_vertex> unfinished; ///< by time stamp
   /// vertices that were removed or left the interface, by a merge or a collapse, before they
@@ -68,6 +85,7 @@ template <class Complex> struct Deformation_report
   std::vector<Label_change> labels; ///< one for each label of before or after, increasing
   std::vector<Topology_event<Complex>> events;       ///< by pass
   std::vector<Neighbor_exchange<Complex>> exchanges; ///< in the plane only, in the end
+  Seconds seconds;                                   ///< what alone differs from run to run
 };
 
 } // namespace CGAL

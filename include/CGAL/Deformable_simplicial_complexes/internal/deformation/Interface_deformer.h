@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_INTERFACE_DEFORMER_H
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Stopwatch.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_care.h>
@@ -69,6 +70,9 @@ public:
                          m_complex.admissible_destination(vertices[i], destinations[i]));
   }
 
+  // Adds the time since the last call to a part of that of the whole.
+  void lap(double Report::Seconds::*part) { m_stopwatch.lap(m_seconds.*part); }
+
   bool is_complete() const { return unfinished().empty(); }
 
   // Whether the last two passes that had all means brought vertices nearer to their destinations.
@@ -99,8 +103,10 @@ public:
     const auto way = [&](Vertex_handle v) {
       return m_complex.displacement(v, m_destinations.final_position(v));
     };
+    lap(&Report::Seconds::motion);
     const std::vector<Vector> ways =
         motion_of_space(m_complex, free, way, flow, longest, m_for_each_index);
+    lap(&Report::Seconds::extension);
     std::vector<Point> targets;
     for (std::size_t k = 0; k < vertices.size(); ++k)
       targets.push_back(m_destinations.destination(k));
@@ -228,6 +234,8 @@ public:
     report.exchanges = m_mesh.exchanges();
     report.relabeled = m_trapped_cells.number_of_relabeled();
     m_trapped_cells.log().report(passes, report);
+    lap(&Report::Seconds::rest);
+    report.seconds = m_seconds;
     return report;
   }
 
@@ -281,6 +289,8 @@ private:
   const For_each_index& m_for_each_index;
   Work_list<Cell_handle> m_touched;
   std::vector<Cell_handle> m_star;
+  Stopwatch m_stopwatch;
+  typename Report::Seconds m_seconds;
   double m_last_distance = std::numeric_limits<double>::infinity();
   unsigned m_idle_passes = 0;
   bool m_may_remove_facets = true;

@@ -27,25 +27,32 @@ deform(Complex& dsc, const std::vector<typename Complex::Vertex_handle>& vertice
        const Deformation_options<Complex>& options, unsigned maximum_number_of_passes,
        unsigned number_of_threads, Any_visitor<Complex>& visitor,
        const std::function<bool(unsigned)>& go_further) {
+  using Seconds = typename Deformation_report<Complex>::Seconds;
   const For_each_index for_each_index(number_of_threads);
   Interface_deformer<Complex> deformer(dsc, visitor, options, for_each_index);
   deformer.set_destinations(vertices, destinations);
   unsigned pass = 0;
   bool is_stopped = false;
+  deformer.lap(&Seconds::rest);
   while (!deformer.is_complete() && deformer.is_progressing() && pass < maximum_number_of_passes &&
          !(is_stopped = !go_further(pass + 1))) {
     ++pass;
     deformer.begin_pass();
     deformer.move_together(pass);
     deformer.move_one_by_one();
+    deformer.lap(&Seconds::motion);
     deformer.relabel_degenerate_cells(pass);
+    deformer.lap(&Seconds::relabeling);
     deformer.remove_obstacles(pass);
     deformer.remove_degenerating_facets();
+    deformer.lap(&Seconds::obstacles);
     deformer.improve();
+    deformer.lap(&Seconds::improvement);
   }
   if (pass > 0 && !is_stopped) {
     deformer.remove_small_angles(pass);
     deformer.exchange_neighbors();
+    deformer.lap(&Seconds::small_angles);
   }
   if (pass > 0)
     deformer.measure_new_spacings();

@@ -8,6 +8,8 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -217,10 +219,12 @@ private:
     return false;
   }
 
+  static constexpr std::size_t usual_size = 32; // cells of a star, at the most
+
   const Measure& m_measure;
   Point m_position;
   std::vector<Vector> m_blocked;
-  std::vector<Function> m_functions;
+  boost::container::small_vector<Function, usual_size> m_functions;
   double m_length = 0;
   std::size_t m_suspect = 0;
 };

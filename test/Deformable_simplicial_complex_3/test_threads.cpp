@@ -1,3 +1,4 @@
+#include "../Deformable_simplicial_complex_2/plane.h"
 #include "mesh_helpers.h"
 #include "small_meshes.h"
 
@@ -7,8 +8,15 @@
 #include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/vertex_optimization_3.h>
+#include <CGAL/advect_interface_2.h>
+#include <CGAL/advect_interface_3.h>
+#include <CGAL/curve_shortening_flow_2.h>
 #include <CGAL/deform_interface_3.h>
+#include <CGAL/face_offsetting_3.h>
 #include <CGAL/improve_mesh_3.h>
+#include <CGAL/interface_flows_2.h>
+#include <CGAL/interface_flows_3.h>
+#include <CGAL/mean_curvature_flow_3.h>
 
 #include <gtest/gtest.h>
 
@@ -81,7 +89,7 @@ std::vector<double> proposals(const Complex& dsc) {
 
 } // namespace
 
-TEST(Two_threads, queries_of_one_complex) {
+TEST(Threads, queries_of_one_complex) {
   Complex dsc = small_meshes::make_complex(small_meshes::grid(6, small_meshes::two_boxes));
   mesh_helpers::jitter(dsc, .1, 1);
   // Components may have changed, so that the first one to ask must count them.
@@ -101,7 +109,7 @@ TEST(Two_threads, queries_of_one_complex) {
     EXPECT_TRUE(other.get());
 }
 
-TEST(Two_threads, queries_of_two_complexes) {
+TEST(Threads, queries_of_two_complexes) {
   const Complex a = small_meshes::make_complex(small_meshes::grid(8, small_meshes::two_boxes));
   const Complex b = a;
   const auto expected = answers(Complex(a));
@@ -110,9 +118,59 @@ TEST(Two_threads, queries_of_two_complexes) {
   EXPECT_EQ(other.get(), expected);
 }
 
-TEST(Two_threads, whole_flows_with_threads_of_their_own) {
+TEST(Threads, whole_flows_with_threads_of_their_own) {
   const State expected = flow(1);
   auto other = std::async(std::launch::async, flow, 2u);
   EXPECT_TRUE(flow(2) == expected);
   EXPECT_TRUE(other.get() == expected);
+}
+
+namespace {
+
+// The bits that a flow comes to with several threads must be those with one.
+template <class Complex, class Flow>
+void expect_same_bits(const Complex& initial, const Flow& flow, double dt) {
+  const auto state_after = [&](unsigned number_of_threads) {
+    Complex dsc = initial;
+    for (int step = 0; step < 2; ++step)
+      CGAL::advect_interface(dsc, flow, step * dt, dt,
+                             parameters::number_of_threads(number_of_threads));
+    return dsc.state();
+  };
+  const auto expected = state_after(1);
+  EXPECT_FALSE(expected == initial.state());
+  for (unsigned number_of_threads : {2, 4, 8})
+    EXPECT_TRUE(state_after(number_of_threads) == expected) << number_of_threads << " threads";
+}
+
+// Meshes are large enough for threads to be used.
+Complex solid(int (*label)(const small_meshes::Point&)) {
+  Complex dsc = small_meshes::make_complex(small_meshes::grid(10, label));
+  mesh_helpers::jitter(dsc, .04, 3);
+  return dsc;
+}
+
+} // namespace
+
+TEST(Threads, change_no_bit_of_flows_in_space) {
+  const Complex ball = solid(small_meshes::ball);
+  const double edge = ball.mean_interface_edge();
+  const CGAL::Rigid_rotation_3 rotation(CGAL::ORIGIN, Complex::Approximate_vector_3(0, 0, 1), .05);
+  expect_same_bits(ball, rotation, 1);
+  expect_same_bits(ball, CGAL::Normal_offset_3{edge / 4}, 1);
+  expect_same_bits(ball, CGAL::Face_offset_3{edge / 4}, 1);
+  expect_same_bits(ball, CGAL::Mean_curvature_flow_3(), edge * edge / 4);
+  const Complex phases = solid(small_meshes::eight_phases);
+  expect_same_bits(phases, CGAL::Normal_offset_3{-edge / 4}, 1);
+  expect_same_bits(phases, CGAL::Mean_curvature_flow_3(), edge * edge / 4);
+}
+
+TEST(Threads, change_no_bit_of_flows_in_the_plane) {
+  const auto disks = plane::disks_in_a_square({{-.3, 0, .25, 1}, {.3, .1, .25, 2}}, 200, 1, 40);
+  ASSERT_GT(disks.number_of_cells(), 3000u);
+  const double edge = disks.mean_interface_edge();
+  const CGAL::Rigid_rotation_2 rotation(plane::Complex::Approximate_point_2(0, 0), .05);
+  expect_same_bits(disks, rotation, 1);
+  expect_same_bits(disks, CGAL::Normal_offset_2{2 * edge}, 1);
+  expect_same_bits(disks, CGAL::Curve_shortening_flow_2(), edge * edge);
 }
