@@ -4,7 +4,7 @@
 Usage: benchmark/costs.py BUILD_DIR OUTPUT_DIR [parts] [sizes] [threads]
 
 BUILD_DIR has the target `benchmarks`, built in Release. Writes OUTPUT_DIR/costs_parts.svg, _sizes.svg
-and _threads.svg, and prints tables. The largest sizes take an hour and 20 GB: SIZES, a list in the
+and _threads.svg, and prints tables. The largest size takes half an hour and 10 GB: SIZES, a list in the
 environment, gives others.
 """
 
@@ -127,7 +127,7 @@ def draw_parts(programs, folder, output):
 
 def draw_sizes(programs, folder, output):
     sizes = [int(n) for n in os.environ.get("SIZES", "").split()] or SIZES
-    modes = ["rotation", "inwards", "curvature"]
+    modes = ["rotation", "inwards"]
     curves, rows = {mode: [] for mode in modes}, []
     for size in sizes:
         for mode in modes:

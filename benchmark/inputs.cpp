@@ -166,7 +166,8 @@ Surface decimated(Surface surface, std::size_t triangles) {
 
 Surface read_input(const std::string& input, std::size_t triangles) {
   if (input == "sphere")
-    return sphere(1, std::size_t(std::lround(std::sqrt(double(triangles) / 20))));
+    return sphere(
+        1, (std::max)(std::size_t(1), std::size_t(std::lround(std::sqrt(double(triangles) / 20)))));
   Surface surface = input == "two_spheres"
                         ? two_spheres()
                         : CGAL::IO::read_labelled_surface<Kernel::Point_3>(input);

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <iostream>
@@ -117,7 +118,8 @@ void print_angles(const Angles& angles) {
   std::cout << angles.minimum << " – " << angles.maximum << " | ";
 }
 
-int measure(const std::string& input, std::size_t triangles, bool aggressive, double sharp) {
+int measure(const std::string& input, std::size_t triangles, bool aggressive, double sharp,
+            unsigned number_of_threads) {
   Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
       std::vector<Surface>{read_input(input, triangles)}, CGAL::Tetgen_tetrahedralizer_3(),
       parameters::normalize(true).improve(false));
@@ -125,9 +127,11 @@ int measure(const std::string& input, std::size_t triangles, bool aggressive, do
   const Statistics start = statistics(complex, sharp);
   const std::size_t tetrahedra = complex.number_of_cells();
 
-  const double begin = processor_seconds();
-  CGAL::improve_mesh(complex, parameters::aggressive(aggressive));
-  const double seconds = processor_seconds() - begin;
+  const auto begin = std::chrono::steady_clock::now();
+  CGAL::improve_mesh(complex,
+                     parameters::aggressive(aggressive).number_of_threads(number_of_threads));
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
   const Statistics end = statistics(complex, sharp);
   std::cout.precision(4);
@@ -151,11 +155,14 @@ int main(int argc, char** argv) {
   std::size_t triangles = 0;
   bool aggressive = false;
   double sharp = 15;
+  unsigned number_of_threads = 1;
   app.add_option("input", input, "a closed surface")->required();
   app.add_option("--triangles", triangles, "decimate it first");
   app.add_flag("--aggressive", aggressive, "take more time");
   app.add_option("--sharp", sharp,
                  "angles of the surface below this dictate those around, degrees");
+  app.add_option("--threads", number_of_threads, "of aggressive improvement")
+      ->check(CLI::PositiveNumber);
   CLI11_PARSE(app, argc, argv);
-  return dsc_benchmark::measure(input, triangles, aggressive, sharp);
+  return dsc_benchmark::measure(input, triangles, aggressive, sharp, number_of_threads);
 }

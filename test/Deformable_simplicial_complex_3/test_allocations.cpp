@@ -10,20 +10,24 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 #include <vector>
 
-// Inner loops take no memory once their buffers have grown.
+// Inner loops take no memory once their buffers have grown, and where there is none, nothing is
+// lost.
 
 namespace {
 
 std::size_t number_of_allocations = 0;
+std::size_t failing_allocation = 0; // by its number; 0 if none is to fail
 
 } // namespace
 
 void* operator new(std::size_t size) {
-  ++number_of_allocations;
+  if (++number_of_allocations == failing_allocation)
+    throw std::bad_alloc();
   if (void* memory = std::malloc(size))
     return memory;
   throw std::bad_alloc();
@@ -81,4 +85,72 @@ TEST(Allocations, there_are_none_where_cells_are_looked_at) {
                 dsc, [&](auto c) { found += CGAL::propose_multi_face_removal(dsc, c, 0, cavity); }),
             0);
   EXPECT_GT(found, 100u);
+}
+
+namespace {
+
+// Calls a function again and again, of which each time a later allocation fails, until all is well.
+// Returns how often one failed.
+template <class Function> std::size_t fail_in_turn(const Function& function) {
+  for (std::size_t i = 0;; ++i) {
+    failing_allocation = number_of_allocations + 1 + i;
+    bool has_failed = false;
+    try {
+      function();
+    } catch (const std::bad_alloc&) {
+      has_failed = true;
+    }
+    failing_allocation = 0;
+    if (!has_failed)
+      return i;
+  }
+}
+
+} // namespace
+
+TEST(Allocations, components_stay_known_if_one_fails) {
+  Complex dsc = mesh_helpers::jittered_grid(3, small_meshes::two_boxes, .3, 1);
+  const auto cells = dsc.cells();
+  dsc.relabel(cells[40], 5);
+  Complex expected = dsc;
+  const Complex& asked = dsc;
+  EXPECT_GT(fail_in_turn([&] { asked.state(); }), 10u);
+  EXPECT_TRUE(dsc.is_valid(true));
+  EXPECT_TRUE(dsc.state() == expected.state());
+  EXPECT_EQ(dsc.take_component_events().size(), 1u);
+}
+
+TEST(Allocations, cavities_know_their_vertices_if_one_fails) {
+  const Complex dsc = mesh_helpers::jittered_grid(3, small_meshes::ball, .3, 1);
+  CGAL::Cavity_3<Complex> cavity(dsc);
+  cavity.clear();
+  EXPECT_GT(fail_in_turn([&] {
+              for (auto v : dsc.vertices())
+                cavity.add(v);
+            }),
+            3u);
+  EXPECT_EQ(cavity.vertices().size(), dsc.number_of_vertices());
+  for (std::uint32_t i = 0; i < cavity.vertices().size(); ++i)
+    EXPECT_EQ(cavity.index_of(cavity.vertices()[i].handle), i);
+}
+
+TEST(Allocations, commits_do_all_or_nothing_if_one_fails) {
+  Complex dsc = mesh_helpers::jittered_grid(3, small_meshes::two_boxes, .3, 1);
+  CGAL::Cavity_3<Complex> cavity(dsc);
+  std::size_t failures = 0;
+  for (auto c : dsc.cells())
+    if (CGAL::propose_edge_removal(dsc, c, 0, 1, cavity)) {
+      failures += fail_in_turn([&] {
+        const auto before = dsc.version();
+        try {
+          dsc.replace(cavity);
+        } catch (const std::bad_alloc&) {
+          EXPECT_EQ(dsc.version(), before);
+          throw;
+        }
+      });
+      break;
+    }
+  EXPECT_GT(failures, 0u);
+  EXPECT_TRUE(dsc.is_valid(true));
 }

@@ -109,6 +109,19 @@ TEST(Threads, queries_of_one_complex) {
     EXPECT_TRUE(other.get());
 }
 
+TEST(Threads, components_are_found_once) {
+  Complex dsc = small_meshes::make_complex(small_meshes::grid(6, small_meshes::two_boxes));
+  const auto cells = dsc.cells();
+  dsc.relabel(cells[cells.size() / 2], 3);
+  const Complex& asked = dsc;
+  auto state = std::async(std::launch::async, [&] { return asked.state(); });
+  auto copy = std::async(std::launch::async, [&] { return Complex(asked).state(); });
+  auto number = std::async(std::launch::async, [&] { return asked.number_of_components(3); });
+  EXPECT_TRUE(asked.is_valid());
+  EXPECT_EQ(number.get(), 1u);
+  EXPECT_TRUE(state.get() == copy.get());
+}
+
 TEST(Threads, queries_of_two_complexes) {
   const Complex a = small_meshes::make_complex(small_meshes::grid(8, small_meshes::two_boxes));
   const Complex b = a;
@@ -163,6 +176,18 @@ TEST(Threads, change_no_bit_of_flows_in_space) {
   const Complex phases = solid(small_meshes::eight_phases);
   expect_same_bits(phases, CGAL::Normal_offset_3{-edge / 4}, 1);
   expect_same_bits(phases, CGAL::Mean_curvature_flow_3(), edge * edge / 4);
+}
+
+TEST(Threads, change_no_bit_of_aggressive_improvement) {
+  const auto improved = [](unsigned number_of_threads) {
+    Complex dsc = mesh_helpers::jittered_grid(3, small_meshes::ball, .4, 5);
+    CGAL::improve_mesh(dsc, parameters::aggressive(true).number_of_iterations(1).number_of_threads(
+                                number_of_threads));
+    return dsc.state();
+  };
+  const State expected = improved(1);
+  for (unsigned number_of_threads : {2, 8})
+    EXPECT_TRUE(improved(number_of_threads) == expected) << number_of_threads << " threads";
 }
 
 TEST(Threads, change_no_bit_of_flows_in_the_plane) {

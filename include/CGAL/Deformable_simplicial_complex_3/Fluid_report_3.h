@@ -75,9 +75,11 @@ template <class Complex> struct Fluid_report_3
   bool contacts_settled = true;         ///< whether it was found which vertices are to be held
   double depth_in_solids = 0;           ///< of the deepest vertex, after the step
   std::vector<Vector> forces_on_solids; ///< by liquids, in the order in which solids were added
-  double seconds_of_solver = 0, seconds_of_mesh = 0; ///< elapsed; the only figures that vary
-  Improvement_report adaptation;                     ///< of the mesh, before the step
-  Deformation_report<Complex> deformation;           ///< of the mesh by the step
+  double seconds_of_solver = 0,
+         seconds_of_mesh = 0;    ///< elapsed: these vary, and those of the deformation
+  Improvement_report adaptation; ///< of the mesh, before the step
+  Deformation_report<Complex>
+      deformation; ///< of the mesh by the step, but for what restores volumes
 };
 
 } // namespace Deformable_simplicial_complexes

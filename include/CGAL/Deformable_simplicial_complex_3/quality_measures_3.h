@@ -42,39 +42,58 @@ template <class Point> struct Tetrahedron_frame
 constexpr double sine_of_regular = 0.94280904158206337; // of its dihedral angles, sqrt(8) / 3
 
 // The smallest sine of a dihedral angle over that of the regular tetrahedron, those of obtuse
-// angles times a weight.
+// angles times a weight. Coordinates are in arrays of their own, so that loops over them become
+// vector instructions: half of the time of an improvement is spent here.
 template <class Point>
 double minimum_sine(const Point& p, const Point& q, const Point& r, const Point& s,
                     double obtuse_weight) {
   const Tetrahedron_frame<Point> t(p, q, r, s);
-  const auto normals = t.area_vectors();
-  const auto edges = t.edges();
-  // Facets opposite to two vertices meet in the edge of the two others.
-  static constexpr int facets[6][2] = {{2, 3}, {0, 1}, {1, 3}, {0, 2}, {1, 2}, {0, 3}};
+  const auto &a = t.a, &b = t.b, &c = t.c;
+  const auto d = b - a, e = c - a, f = c - b;
+  // Area vectors of the facets opposite to p, q, r, s: d x e, c x b, a x c, b x a.
+  const double ux[] = {d.x(), c.x(), a.x(), b.x()}, uy[] = {d.y(), c.y(), a.y(), b.y()},
+               uz[] = {d.z(), c.z(), a.z(), b.z()}, vx[] = {e.x(), b.x(), c.x(), a.x()},
+               vy[] = {e.y(), b.y(), c.y(), a.y()}, vz[] = {e.z(), b.z(), c.z(), a.z()};
+  double nx[4], ny[4], nz[4];
+  for (int i = 0; i < 4; ++i) {
+    nx[i] = uy[i] * vz[i] - uz[i] * vy[i];
+    ny[i] = uz[i] * vx[i] - ux[i] * vz[i];
+    nz[i] = ux[i] * vy[i] - uy[i] * vx[i];
+  }
+  // The edges pq, rs, pr, qs, ps, qr, and the vertices that the facets are opposite to that meet
+  // there.
+  const double x[] = {a.x(), f.x(), b.x(), e.x(), c.x(), d.x()},
+               y[] = {a.y(), f.y(), b.y(), e.y(), c.y(), d.y()},
+               z[] = {a.z(), f.z(), b.z(), e.z(), c.z(), d.z()};
+  static constexpr int one[] = {2, 0, 1, 0, 1, 0}, other[] = {3, 1, 3, 2, 2, 3};
+  double squared_edges[6];
+  for (int i = 0; i < 6; ++i)
+    squared_edges[i] = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
   // In units of the longest edge, so that nothing overflows.
   double unit = 0;
-  std::array<double, 6> squared_edges;
-  for (int i = 0; i < 6; ++i) {
-    squared_edges[i] = edges[i].squared_length();
-    unit = (std::max)(unit, squared_edges[i]);
-  }
+  for (double squared : squared_edges)
+    unit = (std::max)(unit, squared);
   if (unit == 0)
     return 0;
   const double per_unit = 1 / unit;
-  std::array<double, 4> squared_areas;
+  double squared_areas[4];
   for (int i = 0; i < 4; ++i)
-    squared_areas[i] = normals[i].squared_length() * per_unit * per_unit;
-  // The least square of a sine over that of six volumes, as a fraction: divisions cost most.
+    squared_areas[i] = (nx[i] * nx[i] + ny[i] * ny[i] + nz[i] * nz[i]) * per_unit * per_unit;
+  // Squares of sines over that of six volumes, as fractions: divisions cost most.
   const double squared_weight = obtuse_weight * obtuse_weight;
+  double numerators[6], denominators[6];
+  for (int i = 0; i < 6; ++i) {
+    const int g = one[i], h = other[i];
+    const double cosine = nx[g] * nx[h] + ny[g] * ny[h] + nz[g] * nz[h],
+                 squared = squared_edges[i] * per_unit;
+    numerators[i] = cosine > 0 ? squared_weight * squared : squared;
+    denominators[i] = squared_areas[g] * squared_areas[h];
+  }
   double numerator = 1, denominator = 0;
   for (int i = 0; i < 6; ++i) {
-    const int f = facets[i][0], g = facets[i][1];
-    const double squared_edge = squared_edges[i] * per_unit;
-    const double n = normals[f] * normals[g] > 0 ? squared_weight * squared_edge : squared_edge;
-    const double d = squared_areas[f] * squared_areas[g];
-    const bool is_less = n * denominator < numerator * d;
-    numerator = is_less ? n : numerator;
-    denominator = is_less ? d : denominator;
+    const bool is_less = numerators[i] * denominator < numerator * denominators[i];
+    numerator = is_less ? numerators[i] : numerator;
+    denominator = is_less ? denominators[i] : denominator;
   }
   if (denominator == 0)
     return 0;

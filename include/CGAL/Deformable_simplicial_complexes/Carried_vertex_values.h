@@ -161,7 +161,7 @@ private:
 
   const Complex& m_complex;
   VertexValueMap m_values;
-  std::function<bool(Cell_handle)> m_has_values; // empty for all
+  std::function<bool(Cell_handle)> m_has_values;             // empty for all
   std::vector<std::pair<std::size_t, Value>> m_interpolated; // by vertex of the cavity
 };
 

@@ -98,18 +98,25 @@ public:
   }
 
   /// The index of a vertex of the complex, `none` if it is none of the cavity.
+  /// \pre the complex has not changed since the cavity was begun
   Index index_of(Vertex_handle v) const { return m_indices.find(v->id()); }
 
   /// The index of v, which becomes a vertex of the cavity if it was none.
   Index add(Vertex_handle v) {
     if (const Index known = index_of(v); known != none)
       return known;
-    m_indices.insert(v->id(), Index(m_vertices.size()));
     if (m_complex->is_infinite(v)) // it is nowhere
       m_vertices.push_back({v, Point(), Approximate_point(), v->boundary_class()});
     else
       m_vertices.push_back({v, v->point(), m_complex->position(v), v->boundary_class()});
-    return Index(m_vertices.size() - 1);
+    const Index index = Index(m_vertices.size() - 1);
+    try {
+      m_indices.insert(v->id(), index);
+    } catch (...) {
+      m_vertices.pop_back();
+      throw;
+    }
+    return index;
   }
 
   /// The index of v, which is to be at p, rounded. To be called before cells are planned.

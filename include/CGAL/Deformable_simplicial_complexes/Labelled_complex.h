@@ -46,7 +46,9 @@ Orders never depend on addresses: lists of simplices are ordered by time stamps,
 creation. Handles stay valid until their simplex is removed.
 
 Any number of threads may call const member functions of a complex at once, and propose changes to
-it, while none changes it.
+it, while none changes it. What a walk notes about vertices and cells is in tables of its thread, of
+4 to 8 bytes for each, which the thread makes when it first looks at a complex of that size and
+keeps until it ends: a thread for a single query of a star costs as much as a look at all cells.
 
 \tparam Derived the complex of some dimension that this is a part of
 \tparam Space_ simplices, predicates and measures of that dimension
@@ -161,8 +163,8 @@ public:
   }
   /// Number of finite cells. Constant time in the number of cells.
   size_type number_of_cells() const;
-  /// Ids of vertices, of the infinite one too, are below: the size of an array that is indexed by
-  /// them.
+  /// Where there are cells, ids of vertices, of the infinite one too, are below: the size of an
+  /// array that is indexed by them.
   size_type vertex_id_bound() const { return m_numbers.vertex_id_bound(); }
   /// Ids of cells, of infinite ones too, are below.
   size_type cell_id_bound() const { return m_numbers.cell_id_bound(); }

@@ -52,6 +52,11 @@ What is improved is the measure of the complex. In space, where dihedral angles 
                           space only}
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{number_of_threads}
+    \cgalParamDescription{threads to use if `aggressive`, where linked with TBB; the result does not
+                          depend on it}
+    \cgalParamType{`unsigned int`} \cgalParamDefault{1}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told of each change of the mesh}
     \cgalParamType{model of `DeformationVisitor_3`, by value or `std::reference_wrapper`}
@@ -64,7 +69,7 @@ What is improved is the measure of the complex. In space, where dihedral angles 
        then unchanged. An exception of the visitor leaves a valid complex.
 
 Some passes over the cells, then n log n in the number of cells below the threshold. Random numbers
-are drawn from a generator of its own, with a fixed seed.
+are drawn from generators of its own, with fixed seeds.
 */
 template <class Complex, class NamedParameters =
                              Deformable_simplicial_complexes::parameters::Default_named_parameters>
@@ -84,8 +89,11 @@ Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedP
                                 defaults::Number_of_iterations::over_mesh);
   const bool smooth_interface = internal::parameter_or(np, tags::smooth_interface, false);
 
-  return internal::improve_whole_mesh(dsc, {threshold, rounds, aggressive, smooth_interface},
-                                      visitor.any());
+  const unsigned number_of_threads = internal::count_parameter(
+      np, tags::number_of_threads, "number_of_threads", defaults::number_of_threads);
+
+  return internal::improve_whole_mesh(
+      dsc, {threshold, rounds, aggressive, smooth_interface, number_of_threads}, visitor.any());
 }
 
 } // namespace CGAL

@@ -8,6 +8,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Patch_improver.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -18,7 +19,7 @@ namespace internal {
 template <class Complex> class Patch_improver<Complex, 2>
 {
 public:
-  Patch_improver(Complex&, Any_visitor<Complex>&, double, unsigned) {}
+  Patch_improver(Complex&, Any_visitor<Complex>&, double, unsigned, const For_each_index&) {}
   void run() {}
   Improvement_report report() const { return {}; }
 };

@@ -28,9 +28,9 @@ template <class Entry> class Borrowed_table
 public:
   // An empty one, for ids below a bound.
   explicit Borrowed_table(std::size_t bound) {
-    if (std::vector<Table>& tables = tables_of_thread(); !tables.empty()) {
-      m_table = std::move(tables.back());
-      tables.pop_back();
+    if (!Tables::are_gone && !Tables::of_thread().empty()) {
+      m_table = std::move(Tables::of_thread().back());
+      Tables::of_thread().pop_back();
     }
     if (m_table.entries.size() < bound)
       m_table.entries.resize(bound);
@@ -42,8 +42,10 @@ public:
   Borrowed_table(const Borrowed_table&) = delete;
   Borrowed_table& operator=(const Borrowed_table&) = delete;
   ~Borrowed_table() {
+    if (Tables::are_gone)
+      return;
     try {
-      tables_of_thread().push_back(std::move(m_table));
+      Tables::of_thread().push_back(std::move(m_table));
     } catch (const std::exception&) { // there is no memory for it to be kept
     }
   }
@@ -59,10 +61,19 @@ private:
     std::uint32_t epoch = 0;
   };
 
-  static std::vector<Table>& tables_of_thread() {
-    static thread_local std::vector<Table> tables;
-    return tables;
-  }
+  // Those of a thread go when it ends, and objects with static lifetime may outlive them.
+  struct Tables
+  {
+    ~Tables() { are_gone = true; }
+
+    static std::vector<Table>& of_thread() {
+      static thread_local Tables tables;
+      return tables.list;
+    }
+
+    std::vector<Table> list;
+    static inline thread_local bool are_gone = false;
+  };
 
   Table m_table;
 };

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -45,18 +46,24 @@ public:
   }
 
   // Numbers components anew if they may have changed. The totals tell the unit of volumes, in which
-  // their sums are exact.
+  // their sums are exact. Nothing changes if there is no memory for it.
   template <class Complex> void update(const Complex& complex, const Label_totals& totals) {
     const std::lock_guard<std::mutex> lock(m_guard.mutex);
     if (m_is_known)
       return;
-    const std::vector<Component> before = std::move(m_components);
-    m_components.clear();
-    const std::vector<Origin> origins = number(complex, before, totals);
-    compare(before, origins, totals);
-    prolong_lineage(origins);
-    m_is_known = true;
-    count_known();
+    Numbering now = number(complex, totals);
+    std::vector<Component_event> events = compare(now, totals);
+    std::vector<Origin> lineage = prolonged_lineage(now.origins);
+    std::vector<Count> counts = counts_of(now.components);
+    m_events.reserve(m_events.size() + events.size());
+    // From here on nothing can fail.
+    for (auto c : complex.finite_cells())
+      c->set_component(now.of_cell[c->id()]);
+    std::move(events.begin(), events.end(), std::back_inserter(m_events));
+    m_components.swap(now.components);
+    m_lineage.swap(lineage);
+    m_counts.swap(counts);
+    m_is_known = m_is_counted = true;
   }
 
   // Forgets the past: the components of now are the first ones. \pre no cell has a number
@@ -123,6 +130,7 @@ public:
   // Whether the numbers and the volumes are those of now, if that is said to be known.
   template <class Complex> bool is_right(const Complex& complex, const Label_totals& totals) const {
     using Cell_handle = typename Complex::Cell_handle;
+    const std::lock_guard<std::mutex> lock(m_guard.mutex);
     if (!m_is_known)
       return true;
     std::vector<bool> is_found(m_components.size(), false);
@@ -165,7 +173,7 @@ private:
   }
 
   // \pre the origins are sorted
-  void prolong_lineage(const std::vector<Origin>& origins) {
+  std::vector<Origin> prolonged_lineage(const std::vector<Origin>& origins) const {
     std::vector<Origin> result;
     for (const auto& [then, before] : m_lineage)
       for (auto o = std::lower_bound(origins.begin(), origins.end(), Origin(before, 0));
@@ -173,7 +181,7 @@ private:
         result.emplace_back(then, o->second);
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
-    m_lineage.swap(result);
+    return result;
   }
 
   // Of what queries of several threads find out once. Copies have their own.
@@ -193,18 +201,19 @@ private:
 
   static bool is_below(const Count& count, int label) { return count.label < label; }
 
-  std::size_t& count_of(int label) const {
-    auto it = std::lower_bound(m_counts.begin(), m_counts.end(), label, is_below);
-    if (it == m_counts.end() || it->label != label)
-      it = m_counts.insert(it, {label, 0});
-    return it->number;
+  // The counts are sorted by label.
+  static void add_one(std::vector<Count>& counts, int label) {
+    auto it = std::lower_bound(counts.begin(), counts.end(), label, is_below);
+    if (it == counts.end() || it->label != label)
+      it = counts.insert(it, {label, 0});
+    ++it->number;
   }
 
-  void count_known() {
-    m_counts.clear();
-    for (const Component& component : m_components)
-      ++count_of(component.label);
-    m_is_counted = true;
+  static std::vector<Count> counts_of(const std::vector<Component>& components) {
+    std::vector<Count> result;
+    for (const Component& component : components)
+      add_one(result, component.label);
+    return result;
   }
 
   template <class Cell_handle>
@@ -230,25 +239,34 @@ private:
     for (typename Complex::Cell_handle seed : complex.finite_cells()) {
       if (marks.has(seed))
         continue;
-      ++count_of(seed->label());
+      add_one(m_counts, seed->label());
       for (add(seed, marks, seen); next < seen.size(); ++next)
         add_neighbors(complex, seen[next], marks, seen);
     }
     m_is_counted = true;
   }
 
+  // Components as they are now, in the order of their oldest cells.
+  struct Numbering
+  {
+    std::vector<Component> components;
+    std::vector<Number> of_cell; // by id
+    std::vector<Origin> origins; // sorted
+  };
+
   template <class Complex>
-  std::vector<Origin> number(const Complex& complex, const std::vector<Component>& before,
-                             const Label_totals& totals) {
+  Numbering number(const Complex& complex, const Label_totals& totals) const {
     using Cell_handle = typename Complex::Cell_handle;
-    // New numbers begin above the old ones; cells that were never numbered have number 0.
-    const Number first = (std::max)(Number(1), Number(before.size()));
-    std::vector<Origin> origins;
+    static constexpr Number none = Number(-1);
+    Numbering result;
+    std::vector<Number>& of_cell = result.of_cell;
+    of_cell.resize(complex.cell_id_bound(), none);
+    std::vector<Origin>& origins = result.origins;
     std::vector<Component> found; // in the order of the container, which changes where cells do
     std::vector<std::pair<std::size_t, Number>> oldest; // the time stamp of a cell of each
     std::vector<Cell_handle> front;
     for (Cell_handle seed : complex.finite_cells()) {
-      if (seed->component() >= first)
+      if (of_cell[seed->id()] != none)
         continue;
       const Number component = Number(found.size());
       oldest.emplace_back(seed->time_stamp(), component);
@@ -257,12 +275,12 @@ private:
         const Origin origin(c->component(), component);
         // A cell that changed its label without a neighbor to join comes from no component of it.
         const bool has_origin =
-            origin.first < before.size() && before[origin.first].label == c->label();
+            origin.first < m_components.size() && m_components[origin.first].label == c->label();
         if (has_origin && (origins.empty() || origins.back() != origin))
           origins.push_back(origin);
         oldest.back().first = (std::min)(oldest.back().first, c->time_stamp());
         volume += totals.units(complex.measure(c));
-        c->set_component(first + component);
+        of_cell[c->id()] = component;
         front.push_back(c);
       };
       visit(seed);
@@ -271,7 +289,7 @@ private:
         front.pop_back();
         for (int i = 0; i < Complex::corners; ++i) {
           const Cell_handle n = c->neighbor(i);
-          if (n->label() == c->label() && n->component() < first && !complex.is_infinite(n))
+          if (n->label() == c->label() && of_cell[n->id()] == none && !complex.is_infinite(n))
             visit(n);
         }
       }
@@ -280,27 +298,29 @@ private:
     std::sort(oldest.begin(), oldest.end());
     std::vector<Number> rank(found.size());
     for (const auto& [time_stamp, component] : oldest) {
-      rank[component] = Number(m_components.size());
-      m_components.push_back(found[component]);
+      rank[component] = Number(result.components.size());
+      result.components.push_back(found[component]);
     }
-    for (Cell_handle c : complex.finite_cells())
-      c->set_component(rank[c->component() - first]);
+    for (Number& component : of_cell)
+      component = component == none ? none : rank[component];
     for (Origin& origin : origins)
       origin.second = rank[origin.second];
     std::sort(origins.begin(), origins.end());
     origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
-    return origins;
+    return result;
   }
 
   // Events of the sets of components of then and now that are connected by origins.
-  void compare(const std::vector<Component>& before, const std::vector<Origin>& origins,
-               const Label_totals& totals) {
-    std::vector<std::vector<Number>> targets(before.size()), sources(m_components.size());
-    for (const Origin& origin : origins) {
+  std::vector<Component_event> compare(const Numbering& numbering,
+                                       const Label_totals& totals) const {
+    const std::vector<Component>&before = m_components, &now = numbering.components;
+    std::vector<Component_event> result;
+    std::vector<std::vector<Number>> targets(before.size()), sources(now.size());
+    for (const Origin& origin : numbering.origins) {
       targets[origin.first].push_back(origin.second);
       sources[origin.second].push_back(origin.first);
     }
-    std::vector<bool> is_seen_before(before.size()), is_seen_now(m_components.size());
+    std::vector<bool> is_seen_before(before.size()), is_seen_now(now.size());
     const auto part = [&](const std::vector<Component>& components, Number i) {
       return Component_event::Part{i, totals.volume_of(components[i].volume)};
     };
@@ -315,8 +335,8 @@ private:
       for (Number i : olds)
         event.before.push_back(part(before, i));
       for (Number i : news)
-        event.after.push_back(part(m_components, i));
-      m_events.push_back(std::move(event));
+        event.after.push_back(part(now, i));
+      result.push_back(std::move(event));
     };
     using Kind = Component_event::Kind;
     for (Number i = 0; i < before.size(); ++i) {
@@ -344,11 +364,12 @@ private:
         add_event(Kind::split, label);
     }
     olds.clear();
-    for (Number i = 0; i < m_components.size(); ++i)
+    for (Number i = 0; i < now.size(); ++i)
       if (!is_seen_now[i]) {
         news.assign(1, i);
-        add_event(Kind::appeared, m_components[i].label);
+        add_event(Kind::appeared, now[i].label);
       }
+    return result;
   }
 
   std::vector<Component> m_components; // by number

@@ -19,7 +19,7 @@ struct Mark
   std::uint32_t epoch = 0;
 };
 
-// Marked items, vertices or cells; none at first.
+// Marked items, vertices or cells; none at first. To be used as long as none is created or removed.
 class Marks
 {
 public:

@@ -21,7 +21,7 @@ struct Numbered
 };
 
 // Numbers that some vertices of a complex have: none at first, then those of their places in a
-// list. Several threads may ask for them. Vertices that are created later have none.
+// list. Several threads may ask for them. To be used as long as no vertex is created or removed.
 class Vertex_numbers
 {
 public:

@@ -450,7 +450,9 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
     return std::all_of(items.begin(), items.end(),
                        [&](auto item) { return item->id() < bound && seen.add(item); });
   };
-  if (!report(are_numbered(vertices(), vertex_id_bound()) &&
+  std::vector<Vertex_handle> all_vertices = vertices();
+  all_vertices.push_back(m_triangulation.infinite_vertex());
+  if (!report(are_numbered(all_vertices, vertex_id_bound()) &&
                   are_numbered(all_cells(), cell_id_bound()),
               "ids are too large or given twice", verbose))
     return false;

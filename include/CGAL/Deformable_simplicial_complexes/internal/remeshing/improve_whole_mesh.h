@@ -10,6 +10,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Patch_improver.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -20,6 +21,7 @@ struct Mesh_improvement_options
   double threshold;
   unsigned rounds;
   bool is_aggressive, smooths_interface;
+  unsigned number_of_threads;
 };
 
 // `improve_mesh()` with the parameters that it has read.
@@ -38,7 +40,8 @@ Improvement_report improve_whole_mesh(Complex& dsc, const Mesh_improvement_optio
   for (double t = first; t < part * threshold; t *= step)
     improver.improve_all(t, rounds, attempts);
   improver.improve_all(part * threshold, rounds, attempts);
-  Patch_improver<Complex> patch_improver(dsc, visitor, threshold, rounds);
+  const For_each_index for_each_index(options.number_of_threads);
+  Patch_improver<Complex> patch_improver(dsc, visitor, threshold, rounds, for_each_index);
   if (rounds > 0)
     patch_improver.run();
   improver.improve_all(threshold, rounds, 0);

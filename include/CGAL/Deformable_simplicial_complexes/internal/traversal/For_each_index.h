@@ -25,10 +25,13 @@ class For_each_index
 {
 public:
   explicit For_each_index(unsigned number_of_threads = 1)
-      : m_number_of_threads((std::min)(number_of_threads, maximum_number_of_threads)) {}
+      : m_number_of_threads(
+            (std::max)(1u, (std::min)(number_of_threads, maximum_number_of_threads))) {}
 
   For_each_index(const For_each_index&) = delete;
   For_each_index& operator=(const For_each_index&) = delete;
+
+  unsigned number_of_threads() const { return m_number_of_threads; }
 
   // Threads are used from `worthwhile` indices on: starting them costs about a thousand small
   // calls.
