@@ -25,7 +25,7 @@ std::size_t failing_allocation = 0; // by its number; 0 if none is to fail
 
 } // namespace
 
-void* operator new(std::size_t size) {
+[[gnu::noinline]] void* operator new(std::size_t size) {
   if (++number_of_allocations == failing_allocation)
     throw std::bad_alloc();
   if (void* memory = std::malloc(size))
@@ -33,8 +33,8 @@ void* operator new(std::size_t size) {
   throw std::bad_alloc();
 }
 
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 

@@ -280,11 +280,14 @@ TEST(Set_points, moves_vertices_together_that_could_not_move_alone) {
     points.push_back(
         dsc.admissible_destination(v, Point(2 * std::cbrt((p.x() + 1) / 2) - 1, p.y(), p.z())));
   }
-  const auto backwards = [](std::size_t n, const auto& function) {
+  std::vector<double> measures;
+  for (auto c : dsc.cells())
+    measures.push_back(dsc.measure(c));
+  const auto backwards = [](std::size_t n, const auto& function, std::size_t) {
     while (n > 0)
       function(--n);
   };
-  dsc.set_points(vertices, points, dsc.cells(), backwards);
+  dsc.set_points(vertices, points, dsc.cells(), measures, backwards);
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_NEAR(dsc.volume(0) + dsc.volume(1), 8, 1e-14);
   for (std::size_t i = 0; i < vertices.size(); ++i)

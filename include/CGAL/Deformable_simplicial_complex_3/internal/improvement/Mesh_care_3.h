@@ -65,17 +65,25 @@ public:
       const std::uint32_t number = numbers(v);
       return number != Vertex_numbers::none ? destinations[number] : now(v);
     };
-    const std::vector<Cell_handle> cells = star_union(m_complex, unfinished);
-    std::vector<std::array<bool, 4>> degenerates(cells.size()); // each facet
-    for_each_index(cells.size(), [&](std::size_t k) {
+    std::vector<Facet_item> facets;
+    const auto add_facets_of = [&](Cell_handle c) {
       for (int i = 0; i < 4; ++i)
-        degenerates[k][std::size_t(i)] =
-            is_interface_from(cells[k], i) && will_degenerate({cells[k], i}, now, final);
+        if (is_interface_from(c, i))
+          facets.push_back({c, c->time_stamp(), i});
+    };
+    if (are_many(m_complex, unfinished.size()))
+      for (Cell_handle c : m_complex.finite_cells())
+        add_facets_of(c);
+    else
+      for (Cell_handle c : stars_of(m_complex, unfinished))
+        add_facets_of(c);
+    std::vector<char> degenerates(facets.size());
+    for_each_index(facets.size(), [&](std::size_t k) {
+      degenerates[k] = will_degenerate({facets[k].cell, facets[k].index}, now, final);
     });
-    for (std::size_t k = 0; k < cells.size(); ++k)
-      for (int i = 0; i < 4; ++i)
-        if (degenerates[k][std::size_t(i)])
-          m_degenerating.push_back({cells[k], cells[k]->time_stamp(), i});
+    for (std::size_t k = 0; k < facets.size(); ++k)
+      if (degenerates[k])
+        m_degenerating.push_back(facets[k]);
     std::sort(m_degenerating.begin(), m_degenerating.end(),
               [](const Facet_item& a, const Facet_item& b) {
                 return std::tie(a.time_stamp, a.index) < std::tie(b.time_stamp, b.index);

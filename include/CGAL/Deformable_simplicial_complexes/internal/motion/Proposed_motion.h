@@ -52,15 +52,23 @@ public:
   // Where any vertex would be.
   Approximate_point position(Vertex_handle v) const { return m_complex.approximate(point_of(v)); }
 
-  // The cells that would not be positive.
+  // Of all cells, those that would not be positive. Measures all cells as they are, too: they are
+  // looked at but once.
+  std::vector<Cell_handle> all_bad_cells() {
+    std::vector<char> is_bad(m_cells.size());
+    m_measures.resize(m_cells.size());
+    m_for_each_index(m_cells.size(), [&](std::size_t i) {
+      is_bad[i] = !is_positive(m_cells[i]);
+      m_measures[i] = m_complex.measure(m_cells[i]);
+    });
+    return chosen(m_cells, is_bad);
+  }
+
+  // Of some cells, those that would not be positive.
   std::vector<Cell_handle> bad_cells(const std::vector<Cell_handle>& cells) const {
     std::vector<char> is_bad(cells.size());
     m_for_each_index(cells.size(), [&](std::size_t i) { is_bad[i] = !is_positive(cells[i]); });
-    std::vector<Cell_handle> result;
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      if (is_bad[i])
-        result.push_back(cells[i]);
-    return result;
+    return chosen(cells, is_bad);
   }
 
   // The finite cells around vertices, each once.
@@ -99,10 +107,21 @@ public:
     return worst;
   }
 
-  // \pre all cells would be positive
-  void commit() { m_complex.set_points(m_vertices, m_points, m_cells, m_for_each_index); }
+  // \pre all cells would be positive, and were measured
+  void commit() {
+    m_complex.set_points(m_vertices, m_points, m_cells, m_measures, m_for_each_index);
+  }
 
 private:
+  static std::vector<Cell_handle> chosen(const std::vector<Cell_handle>& cells,
+                                         const std::vector<char>& are_chosen) {
+    std::vector<Cell_handle> result;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (are_chosen[i])
+        result.push_back(cells[i]);
+    return result;
+  }
+
   bool is_positive(Cell_handle c) const {
     return m_complex.is_positive(c, [&](Vertex_handle v) -> const Point& { return point_of(v); });
   }
@@ -118,6 +137,7 @@ private:
   std::vector<Point> m_points;
   Vertex_numbers m_numbers;
   std::vector<Cell_handle> m_cells;
+  std::vector<double> m_measures; // of the cells, as they are
 };
 
 } // namespace internal

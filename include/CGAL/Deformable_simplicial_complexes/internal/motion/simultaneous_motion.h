@@ -113,7 +113,7 @@ move_simultaneously(Complex& complex, const std::vector<typename Complex::Vertex
                     const std::vector<typename Complex::Point>& targets,
                     const For_each_index& for_each_index) {
   Proposed_motion<Complex> motion(complex, vertices, targets, for_each_index);
-  auto bad = untangle(motion, motion.bad_cells(motion.cells()));
+  auto bad = untangle(motion, motion.all_bad_cells());
   Holding_back<Complex>(motion).run(std::move(bad));
   motion.commit();
   return motion.cells();

@@ -46,13 +46,17 @@ stars_of(const Complex& complex, const std::vector<typename Complex::Vertex_hand
   return result;
 }
 
-// The same in no particular order. Where many vertices are asked for, one pass over the cells is
-// cheaper than their stars.
+// Whether one pass over all cells is cheaper than the stars of some vertices.
+template <class Complex> bool are_many(const Complex& complex, std::size_t number_of_vertices) {
+  static constexpr std::size_t many = 8; // a star costs about as much as 8 cells of a pass each
+  return number_of_vertices * many > complex.number_of_vertices();
+}
+
+// The same in no particular order.
 template <class Complex>
 std::vector<typename Complex::Cell_handle>
 star_union(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices) {
-  static constexpr std::size_t many = 8; // a star costs about as much as 8 cells of a pass each
-  if (vertices.size() * many <= complex.number_of_vertices())
+  if (!are_many(complex, vertices.size()))
     return stars_of(complex, vertices);
   Marks around = vertex_marks(complex);
   for (auto v : vertices)
