@@ -37,11 +37,11 @@ measure_motion() {
     "incomplete steps" "unfinished vertices" "maximum" "angles outside 6–171°" \
     "volume start → out → back" "components" "sweeps per step, mean" "maximum"
   local mode
-  for mode in push rest; do
+  for mode in inwards curvature slow_curvature push rest; do
     begin_table "$results/$mode.md" input triangles tetrahedra "sweep (ms)" valid \
       "incomplete steps" "sweeps per step, mean" "maximum"
   done
-  for mode in rotation offset push rest; do
+  for mode in rotation offset inwards curvature slow_curvature push rest; do
     measure_one_motion eight "$meshes/eight.off"
     measure_one_motion two_spheres two_spheres
     measure_one_motion bunny00 "$meshes/bunny00.off" --triangles 13900
