@@ -46,6 +46,11 @@ inline CGAL::Bbox_3 bounding_box(const Complex& complex) {
   return box;
 }
 
+inline Point centre(const CGAL::Bbox_3& box) {
+  return CGAL::midpoint(Point(box.xmin(), box.ymin(), box.zmin()),
+                        Point(box.xmax(), box.ymax(), box.zmax()));
+}
+
 /// The exact orientation and the volume-length ratio of each cell, summed up to have a result.
 inline double sweep(const Complex& complex, const std::vector<Complex::Cell_handle>& cells) {
   const auto orientation = complex.geom_traits().orientation_3_object();

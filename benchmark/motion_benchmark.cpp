@@ -125,7 +125,6 @@ public:
                        {"smoothed", report.smoothed},
                        {"relabeled", report.relabeled},
                        {"tetrahedra", complex.number_of_cells()},
-                       {"interface_vertices", complex.interface_vertices().size()},
                        {"parts", parts(report.seconds)}});
     return m_steps.back();
   }
@@ -157,9 +156,7 @@ private:
 Json rotate(Complex& complex, Steps& steps, int number_of_steps) {
   const CGAL::Bbox_3 box = bounding_box(complex);
   const Initial_interface initial(complex);
-  const CGAL::Rigid_rotation_3 rotation(CGAL::midpoint(Point(box.xmin(), box.ymin(), box.zmin()),
-                                                       Point(box.xmax(), box.ymax(), box.zmax())),
-                                        Vector(0, 0, 1), 2 * degree);
+  const CGAL::Rigid_rotation_3 rotation(centre(box), Vector(0, 0, 1), 2 * degree);
   for (int i = 0; i < number_of_steps; ++i)
     steps.take(complex, rotation);
 
@@ -313,8 +310,8 @@ int run(const std::string& mode, const std::string& input, std::size_t triangles
 
 int main(int argc, char** argv) {
   CLI::App app("Rotates a surface by a whole turn, offsets it out and back, or inwards, shrinks it "
-               "by its mean "
-               "curvature, pushes a small part of it or moves nothing, and measures it.");
+               "by its mean curvature, pushes a small part of it or moves nothing, and measures "
+               "it.");
   std::string mode, input, json_path;
   std::size_t triangles = 0;
   int number_of_steps = 0;

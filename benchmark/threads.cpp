@@ -10,7 +10,6 @@
 
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/advect_interface_3.h>
-#include <CGAL/improve_mesh_3.h>
 #include <CGAL/interface_flows_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/mean_curvature_flow_3.h>
@@ -27,7 +26,6 @@
 #include <iostream>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace dsc_benchmark {
@@ -49,25 +47,20 @@ template <class Flow> Work steps_of(const Flow& flow, int number, double dt) {
 /// What is done to a complex, by its name.
 std::map<std::string, Work> works(const Complex& complex) {
   static constexpr int number_of_steps = 10;
-  const CGAL::Bbox_3 box = bounding_box(complex);
-  const Point centre((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
-                     (box.zmin() + box.zmax()) / 2);
   const double edge = complex.mean_interface_edge();
-  return {{"rotation", steps_of(CGAL::Rigid_rotation_3(centre, Vector(0, 0, 1), 2 * degree),
-                                number_of_steps, 1)},
-          {"offset", steps_of(CGAL::Normal_offset_3{edge / 4}, number_of_steps, 1)},
-          {"mean_curvature", steps_of(CGAL::Mean_curvature_flow_3(), number_of_steps, edge * edge)},
-          {"improvement", [](Complex& c, unsigned number_of_threads) {
-             CGAL::improve_mesh(c, parameters::number_of_threads(number_of_threads));
-           }}};
+  return {
+      {"rotation",
+       steps_of(CGAL::Rigid_rotation_3(centre(bounding_box(complex)), Vector(0, 0, 1), 2 * degree),
+                number_of_steps, 1)},
+      {"offset", steps_of(CGAL::Normal_offset_3{edge / 4}, number_of_steps, 1)},
+      {"mean_curvature", steps_of(CGAL::Mean_curvature_flow_3(), number_of_steps, edge * edge)}};
 }
 
 int run(const std::string& name, const std::string& input, std::size_t triangles,
         const std::vector<unsigned>& threads, int repetitions) {
-  const bool is_at_rest = name == "improvement";
   Complex initial = CGAL::make_deformable_simplicial_complex_3<Complex>(
       {read_input(input, triangles)}, CGAL::Tetgen_tetrahedralizer_3(),
-      parameters::normalize(true).improve(!is_at_rest));
+      parameters::normalize(true));
   initial.sort_storage();
   const Work work = works(initial).at(name);
 
@@ -114,7 +107,7 @@ int main(int argc, char** argv) {
   int repetitions = 5;
   app.add_option("work", work)
       ->required()
-      ->check(CLI::IsMember({"rotation", "offset", "mean_curvature", "improvement"}));
+      ->check(CLI::IsMember({"rotation", "offset", "mean_curvature"}));
   app.add_option("mesh", input, "a file, sphere, or two_spheres")->required();
   app.add_option("--triangles", triangles, "to which a finer surface is decimated");
   app.add_option("--threads", threads, "their numbers");

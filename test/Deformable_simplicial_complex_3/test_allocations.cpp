@@ -154,3 +154,33 @@ TEST(Allocations, commits_do_all_or_nothing_if_one_fails) {
   EXPECT_GT(failures, 0u);
   EXPECT_TRUE(dsc.is_valid(true));
 }
+
+TEST(Allocations, points_are_all_set_or_none_if_one_fails) {
+  Complex dsc = mesh_helpers::jittered_grid(3, small_meshes::two_boxes, .3, 1);
+  const auto vertices = dsc.vertices();
+  const auto cells = dsc.cells();
+  std::vector<Complex::Point_3> points;
+  for (auto v : vertices)
+    points.emplace_back(2 * v->point().x(), v->point().y(), v->point().z());
+  std::vector<double> measures;
+  for (auto c : cells)
+    measures.push_back(dsc.measure(c));
+  const double volume = dsc.volume(1);
+  const auto in_turn = [](std::size_t n, const auto& function) {
+    for (std::size_t i = 0; i < n; ++i)
+      function(i);
+  };
+  EXPECT_GT(fail_in_turn([&] {
+              try {
+                dsc.set_points(vertices, points, cells, measures, in_turn);
+              } catch (const std::bad_alloc&) {
+                failing_allocation = 0;
+                EXPECT_TRUE(dsc.is_valid(true));
+                EXPECT_EQ(dsc.volume(1), volume);
+                throw;
+              }
+            }),
+            0u);
+  EXPECT_TRUE(dsc.is_valid(true));
+  EXPECT_NEAR(dsc.volume(1), 2 * volume, 1e-12);
+}

@@ -476,6 +476,14 @@ Complex::State deformed(unsigned number_of_threads, bool restore = false) {
 
 } // namespace
 
+TEST(Deformation, tells_where_the_time_went) {
+  Complex dsc = mesh_helpers::jittered_grid(6, small_meshes::two_boxes, .3, 2);
+  const auto seconds = deform(dsc, swirl).seconds;
+  for (double part : {seconds.extension, seconds.motion, seconds.relabeling, seconds.obstacles,
+                      seconds.improvement, seconds.rest})
+    EXPECT_GT(part, 0);
+}
+
 TEST(Deformation, is_deterministic) { EXPECT_TRUE(deformed(1) == deformed(1)); }
 
 TEST(Deformation, does_not_depend_on_the_number_of_threads) {

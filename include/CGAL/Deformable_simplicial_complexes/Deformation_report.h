@@ -53,11 +53,6 @@ template <class Complex> struct Deformation_report
     double improvement = 0;  ///< of cells that have become bad
     double small_angles = 0; ///< removing them in the end
     double rest = 0;         ///< beginning and end
-
-    /// All of it.
-    double sum() const {
-      return extension + motion + relabeling + obstacles + improvement + small_angles + rest;
-    }
   };
 
   bool complete = true;                      ///< whether `unfinished` is empty

@@ -369,8 +369,8 @@ public:
   /// Puts vertices at points, rounded, all at once. \pre `cells` are all cells of the vertices'
   /// stars, each once, and the finite ones are positively oriented afterwards.
   /// \param measures what finite cells measure before, in the order of `cells`; see `measure()`.
-  /// \param for_each_index `for_each_index(n, f, m)` calls `f(i)` for all i below n, in any order and
-  ///        on any threads, on several only if n is at least m.
+  /// \param for_each_index `for_each_index(n, f)` calls `f(i)` for all i below n, in any order and on
+  ///        any threads.
   template <class ForEachIndex>
   void set_points(const std::vector<Vertex_handle>& vertices, const std::vector<Point>& points,
                   const std::vector<Cell_handle>& cells, const std::vector<double>& measures,
@@ -478,6 +478,7 @@ private:
   // Buffers whose memory is reused.
   std::vector<Cell_handle> m_star;
   std::vector<Half_facet> m_half_facets;
+  std::vector<std::int64_t> m_volume_changes;
 };
 
 } // namespace Deformable_simplicial_complexes

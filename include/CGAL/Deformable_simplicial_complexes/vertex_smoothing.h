@@ -10,7 +10,6 @@
 #include <CGAL/Origin.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 #include <vector>
 

@@ -55,11 +55,11 @@ public:
     std::vector<Component_event> events = compare(now, totals);
     std::vector<Origin> lineage = prolonged_lineage(now.origins);
     std::vector<Count> counts = counts_of(now.components);
-    m_events.reserve(m_events.size() + events.size());
+    m_events.insert(m_events.end(), std::make_move_iterator(events.begin()),
+                    std::make_move_iterator(events.end()));
     // From here on nothing can fail.
     for (auto c : complex.finite_cells())
       c->set_component(now.of_cell[c->id()]);
-    std::move(events.begin(), events.end(), std::back_inserter(m_events));
     m_components.swap(now.components);
     m_lineage.swap(lineage);
     m_counts.swap(counts);
@@ -145,7 +145,7 @@ public:
         return false;
       is_found[i] = true;
       std::int64_t volume = 0;
-      for (add(seed, marks, seen); next < seen.size(); ++next) {
+      for (marks.add(seed, seen); next < seen.size(); ++next) {
         const Cell_handle c = seen[next];
         volume += totals.units(complex.measure(c));
         if (c->component() != i)
@@ -216,19 +216,13 @@ private:
     return result;
   }
 
-  template <class Cell_handle>
-  static void add(Cell_handle c, Marks& marks, std::vector<Cell_handle>& seen) {
-    if (marks.add(c))
-      seen.push_back(c);
-  }
-
   // Those of the same component.
   template <class Complex>
   static void add_neighbors(const Complex& complex, typename Complex::Cell_handle c, Marks& marks,
                             std::vector<typename Complex::Cell_handle>& seen) {
     for (int i = 0; i < Complex::corners; ++i)
       if (c->neighbor(i)->label() == c->label() && !complex.is_infinite(c->neighbor(i)))
-        add(c->neighbor(i), marks, seen);
+        marks.add(c->neighbor(i), seen);
   }
 
   template <class Complex> void count(const Complex& complex) const {
@@ -240,7 +234,7 @@ private:
       if (marks.has(seed))
         continue;
       add_one(m_counts, seed->label());
-      for (add(seed, marks, seen); next < seen.size(); ++next)
+      for (marks.add(seed, seen); next < seen.size(); ++next)
         add_neighbors(complex, seen[next], marks, seen);
     }
     m_is_counted = true;

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -37,6 +38,12 @@ public:
       return false;
     epoch = m_table.epoch();
     return true;
+  }
+
+  // An item that had no mark comes into the list.
+  template <class Handle> void add(Handle item, std::vector<Handle>& items) {
+    if (add(item))
+      items.push_back(item);
   }
 
   template <class Handle> void remove(Handle item) { m_table[item->id()].epoch = 0; }

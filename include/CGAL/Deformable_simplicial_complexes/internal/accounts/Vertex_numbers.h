@@ -7,7 +7,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Borrowed_table.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

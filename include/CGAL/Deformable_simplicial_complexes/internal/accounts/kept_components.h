@@ -27,11 +27,7 @@ bool are_connected_nearby(const Complex& complex,
   using Cell_handle = typename Complex::Cell_handle;
   std::vector<Cell_handle> reached;
   Marks marks = cell_marks(complex);
-  const auto add = [&](Cell_handle c) {
-    if (marks.add(c))
-      reached.push_back(c);
-  };
-  add(cells.front());
+  marks.add(cells.front(), reached);
   std::size_t connected = 0; // of the cells, the first ones
   for (std::size_t k = 0; k < reached.size(); ++k) {
     while (connected < cells.size() && marks.has(cells[connected]))
@@ -45,7 +41,7 @@ bool are_connected_nearby(const Complex& complex,
         is_in_reach = is_near(n->vertex(j));
       if (is_in_reach && n != avoided && n->label() == cells.front()->label() &&
           !complex.is_infinite(n))
-        add(n);
+        marks.add(n, reached);
     }
   }
   return false;

@@ -47,7 +47,8 @@ private:
 /*
 Numbers the items of a complex: by creation, with time stamps, which no two items ever share; and
 densely, with ids, by which arrays beside the complex are indexed. Orders come from time stamps:
-what has an id depends on what was there before.
+what has an id depends on what was there before. CGAL gives time stamps, too; but CGAL 6 gives what
+is created in place of an item the one of that again.
 */
 class Item_numbers
 {

@@ -140,47 +140,23 @@ void CGAL_DSC_CLASS::set_points(const std::vector<Vertex_handle>& vertices,
                                 const std::vector<Cell_handle>& cells,
                                 const std::vector<double>& measures,
                                 const ForEachIndex& for_each_index) {
-  static constexpr size_type block_size = 512; // cells: enough work for a thread
-  static constexpr size_type worthwhile = 4;   // blocks
-  // Of a block: changes of volumes, one for each run of cells of a component, and cells of another
-  // shape.
-  struct Changes
-  {
-    std::vector<std::pair<Cell_handle, std::int64_t>> volumes;
-    std::vector<Cell_handle> shapes;
-  };
+  m_volume_changes.resize(cells.size());
+  // From here on nothing can fail.
   ++m_version;
   for (size_type i = 0; i < vertices.size(); ++i)
     vertices[i]->set_point(rounded(points[i]));
-  std::vector<Changes> blocks((cells.size() + block_size - 1) / block_size);
-  for_each_index(
-      blocks.size(),
-      [&](size_type block) {
-        auto& [volumes, shapes] = blocks[block];
-        const size_type end = (std::min)(block_size * (block + 1), cells.size());
-        for (size_type i = block_size * block; i < end; ++i) {
-          const Cell_handle c = cells[i];
-          if (is_infinite(c))
-            continue;
-          CGAL_assertion(is_positive(c));
-          const std::int64_t change = m_totals.units(measure(c)) - m_totals.units(measures[i]);
-          if (volumes.empty() || volumes.back().first->label() != c->label() ||
-              volumes.back().first->component() != c->component())
-            volumes.emplace_back(c, change);
-          else
-            volumes.back().second += change;
-          c->set_quality(cell_quality(c));
-          if (internal::note_shape(c))
-            shapes.push_back(c);
-        }
-      },
-      worthwhile);
-  for (const Changes& block : blocks) {
-    for (const auto& [c, change] : block.volumes)
-      add_volume(c, change);
-    for (Cell_handle c : block.shapes)
-      forget_failures(c);
-  }
+  for_each_index(cells.size(), [&](size_type i) {
+    if (is_infinite(cells[i]))
+      return;
+    CGAL_assertion(is_positive(cells[i]));
+    m_volume_changes[i] = m_totals.units(measure(cells[i])) - m_totals.units(measures[i]);
+    cells[i]->set_quality(cell_quality(cells[i]));
+  });
+  for (size_type i = 0; i < cells.size(); ++i)
+    if (!is_infinite(cells[i])) {
+      add_volume(cells[i], m_volume_changes[i]);
+      note_motion(cells[i]);
+    }
 }
 
 CGAL_DSC_TEMPLATE

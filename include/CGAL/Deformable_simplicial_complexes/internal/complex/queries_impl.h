@@ -53,16 +53,12 @@ CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::star(Vertex_handle v, std::vector<Cell_handle>& star) const {
   star.clear();
   internal::Marks marks(cell_id_bound());
-  const auto add = [&](Cell_handle c) {
-    if (marks.add(c))
-      star.push_back(c);
-  };
-  add(v->cell());
+  marks.add(v->cell(), star);
   for (size_type i = 0; i < star.size(); ++i) {
     const Cell_handle c = star[i];
     for (int j = 0; j < corners; ++j)
       if (c->vertex(j) != v)
-        add(c->neighbor(j));
+        marks.add(c->neighbor(j), star);
   }
 }
 

@@ -445,16 +445,13 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
   if (!report(is_sewn(verbose), "invalid data structure", verbose))
     return false;
 
-  const auto are_numbered = [](const auto& items, size_type bound) {
-    internal::Marks seen(bound);
-    return std::all_of(items.begin(), items.end(),
-                       [&](auto item) { return item->id() < bound && seen.add(item); });
-  };
-  std::vector<Vertex_handle> all_vertices = vertices();
-  all_vertices.push_back(m_triangulation.infinite_vertex());
-  if (!report(are_numbered(all_vertices, vertex_id_bound()) &&
-                  are_numbered(all_cells(), cell_id_bound()),
-              "ids are too large or given twice", verbose))
+  internal::Marks seen_vertices(vertex_id_bound()), seen_cells(cell_id_bound());
+  bool are_numbered = seen_vertices.add(m_triangulation.infinite_vertex());
+  for (Vertex_handle v : finite_vertices())
+    are_numbered = are_numbered && v->id() < vertex_id_bound() && seen_vertices.add(v);
+  for (Cell_handle c : Space::all_cells(m_triangulation))
+    are_numbered = are_numbered && c->id() < cell_id_bound() && seen_cells.add(c);
+  if (!report(are_numbered, "ids are too large or given twice", verbose))
     return false;
 
   auto totals = m_totals;

@@ -10,7 +10,6 @@
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -26,8 +25,7 @@ vertices_of(const Complex& complex, const std::vector<typename Complex::Cell_han
   Marks seen = vertex_marks(complex);
   for (auto c : cells)
     for (int i = 0; i < Complex::corners; ++i)
-      if (seen.add(c->vertex(i)))
-        result.push_back(c->vertex(i));
+      seen.add(c->vertex(i), result);
   return result;
 }
 
@@ -40,8 +38,8 @@ stars_of(const Complex& complex, const std::vector<typename Complex::Vertex_hand
   for (auto v : vertices) {
     complex.star(v, star);
     for (auto c : star)
-      if (!complex.is_infinite(c) && seen.add(c))
-        result.push_back(c);
+      if (!complex.is_infinite(c))
+        seen.add(c, result);
   }
   return result;
 }
