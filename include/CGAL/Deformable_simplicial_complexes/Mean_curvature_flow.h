@@ -56,8 +56,8 @@ public:
   };
 
   Tensions(const Interface_snapshot<Complex>& interface_, const std::vector<Point>& positions)
-      : m_shares(positions.size(), 0), m_masses(positions.size(), Matrix::Zero()) {
-    const std::vector<char> junctions = vertices_on_junctions(interface_);
+      : m_are_junctions(vertices_on_junctions(interface_)), m_shares(positions.size(), 0),
+        m_masses(positions.size(), Matrix::Zero()) {
     for (const auto& facet : interface_.facets()) {
       const auto& v = facet.vertices;
       std::array<Point, d> corners;
@@ -71,23 +71,26 @@ public:
       const Vector normal = vector(Complex::Space::facet_normal(corners)).normalized();
       for (int i = 0; i < d; ++i) {
         m_shares[v[i]] += tension.shares[i];
-        if (junctions[v[i]])
+        if (is_junction(v[i]))
           m_masses[v[i]] += tension.shares[i] * normal * normal.transpose();
       }
     }
     for (std::size_t v = 0; v < positions.size(); ++v)
-      if (!junctions[v])
+      if (!is_junction(v))
         m_masses[v] = m_shares[v] * Matrix::Identity();
       else if (m_shares[v] > 0)
         complete(m_masses[v], m_shares[v]);
-    m_has_junctions = std::find(junctions.begin(), junctions.end(), true) != junctions.end();
   }
 
   const std::vector<Pull>& pulls() const { return m_pulls; }
   // What a vertex has to move; not zero if `share()` is not.
   const Matrix& mass(std::size_t v) const { return m_masses[v]; }
   double share(std::size_t v) const { return m_shares[v]; }
-  bool has_junctions() const { return m_has_junctions; }
+  // Whether more than two labels meet at a vertex, so that its mass ties the axes to each other.
+  bool is_junction(std::size_t v) const { return m_are_junctions[v]; }
+  bool has_junctions() const {
+    return std::find(m_are_junctions.begin(), m_are_junctions.end(), true) != m_are_junctions.end();
+  }
 
 private:
   template <class V> static Vector vector(const V& v) {
@@ -105,10 +108,10 @@ private:
     mass = solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
   }
 
+  std::vector<char> m_are_junctions;
   std::vector<Pull> m_pulls;
   std::vector<double> m_shares;
   std::vector<Matrix> m_masses;
-  bool m_has_junctions;
 };
 
 } // namespace internal
@@ -191,9 +194,10 @@ public:
     destinations.clear();
     if (positions.empty())
       return;
-    const auto whole = implicit_step(interface_, positions, dt);
-    const auto half = implicit_step(interface_, positions, dt / 2);
-    destinations = implicit_step(interface_, half, dt / 2);
+    System<Complex> system(interface_);
+    const auto whole = implicit_step(system, interface_, positions, dt);
+    const auto half = implicit_step(system, interface_, positions, dt / 2);
+    destinations = implicit_step(system, interface_, half, dt / 2);
     for (std::size_t i = 0; i < destinations.size(); ++i)
       destinations[i] = destinations[i] + (destinations[i] - whole[i]);
     if (m_preserves_volumes) {
@@ -203,11 +207,13 @@ public:
   }
 
 private:
+  template <class Complex> class System;
+
   // One step of backward Euler with the weights of its beginning. Vertices on sides of the domain
   // stay on them.
   template <class Complex>
   std::vector<typename Complex::Approximate_point>
-  implicit_step(const Interface_snapshot<Complex>& interface_,
+  implicit_step(System<Complex>& system, const Interface_snapshot<Complex>& interface_,
                 const std::vector<typename Complex::Approximate_point>& positions,
                 double dt) const {
     static constexpr int d = Complex::dimension;
@@ -224,10 +230,10 @@ private:
     // Junctions tie the axes to each other; without them, they are solved for one by one.
     const int together = tensions.has_junctions() ? d : 1;
     std::vector<std::array<double, d>> ways(positions.size());
-    System<Complex> system;
+    system.set(tensions, dt);
     for (int axis = 0; axis < d; axis += together) {
-      system.assemble(interface_, tensions, dt, axis, axis + together);
-      system.for_each_solved(system.pulls(tensions),
+      system.assemble(axis, axis + together);
+      system.for_each_solved(system.pulls(),
                              [&](std::size_t v, int along, double x) { ways[v][along] = x; });
       for (Eigen::Index label = 0; label < Eigen::Index(labels.size()); ++label)
         system.for_each_solved(
@@ -248,30 +254,41 @@ private:
     return result;
   }
 
-  // The linear system of some axes: a row for each of them and each vertex.
+  // The linear systems of the steps of an interface: each of some axes, with a row for each of them
+  // and each vertex. Steps differ in their numbers only, so that rows need to be ordered again only
+  // where others are fixed.
   template <class Complex> class System
   {
   public:
     using Tensions = internal::Tensions<Complex>;
 
-    void assemble(const Interface_snapshot<Complex>& interface_, const Tensions& tensions,
-                  double dt, int first_axis, int last_axis) {
-      const std::vector<char> was_fixed = std::move(m_is_fixed);
+    explicit System(const Interface_snapshot<Complex>& interface_)
+        : m_interface(interface_), m_size(interface_.vertices.size()) {}
+
+    // Another step, whose tensions stay as long as it is worked on.
+    void set(const Tensions& tensions, double dt) {
+      m_tensions = &tensions;
       m_dt = dt;
-      m_size = interface_.vertices.size();
-      m_first_axis = first_axis;
-      m_last_axis = last_axis;
-      m_is_fixed.clear();
-      for (int axis = first_axis; axis < last_axis; ++axis)
-        for (const auto& v : interface_.vertices)
-          m_is_fixed.push_back(Boundary_class::fixes(v->boundary_class(), axis));
-      if (m_is_fixed != was_fixed)
-        factorize(tensions);
+      m_is_factorized = false;
     }
 
-    Eigen::VectorXd pulls(const Tensions& tensions) const {
+    void assemble(int first_axis, int last_axis) {
+      m_first_axis = first_axis;
+      m_last_axis = last_axis;
+      std::vector<char> is_fixed;
+      for (int axis = first_axis; axis < last_axis; ++axis)
+        for (const auto& v : m_interface.vertices)
+          is_fixed.push_back(Boundary_class::fixes(v->boundary_class(), axis));
+      const bool has_other_rows = is_fixed != m_is_fixed;
+      m_is_fixed.swap(is_fixed);
+      if (has_other_rows || !m_is_factorized)
+        factorize(has_other_rows);
+      m_is_factorized = true;
+    }
+
+    Eigen::VectorXd pulls() const {
       Eigen::VectorXd right = zero();
-      for (const auto& pull : tensions.pulls())
+      for (const auto& pull : m_tensions->pulls())
         for (int axis = m_first_axis; axis < m_last_axis; ++axis) {
           right(row(pull.from, axis)) += m_dt * pull.weight * pull.way[axis];
           right(row(pull.to, axis)) -= m_dt * pull.weight * pull.way[axis];
@@ -307,14 +324,14 @@ private:
     }
 
     // Rows of fixed vertices are those of the identity.
-    void factorize(const Tensions& tensions) {
+    void factorize(bool has_other_rows) {
       std::vector<Eigen::Triplet<double>> entries; // of the lower triangle
       const auto add = [&](Eigen::Index i, Eigen::Index j, double x) {
-        if (i >= j && x != 0 && !m_is_fixed[std::size_t(i)] && !m_is_fixed[std::size_t(j)])
+        if (i >= j && !m_is_fixed[std::size_t(i)] && !m_is_fixed[std::size_t(j)])
           entries.emplace_back(i, j, x);
       };
       for (int axis = m_first_axis; axis < m_last_axis; ++axis) {
-        for (const auto& pull : tensions.pulls()) {
+        for (const auto& pull : m_tensions->pulls()) {
           const Eigen::Index a = row(pull.from, axis), b = row(pull.to, axis);
           add(a, a, m_dt * pull.weight);
           add(b, b, m_dt * pull.weight);
@@ -322,7 +339,8 @@ private:
         }
         for (std::size_t v = 0; v < m_size; ++v)
           for (int other = m_first_axis; other <= axis; ++other)
-            add(row(v, axis), row(v, other), tensions.mass(v)(axis, other));
+            if (other == axis || m_tensions->is_junction(v))
+              add(row(v, axis), row(v, other), m_tensions->mass(v)(axis, other));
       }
       for (std::size_t i = 0; i < m_is_fixed.size(); ++i)
         if (m_is_fixed[i])
@@ -330,17 +348,22 @@ private:
       Eigen::SparseMatrix<double> matrix(Eigen::Index(m_is_fixed.size()),
                                          Eigen::Index(m_is_fixed.size()));
       matrix.setFromTriplets(entries.begin(), entries.end());
-      m_solver.compute(matrix);
+      if (has_other_rows)
+        m_solver.analyzePattern(matrix);
+      m_solver.factorize(matrix);
       if (m_solver.info() != Eigen::Success)
         throw Error(
             "the step of mean curvature flow cannot be solved for: a vertex has only facets "
             "without area; improve the interface, or take shorter steps");
     }
 
-    double m_dt;
+    const Interface_snapshot<Complex>& m_interface;
     std::size_t m_size;
-    int m_first_axis, m_last_axis;
+    const Tensions* m_tensions = nullptr;
+    double m_dt = 0;
+    int m_first_axis = 0, m_last_axis = 0;
     std::vector<char> m_is_fixed; // by row
+    bool m_is_factorized = false;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_solver;
   };
 
