@@ -149,10 +149,11 @@ TEST(Plane, a_flat_cell_has_no_say_in_the_motion_of_space) {
     if (!complex.is_boundary(v))
       free.push_back(v);
   namespace internal = CGAL::Deformable_simplicial_complexes::internal;
+  const internal::For_each_index for_each_index;
   const internal::Harmonic_extension<Complex> extension(
-      complex, free, [](Complex::Vertex_handle) { return Complex::Approximate_vector_2(1, 0); });
-  const auto motion = extension.solve(internal::For_each_index());
-  for (const auto& d : motion)
+      complex, free, [](Complex::Vertex_handle) { return Complex::Approximate_vector_2(1, 0); },
+      for_each_index);
+  for (const auto& d : extension.solve())
     EXPECT_NEAR(d.x(), 1, .1);
 }
 
@@ -174,6 +175,9 @@ TEST(Plane, linear_elements_reproduce_linear_fields) {
       for (int j = 0; j < 3; ++j)
         EXPECT_NEAR(element.stiffness(i, j),
                     element.measure() * (element.gradient(i) * element.gradient(j)), 1e-12);
+      const auto evened = element.evened_stiffness(i);
+      for (int j = 0; j < 3; ++j)
+        EXPECT_NEAR(evened[j] * element.measure(), element.stiffness(i, j), 1e-9);
     }
     EXPECT_NEAR(gradient.x(), 3, 1e-10);
     EXPECT_NEAR(gradient.y(), -2, 1e-10);

@@ -310,11 +310,18 @@ TEST(Topology_events, tell_of_what_splits_and_vanishes) {
   run([&](const Position& p) {
     return std::abs(p.x()) < .2 ? shortened(Vector(0, -p.y(), -p.z())) : Vector(0, 0, 0);
   });
-  ASSERT_EQ(events.size(), 1u);
-  EXPECT_EQ(events[0].kind, CGAL::Component_event::Kind::split);
-  EXPECT_EQ(events[0].before.size(), 1u);
-  EXPECT_EQ(events[0].after.size(), 2u);
-  EXPECT_LT(std::abs(events[0].where.x()), .3);
+  // While cells of the neck are relabeled one after the other, its ends may meet again.
+  ASSERT_FALSE(events.empty());
+  EXPECT_LE(events.size(), 3u);
+  std::size_t components = 1;
+  for (const auto& event : events) {
+    EXPECT_EQ(event.before.size(), components);
+    components = event.after.size();
+    EXPECT_EQ(event.kind, components == 2 ? CGAL::Component_event::Kind::split
+                                          : CGAL::Component_event::Kind::merged);
+    EXPECT_LT(std::abs(event.where.x()), .3);
+  }
+  EXPECT_EQ(components, 2u);
   events.clear();
 
   run([&](const Position& p) {

@@ -57,7 +57,6 @@ public:
   void improve(Cells cells) {
     static constexpr unsigned rounds = 3;
     m_improver.improve(std::move(cells), rounds);
-    m_improver.settle();
   }
 
   // Where walls that end in moved vertices are short beside the edges around.

@@ -110,7 +110,6 @@ public:
   void improve(Cells cells) {
     static constexpr unsigned rounds = 3;
     m_improver.improve(std::move(cells), rounds);
-    m_improver.settle();
   }
 
   template <class Log> void exchange_neighbors(const std::vector<Vertex_handle>&, Log&) {}

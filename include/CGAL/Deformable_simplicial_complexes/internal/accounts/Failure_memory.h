@@ -13,11 +13,11 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Cells that were tried in vain are not tried again before motion gives another shape to them or to
-// a neighbor, or a label changes there: not in a rigid motion. Nor after operations on cells next
-// to them, as what is good for one is often bad for another, and there would be no end to it; but
-// cells that operations make are new, and at rest smoothing that changes a shape makes it worth
-// trying.
+// Cells that were tried in vain, or that smoothing made but little better, are not tried again
+// before motion gives another shape to them or to a neighbor, or a label changes there: not in a
+// rigid motion. Nor after operations on cells next to them, as what is good for one is often bad
+// for another, and there would be no end to it; but cells that operations make are new, and at rest
+// smoothing that changes a shape makes it worth trying.
 
 // The algorithms that remember their failures, each by itself.
 enum Attempt : std::uint8_t { to_improve_quality = 1, to_remove_small_angles = 2 };

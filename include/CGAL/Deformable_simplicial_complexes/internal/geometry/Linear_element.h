@@ -43,15 +43,20 @@ public:
     return m_frame.normals[i] * m_frame.normals[j] / (factorial * m_frame.parallelotope);
   }
 
-  // Inverse to the measure, so that cells of all sizes count alike. Limited for those that are
-  // flat, so that none rules the others, and 0 if it is up to rounding only that they are not.
-  double conductivity() const {
+  // What the stiffness of a corner with each is times a conductivity that is inverse to the
+  // measure, so that cells of all sizes count alike. That is limited for cells that are flat, so
+  // that none rules the others, and 0 if it is up to rounding only that they are not.
+  std::array<double, d + 1> evened_stiffness(int corner) const {
     static constexpr double flattest = 5e-4, rounding = 1e-15; // of a round cell
+    std::array<double, d + 1> result = {};
     const double round = extent();
     if (!(measure() > rounding * round))
-      return 0;
-    const double limited = (std::max)(measure(), flattest * round);
-    return measure() / (limited * limited);
+      return result;
+    const double limited = factorial * (std::max)(measure(), flattest * round);
+    const double factor = 1 / (limited * limited);
+    for (int j = 0; j <= d; ++j)
+      result[j] = factor * (m_frame.normals[corner] * m_frame.normals[j]);
+    return result;
   }
 
   // The integral of the function that is 1 at a corner: the part of the mass that a vertex carries.

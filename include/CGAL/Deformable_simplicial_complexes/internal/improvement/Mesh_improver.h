@@ -86,7 +86,8 @@ public:
     }
   }
 
-  // Improves the cells below the threshold, then those that arose from them, and so on.
+  // Improves the cells below the threshold, then those that arose from them, and so on. Cells that
+  // smoothing made but little better count as tried in vain: more of it is not worth it.
   void improve(Cells cells, unsigned rounds) {
     work_in_rounds(m_complex, std::move(cells), rounds, [&](Cell_handle c, Cells& touched) {
       const double before = c->quality();
@@ -96,19 +97,9 @@ public:
       if (!is_smoothed &&
           (collapse(c, touched) || split(c, touched) || (m_is_thorough && insert(c, touched))))
         return;
-      if (!is_smoothed)
+      if (!is_smoothed || !is_essential_change(before, c->quality()))
         set_exhausted(c, to_improve_quality);
-      else if (!is_essential_change(before, c->quality()))
-        m_settled.push(c);
     });
-  }
-
-  // Cells that smoothing made but little better count as tried in vain: more of it is not worth it.
-  void settle() {
-    for (const auto& item : m_settled)
-      if (m_complex.is_alive(item.cell, item.time_stamp))
-        set_exhausted(item.cell, to_improve_quality);
-    m_settled.clear();
   }
 
   // Whether the cell is below the threshold and was not tried in vain.
@@ -138,8 +129,11 @@ public:
         m_qualities.push_back(d->quality());
       smooth_vertex(m_complex, v, m_star, target, m_visitor);
       ++m_report.smoothed;
+      // Only a cell that got another shape is worth a try.
       for (std::size_t k = 0; k < m_star.size(); ++k) {
-        if (m_is_at_rest && is_essential_change(m_qualities[k], m_star[k]->quality()))
+        if (!is_essential_change(m_qualities[k], m_star[k]->quality()))
+          continue;
+        if (m_is_at_rest)
           clear_exhausted(m_star[k], to_improve_quality);
         touch(m_star[k], touched);
       }
@@ -309,7 +303,6 @@ protected:
   double m_threshold;
   bool m_is_thorough, m_smooths_interface, m_is_at_rest = false;
   Cavity<Complex> m_cavity;
-  Cells m_settled;
   std::vector<Cell_handle> m_star;
   std::vector<double> m_qualities; // of its cells
   Improvement_report m_report;

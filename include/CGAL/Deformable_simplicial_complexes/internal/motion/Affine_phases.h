@@ -9,7 +9,6 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -26,34 +25,30 @@ template <int d> class Affine_phases
 public:
   using Vector = Eigen::Matrix<double, d, 1>;
 
-  // A cell with a free vertex. Vertices have numbers, the free ones come first.
-  struct Cell
-  {
-    std::array<std::uint32_t, d + 1> vertices;
-    std::uint32_t phase; // a number, too
-  };
+  // The number of a phase, and that of a vertex around it that is not free.
+  using Around = std::pair<std::uint32_t, std::uint32_t>;
 
-  // The vertices of these cells: where they are, how those that are not free move, and which hold
-  // their phases: free ones that cannot go everywhere, others that are not on the interface.
+  // Free vertices, and then those around them: where they are, how those that are not free move,
+  // and which hold their phases: free ones that cannot go everywhere, others that are not on the
+  // interface.
   struct Vertices
   {
     std::vector<Vector> positions, known;
     std::vector<char> are_held;
   };
 
-  Affine_phases(std::size_t number_of_phases, const std::vector<Cell>& cells,
-                const Vertices& vertices)
-      : m_vertices(vertices), m_number_of_free(vertices.positions.size() - vertices.known.size()),
-        m_phases(number_of_phases) {
-    for (const Cell& c : cells) {
-      Phase& phase = m_phases[c.phase];
-      for (std::uint32_t v : c.vertices) {
-        phase.is_held = phase.is_held || vertices.are_held[v];
-        if (v >= m_number_of_free)
-          phase.longest = (std::max)(phase.longest, known(v).squaredNorm());
-      }
+  // A vertex around a phase may come more than once, and counts for more.
+  Affine_phases(std::size_t number_of_phases, const std::vector<std::uint32_t>& phase_of_free,
+                const std::vector<Around>& around, const Vertices& vertices)
+      : m_vertices(vertices), m_number_of_free(phase_of_free.size()), m_phases(number_of_phases) {
+    for (std::size_t i = 0; i < phase_of_free.size(); ++i)
+      if (vertices.are_held[i])
+        m_phases[phase_of_free[i]].is_held = true;
+    for (const auto& [i, v] : around) {
+      m_phases[i].is_held = m_phases[i].is_held || vertices.are_held[v];
+      m_phases[i].longest = (std::max)(m_phases[i].longest, known(v).squaredNorm());
     }
-    find_motions(cells);
+    find_motions(around);
   }
 
   // The motion of a phase at a vertex.
@@ -84,25 +79,8 @@ private:
   const Vector& position(std::uint32_t v) const { return m_vertices.positions[v]; }
   const Vector& known(std::uint32_t v) const { return m_vertices.known[v - m_number_of_free]; }
 
-  // The vertices around phases that have a motion, each with the number of a phase. Some may come
-  // more than once, and count for more.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>>
-  surroundings(const std::vector<Cell>& cells) const {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> result;
-    std::vector<std::uint32_t> last_phase(m_vertices.known.size(), std::uint32_t(-1));
-    for (const Cell& c : cells)
-      if (m_phases[c.phase].has_motion())
-        for (std::uint32_t v : c.vertices)
-          if (v >= m_number_of_free && last_phase[v - m_number_of_free] != c.phase) {
-            last_phase[v - m_number_of_free] = c.phase;
-            result.emplace_back(c.phase, v);
-          }
-    return result;
-  }
-
   // By least squares.
-  void find_motions(const std::vector<Cell>& cells) {
-    const auto around = surroundings(cells);
+  void find_motions(const std::vector<Around>& around) {
     for (const auto& [i, v] : around) {
       m_phases[i].weight += 1;
       m_phases[i].center += position(v);

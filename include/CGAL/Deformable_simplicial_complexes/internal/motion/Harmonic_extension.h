@@ -7,17 +7,14 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Vertex_numbers.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/Linear_element.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Affine_phases.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Conjugate_gradients.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Row_blocks.h>
 
-#include <CGAL/Origin.h>
-
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCore>
+#include <Eigen/Core>
 
 #include <boost/container/flat_map.hpp>
 
@@ -25,23 +22,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
-
-// Makes unknowns of a linear system zero, which keeps it symmetric.
-template <class Matrix, class Vector, class IsHeld>
-void hold(Matrix& matrix, Vector& right, const IsHeld& is_held) {
-  for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
-    if (is_held(row))
-      right[row] = 0;
-    for (typename Matrix::InnerIterator entry(matrix, row); entry; ++entry)
-      if (entry.col() != row && (is_held(row) || is_held(entry.col())))
-        entry.valueRef() = 0;
-  }
-}
 
 /*
 Extends displacements from the interface into the space around: each component solves the Laplace
@@ -61,36 +47,33 @@ public:
   // the others next to them, and is asked once for each.
   template <class Known>
   Harmonic_extension(const Complex& complex, const std::vector<Vertex_handle>& free,
-                     const Known& displacement)
-      : m_complex(complex), m_free(free) {
-    const std::vector<Vertex_handle> vertices = number_cells();
+                     const Known& displacement, const For_each_index& for_each_index)
+      : m_complex(complex), m_free(free), m_for_each_index(for_each_index), m_labels(free.size()),
+        m_neighbors(free.size(), neighbors(), for_each_index), m_numbers(complex, free) {
+    number_phases();
+    const std::vector<Vertex_handle> vertices = number_vertices();
     for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const Vertex_handle v = vertices[i];
       // On a torus, where no linear map but that to zero is, phases follow the mean motion.
-      m_vertices.positions.push_back(Complex::Domain::has_outside
-                                         ? coordinates(complex.position(vertices[i]))
-                                         : Vector::Zero().eval());
-      if (i < free.size()) {
-        m_vertices.are_held.push_back(complex.is_boundary(vertices[i]));
-      } else {
-        m_vertices.are_held.push_back(!vertices[i]->is_interface());
-        m_vertices.known.push_back(coordinates(displacement(vertices[i])));
-      }
+      m_vertices.positions.push_back(Complex::Domain::has_outside ? coordinates(complex.position(v))
+                                                                  : Vector::Zero().eval());
+      m_vertices.are_held.push_back(i < free.size() ? complex.is_boundary(v) : !v->is_interface());
+      if (i >= free.size())
+        m_vertices.known.push_back(coordinates(displacement(v)));
     }
   }
 
   // The displacements of the free vertices. Those on the boundary of the domain go within its
   // sides.
-  std::vector<Displacement> solve(const For_each_index& for_each_index) const {
-    const Phases phases(m_number_of_phases, m_cells, m_vertices);
-    const Unknowns unknowns(phases, m_phases, m_vertices.positions.size());
-    Columns right = Columns::Zero(unknowns.size(), d);
-    const Matrix matrix = assemble(phases, unknowns, right);
-    const Columns deviations = solve(matrix, right, unknowns, for_each_index);
+  std::vector<Displacement> solve() const {
+    const Phases phases(m_number_of_phases, m_phases, m_around, m_vertices);
+    const Unknowns unknowns(phases, m_phases);
+    const std::vector<Vector> deviations = deviations_of(phases, unknowns);
     std::vector<Displacement> result;
     for (std::size_t i = 0; i < m_free.size(); ++i) {
       Vector motion = phases.motion(m_phases[i], std::uint32_t(i));
-      if (unknowns.row[i] >= 0)
-        motion += deviations.row(unknowns.row[i]).transpose();
+      if (unknowns.row[i] != Unknowns::none)
+        motion += deviations[unknowns.row[i]];
       std::array<double, d> coordinates;
       std::copy(motion.data(), motion.data() + d, coordinates.begin());
       result.push_back(vector_of<Complex>(coordinates));
@@ -99,149 +82,142 @@ public:
   }
 
 private:
-  using Cell_handle = typename Complex::Cell_handle;
   using Phases = Affine_phases<d>;
   using Vector = typename Phases::Vector;
-  using Index = Eigen::Index;
-  using Columns = Eigen::Matrix<double, Eigen::Dynamic, d>;
-  using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  using Solver = Conjugate_gradients<d>;
+
+  struct Neighbor
+  {
+    Vertex_handle vertex;
+    double weight;
+  };
 
   // The free vertices in phases that deviate from their affine motion.
   struct Unknowns
   {
-    Unknowns(const Phases& phases, const std::vector<std::uint32_t>& phase_of_free,
-             std::size_t number_of_vertices)
-        : row(number_of_vertices, -1) {
-      for (std::size_t i = 0; i < phase_of_free.size(); ++i)
+    static constexpr std::uint32_t none = std::uint32_t(-1);
+
+    Unknowns(const Phases& phases, const std::vector<std::uint32_t>& phase_of_free)
+        : row(phase_of_free.size(), none) {
+      for (std::uint32_t i = 0; i < phase_of_free.size(); ++i)
         if (phases.deviates(phase_of_free[i])) {
-          row[i] = size();
+          row[i] = std::uint32_t(vertices.size());
           vertices.push_back(i);
         }
     }
-    Index size() const { return Index(vertices.size()); }
 
-    std::vector<Index> row; // of a vertex; -1 if it is none
-    std::vector<std::size_t> vertices;
+    std::vector<std::uint32_t> row; // of a free vertex
+    std::vector<std::uint32_t> vertices;
   };
 
   template <class Point> static Vector coordinates(const Point& p) {
     return Vector(coordinates_of<d>(p).data());
   }
 
-  // Numbers the cells around free vertices, their vertices and their phases. Returns the vertices:
-  // free ones first.
-  std::vector<Vertex_handle> number_cells() {
-    std::vector<Vertex_handle> vertices = m_free;
-    Vertex_numbers numbers(m_complex, vertices);
-    m_phases.resize(m_free.size());
-    m_handles = sorted_star_union(m_complex, m_free);
-    m_cells.reserve(m_handles.size());
-    boost::container::flat_map<typename Complex::Label, std::uint32_t> phases;
-    for (Cell_handle c : m_handles) {
-      const auto phase = phases.emplace(c->label(), std::uint32_t(phases.size())).first;
-      m_cells.push_back({{}, phase->second});
-      for (int i = 0; i < Complex::corners; ++i) {
-        const std::uint32_t number = numbers.add(c->vertex(i), vertices);
-        m_cells.back().vertices[i] = number;
-        if (number < m_free.size())
-          m_phases[number] = phase->second;
+  // Finds those of a free vertex by its star, and notes the label around it.
+  auto neighbors() {
+    using Cell_handle = typename Complex::Cell_handle;
+    return [this, star = std::vector<Cell_handle>(), found = std::vector<Vertex_handle>(),
+            positions = std::vector<typename Complex::Approximate_point>(),
+            weights = std::vector<double>()](std::size_t i, std::vector<Neighbor>& result) mutable {
+      const Vertex_handle v = m_free[i];
+      m_complex.star(v, star);
+      Vertex_numbers numbers(m_complex);
+      found.assign(1, v);
+      positions.assign(1, m_complex.position(v));
+      weights.assign(1, 0.);
+      for (Cell_handle c : star) {
+        if (m_complex.is_infinite(c))
+          continue;
+        m_labels[i] = c->label();
+        std::array<std::uint32_t, Complex::corners> number;
+        typename Linear_element<Complex>::Corners corners;
+        int own = 0;
+        for (int j = 0; j < Complex::corners; ++j) {
+          const Vertex_handle w = c->vertex(j);
+          number[j] = w == v ? 0 : numbers.add(w, found);
+          if (w == v)
+            own = j;
+          if (number[j] == positions.size()) {
+            positions.push_back(m_complex.position_near(positions.front(), w));
+            weights.push_back(0);
+          }
+          // On a torus from where all rows see the cell, so that they agree on it to the last bit.
+          corners[j] = Complex::Domain::has_outside ? positions[number[j]] : m_complex.corner(c, j);
+        }
+        const auto stiffness = Linear_element<Complex>(corners).evened_stiffness(own);
+        for (int j = 0; j < Complex::corners; ++j)
+          weights[number[j]] -= stiffness[j];
       }
-    }
-    m_number_of_phases = phases.size();
+      for (std::size_t k = 1; k < found.size(); ++k)
+        result.push_back({found[k], weights[k]});
+    };
+  }
+
+  void number_phases() {
+    boost::container::flat_map<typename Complex::Label, std::uint32_t> numbers;
+    for (const auto& label : m_labels)
+      m_phases.push_back(numbers.emplace(label, std::uint32_t(numbers.size())).first->second);
+    m_number_of_phases = numbers.size();
+  }
+
+  // Free ones first. Notes which of the others are around which phases.
+  std::vector<Vertex_handle> number_vertices() {
+    std::vector<Vertex_handle> vertices = m_free;
+    std::vector<std::uint32_t> last_phase; // of those that are not free
+    for (std::uint32_t i = 0; i < m_free.size(); ++i)
+      for (const Neighbor& n : m_neighbors.row(i)) {
+        const std::uint32_t number = m_numbers.add(n.vertex, vertices);
+        if (number < m_free.size())
+          continue;
+        last_phase.resize(vertices.size() - m_free.size(), Unknowns::none);
+        if (last_phase[number - m_free.size()] != m_phases[i])
+          m_around.emplace_back(m_phases[i], number);
+        last_phase[number - m_free.size()] = m_phases[i];
+      }
     return vertices;
   }
 
-  // Of a cell: from the list of positions where there is one, as cells are not in the order in
-  // which they are stored.
-  typename Linear_element<Complex>::Corners corners(std::size_t k) const {
-    typename Linear_element<Complex>::Corners result;
-    for (int i = 0; i < Complex::corners; ++i)
-      if constexpr (Complex::Domain::has_outside) {
-        std::array<double, d> coordinates = {};
-        const Vector& p = m_vertices.positions[m_cells[k].vertices[i]];
-        std::copy(p.data(), p.data() + d, coordinates.begin());
-        result[i] = CGAL::ORIGIN + vector_of<Complex>(coordinates);
-      } else {
-        result[i] = m_complex.corner(m_handles[k], i);
-      }
-    return result;
-  }
-
-  // The stiffness of the unknowns below the diagonal and on it; what is known goes to the right.
-  Matrix assemble(const Phases& phases, const Unknowns& unknowns, Columns& right) const {
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(std::size_t(unknowns.size()) + (d * (d + 1) / 2) * m_cells.size());
-    Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(unknowns.size());
-    for (std::size_t k = 0; k < m_cells.size(); ++k) {
-      const typename Phases::Cell& c = m_cells[k];
-      if (!phases.deviates(c.phase))
-        continue;
-      const Linear_element<Complex> element(corners(k));
-      const double conductivity = element.conductivity();
-      if (conductivity == 0)
-        continue;
-      for (int i = 0; i < Complex::corners; ++i) {
-        const Index row = unknowns.row[c.vertices[i]];
-        if (row < 0) {
-          const Vector deviation = phases.deviation(c.phase, c.vertices[i]);
-          for (int j = 0; j < Complex::corners; ++j)
-            if (unknowns.row[c.vertices[j]] >= 0)
-              right.row(unknowns.row[c.vertices[j]]) -=
-                  conductivity * element.stiffness(i, j) * deviation.transpose();
-          continue;
-        }
-        diagonal[row] += conductivity * element.stiffness(i, i);
-        for (int j = 0; j < i; ++j) {
-          const Index column = unknowns.row[c.vertices[j]];
-          if (column >= 0)
-            entries.emplace_back((std::max)(row, column), (std::min)(row, column),
-                                 conductivity * element.stiffness(i, j));
-        }
-      }
-    }
-    for (Index i = 0; i < unknowns.size(); ++i)
-      entries.emplace_back(i, i, diagonal[i]);
-    Matrix matrix(unknowns.size(), unknowns.size());
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
-  }
-
   // The extension only guides: what it proposes is checked, so that a rough solution will do.
-  Columns solve(const Matrix& matrix, const Columns& right, const Unknowns& unknowns,
-                const For_each_index& for_each_index) const {
-    static constexpr double tolerance = 1e-2; // of the right side
+  std::vector<Vector> deviations_of(const Phases& phases, const Unknowns& unknowns) const {
+    static constexpr double part = 5e-3; // of the residuals
     static constexpr int maximum_number_of_iterations = 200;
-    const std::size_t worthwhile = unknowns.size() < 100 ? d + 1 : 1;
-    const bool has_held =
-        std::any_of(m_free.begin(), m_free.end(), [&](auto v) { return m_complex.is_boundary(v); });
-    Columns result(unknowns.size(), d);
-    for_each_index(
-        d,
-        [&](std::size_t axis) {
-          Matrix held;
-          Eigen::VectorXd b = right.col(Index(axis));
-          if (has_held) {
-            held = matrix;
-            hold(held, b, [&](Index i) {
-              const Vertex_handle v = m_free[unknowns.vertices[std::size_t(i)]];
-              return Boundary_class::fixes(v->boundary_class(), int(axis));
-            });
+    using Entry = typename Solver::Entry;
+    std::vector<Vector> right(unknowns.vertices.size(), Vector::Zero());
+    std::vector<double> diagonal(right.size(), 0);
+    const Row_blocks<Entry> matrix(
+        right.size(),
+        [&](std::size_t row, std::vector<Entry>& entries) {
+          const std::uint32_t i = unknowns.vertices[row];
+          for (const Neighbor& n : m_neighbors.row(i)) {
+            const std::uint32_t number = m_numbers(n.vertex);
+            diagonal[row] += n.weight;
+            if (number < m_free.size())
+              entries.push_back({unknowns.row[number], -n.weight});
+            else
+              right[row] += n.weight * phases.deviation(m_phases[i], number);
           }
-          Eigen::ConjugateGradient<Matrix, Eigen::Lower> solver(has_held ? held : matrix);
-          solver.setTolerance(tolerance);
-          solver.setMaxIterations(maximum_number_of_iterations);
-          result.col(Index(axis)) = solver.solve(b);
         },
-        worthwhile);
-    return result;
+        m_for_each_index);
+    return Solver(matrix, diagonal, m_for_each_index)
+        .solve(
+            std::move(right),
+            [&](std::size_t row, int axis) {
+              return Boundary_class::fixes(m_free[unknowns.vertices[row]]->boundary_class(), axis);
+            },
+            part, maximum_number_of_iterations);
   }
 
+  // In the order in which the constructor needs them.
   const Complex& m_complex;
   const std::vector<Vertex_handle>& m_free;
-  std::vector<Cell_handle> m_handles;
-  std::vector<typename Phases::Cell> m_cells; // as many
-  std::vector<std::uint32_t> m_phases;        // of free vertices
+  const For_each_index& m_for_each_index;
+  std::vector<typename Complex::Label> m_labels; // around free vertices
+  Row_blocks<Neighbor> m_neighbors;
+  Vertex_numbers m_numbers;
+  std::vector<std::uint32_t> m_phases; // of free vertices
   std::size_t m_number_of_phases = 0;
+  std::vector<typename Phases::Around> m_around;
   typename Phases::Vertices m_vertices;
 };
 

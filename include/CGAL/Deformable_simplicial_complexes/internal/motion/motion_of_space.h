@@ -53,16 +53,19 @@ motion_of_space(const Complex& complex, const std::vector<typename Complex::Vert
     return std::binary_search(list.begin(), list.end(), v, Less_time_stamp());
   };
   const Harmonic_extension<Complex> to_others(
-      complex, others, [&](Vertex_handle v) { return is_free(v, guided) ? *flow(v) : way(v); });
-  const Harmonic_extension<Complex> to_guided(complex, guided, [&](Vertex_handle v) {
-    const std::optional<Vector> known = flow(v);
-    if (!known || is_free(v, others))
-      return Vector(CGAL::NULL_VECTOR);
-    const Vector d = way(v) - *known;
-    return d.squared_length() < negligible * negligible ? Vector(CGAL::NULL_VECTOR) : d;
-  });
-  const std::vector<Vector> of_others = to_others.solve(for_each_index),
-                            deviations = to_guided.solve(for_each_index);
+      complex, others, [&](Vertex_handle v) { return is_free(v, guided) ? *flow(v) : way(v); },
+      for_each_index);
+  const Harmonic_extension<Complex> to_guided(
+      complex, guided,
+      [&](Vertex_handle v) {
+        const std::optional<Vector> known = flow(v);
+        if (!known || is_free(v, others))
+          return Vector(CGAL::NULL_VECTOR);
+        const Vector d = way(v) - *known;
+        return d.squared_length() < negligible * negligible ? Vector(CGAL::NULL_VECTOR) : d;
+      },
+      for_each_index);
+  const std::vector<Vector> of_others = to_others.solve(), deviations = to_guided.solve();
   std::vector<Vector> result;
   std::size_t g = 0, o = 0;
   for (Vertex_handle v : free)

@@ -71,17 +71,15 @@ void relocate(Proposed_motion<Complex>& motion, typename Proposed_motion<Complex
   }
 }
 
-// Lets the free vertices of cells that would invert look for better places, and those around them
-// if that is not enough. Returns the cells that still would.
+// Lets the free vertices of cells that would invert look for better places. Returns the cells that
+// still would.
 template <class Complex>
 std::vector<typename Complex::Cell_handle>
 untangle(Proposed_motion<Complex>& motion, std::vector<typename Complex::Cell_handle> cells) {
-  static constexpr int rounds = 4, rounds_without_neighbors = 2;
+  static constexpr int rounds = 2; // more, or their neighbors, too, take long and help few
   const auto is_free = [&](auto i) { return !motion.vertex(i)->is_interface(); };
   auto suspects = cells;
   for (int round = 0; round < rounds && !cells.empty(); ++round) {
-    if (round >= rounds_without_neighbors)
-      cells = motion.stars(motion.vertices_of(cells, is_free));
     const auto free = motion.vertices_of(cells, is_free);
     for (auto i : free)
       relocate(motion, i);
