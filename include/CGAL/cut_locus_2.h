@@ -41,8 +41,8 @@ struct Cut_locus_2
   /// chains of vertices, by their indices, between those of other multiplicities than 2; what is
   /// closed begins and ends in the same vertex
   std::vector<std::vector<std::size_t>> polylines;
-  /// whether it is connected and leaves a disk of the surface; if not, the spacing or the step is
-  /// too large, or the front did not go far enough
+  /// whether it is connected, leaves a disk of the surface, and ends in conjugate points only; if
+  /// not, the spacing or the step is too large, or the front did not go far enough
   bool is_complete = false;
 };
 

@@ -187,6 +187,17 @@ TEST(Cut_locus, of_another_point_of_a_torus) {
                     {1.82135894, -v, 5.46388, 1}});
 }
 
+// Whatever mesh it begins with, and wherever the axis of what is left has its forks.
+TEST(Cut_locus, of_a_torus_does_not_depend_on_the_mesh) {
+  for (double v : {.09 * pi, .095 * pi, .105 * pi})
+    for (double spacing : {.19, .21}) {
+      const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(
+          Torus_by_formulas{1}, Domain({2 * pi, 2 * pi}), Point(0, v), spacing, spacing / 2);
+      EXPECT_TRUE(locus.is_complete);
+      EXPECT_EQ(locus.polylines.size(), 6u) << v << ' ' << spacing;
+    }
+}
+
 // Geodesics are focused by the rims of a high torus: four more arcs begin there.
 TEST(Cut_locus, of_a_point_of_a_high_torus) {
   const double v = .1 * pi;
@@ -236,6 +247,15 @@ TEST(Geodesic_distance, on_tori_of_revolution) {
   EXPECT_NEAR(above(Point(1.95, -.3 * pi)), 5.17309, 1e-4);
   const auto high = distance_field(Torus_by_formulas{2}, domain, Point(0, .1 * pi), .15);
   EXPECT_NEAR(high(Point(3.05, -.1 * pi)), 9.09745, 1e-4);
+}
+
+// Where geodesics are conjugate to the source, and its neighborhood.
+TEST(Geodesic_distance, at_an_end_of_the_cut_locus) {
+  const auto distance =
+      distance_field(Torus_by_formulas{1}, Domain({2 * pi, 2 * pi}), Point(0, 0), .2);
+  const double conjugate = pi * std::sqrt(1. / 3);
+  for (double way : {0., 1e-9, -1e-9, 1e-7, -1e-7, -1e-4})
+    EXPECT_NEAR(distance(Point(conjugate + way, 0)), 3 * (conjugate + way), 1e-7) << way;
 }
 
 TEST(Geodesic_distance, is_infinite_where_the_front_did_not_come) {

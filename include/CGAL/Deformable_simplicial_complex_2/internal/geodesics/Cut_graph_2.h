@@ -38,6 +38,7 @@ public:
       : m_domain(front.complex().domain()), m_spacing(front.spacing()), m_finder(front),
         m_graph(axis.neighborhoods()) {
     find_points(axis);
+    find_junctions();
     merge_points();
     connect();
     m_graph.prune([&](std::size_t i, std::size_t j) { return distance(i, j); },
@@ -50,8 +51,11 @@ public:
   const Neighborhoods& neighborhoods() const { return m_graph; }
   const Cut_point& point(std::size_t i) const { return *m_points[i]; }
 
-  // Whether it leaves one disk: it is connected, and has as many cycles as it can.
+  // Whether it leaves one disk: it is connected, has as many cycles as it can, and each of its arcs
+  // that ends begins there.
   bool is_complete() const {
+    if (m_has_loose_ends)
+      return false;
     std::vector<char> is_reached(m_graph.size(), 0);
     std::vector<std::size_t> front;
     std::size_t number = 0, edges = 0, reached = 0;
@@ -78,14 +82,19 @@ private:
   using Edge = std::tuple<double, std::size_t, std::size_t>; // its length first
 
   // In units of the spacing: what is noise of the axis and of the cut locus, when two points are
-  // one, and how far neighbors on an arc may be from each other.
-  static constexpr double shortest_spur = 4, shortest_arc = 2, same = .4, farthest = 5;
+  // one, and how far neighbors may be from each other, around a junction and on an arc.
+  static constexpr double shortest_spur = 4, shortest_arc = 2, same = .4, next_arc = 2,
+                          farthest = 5;
 
   double distance(const Point& p, const Point& q) const {
     return std::sqrt((m_domain.near(p, q) - p).squared_length());
   }
   double distance(std::size_t i, std::size_t j) const {
     return distance(point(i).point, point(j).point);
+  }
+
+  std::size_t number_of_common(std::size_t i, std::size_t j) const {
+    return Finder::common(point(i), point(j), m_finder.way_between(point(i), point(j))).size();
   }
 
   // What is not found becomes a neighbor.
@@ -109,7 +118,34 @@ private:
   // Whether two points are close, and two shortest geodesics or more to them are like each other.
   bool are_on_an_arc(std::size_t i, std::size_t j, double farthest) const {
     return !m_graph[i].empty() && !m_graph[j].empty() && distance(i, j) < farthest * m_spacing &&
-           Finder::common(point(i), point(j)).size() >= 2;
+           number_of_common(i, j) >= 2;
+  }
+
+  // The axis need not fork where arcs do. Of two arcs that meet, points share one geodesic, that of
+  // the face between.
+  void find_junctions() {
+    std::vector<Edge> pairs;
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (!m_graph[i].empty() && !m_graph[j].empty() && distance(i, j) < next_arc * m_spacing &&
+            number_of_common(i, j) == 1)
+          pairs.emplace_back(distance(i, j), i, j);
+    std::sort(pairs.begin(), pairs.end());
+    std::vector<std::size_t> junctions;
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      if (m_points[i] && point(i).geodesics.size() > 2)
+        junctions.push_back(i);
+    for (const auto& [length, i, j] : pairs) {
+      if (std::any_of(junctions.begin(), junctions.end(), [&, i = i, j = j](std::size_t k) {
+            return are_on_an_arc(i, k, farthest) && are_on_an_arc(j, k, farthest);
+          }))
+        continue;
+      if (const auto junction = m_finder.junction(point(i), point(j))) {
+        junctions.push_back(add(*junction));
+        m_graph.join(i, junctions.back());
+        m_graph.join(j, junctions.back());
+      }
+    }
   }
 
   void merge_points() {
@@ -211,9 +247,12 @@ private:
 
   void add_begins() {
     for (std::size_t i = 0, size = m_points.size(); i < size; ++i)
-      if (m_graph[i].size() == 1)
+      if (m_graph[i].size() == 1) {
         if (const auto begin = m_finder.begin_of_arc(point(i)))
           m_graph.join(i, add(*begin));
+        else
+          m_has_loose_ends = true;
+      }
   }
 
   std::size_t add(const Cut_point& p) {
@@ -226,6 +265,7 @@ private:
   double m_spacing;
   Finder m_finder;
   Neighborhoods m_graph;
+  bool m_has_loose_ends = false;
   std::vector<std::optional<Cut_point>> m_points; // nothing for those without neighbors
 };
 

@@ -36,6 +36,7 @@ public:
   using Vertex_handle = typename Front::Vertex_handle;
   using Vector = typename Front::Complex::Approximate_vector_2;
   using typename Base::Geodesic;
+  using typename Base::Pair;
 
   // The geodesics to it are equally long.
   struct Cut_point
@@ -43,6 +44,7 @@ public:
     Point point;
     double distance;
     std::vector<Geodesic> geodesics;
+    std::vector<Pair> turns; // of their angles by place, to first order
   };
 
   explicit Cut_point_finder_2(const Front& front) : Base(front) {
@@ -66,6 +68,23 @@ public:
   // Where three geodesics or more meet, near a point.
   std::optional<Cut_point> junction(const Point& p) const {
     return follow(geodesics_to(p, 3, {}), 3, p, Vector(0, 0));
+  }
+
+  // Where two arcs meet, by a point of each: their points share the geodesic of the face between.
+  std::optional<Cut_point> junction(const Cut_point& p, const Cut_point& q) const {
+    if (p.geodesics.size() != 2 || q.geodesics.size() != 2)
+      return std::nullopt;
+    const Vector way = way_between(p, q);
+    std::vector<Geodesic> three = common(p, q, way);
+    if (three.size() != 1)
+      return std::nullopt;
+    for (const Cut_point* x : {&p, &q})
+      three.push_back(*std::max_element(x->geodesics.begin(), x->geodesics.end(),
+                                        [&](const Geodesic& a, const Geodesic& b) {
+                                          return std::abs(turn(three[0].angle, a.angle)) <
+                                                 std::abs(turn(three[0].angle, b.angle));
+                                        }));
+    return follow(three, 3, p.point + way / 2, Vector(0, 0));
   }
 
   // Where an arc begins that ends in a point: at the nearest of the points where geodesics between
@@ -94,7 +113,7 @@ public:
     if (!std::isfinite(geodesic.length))
       return std::nullopt;
     const auto state = m_front.shoot(geodesic.angle, geodesic.length);
-    const Cut_point result = {near(end.point, state), geodesic.length, {geodesic, geodesic}};
+    const Cut_point result = {near(end.point, state), geodesic.length, {geodesic, geodesic}, {}};
     if (!is_near(result, end.point, end.distance))
       return std::nullopt;
     return result;
@@ -102,30 +121,34 @@ public:
 
   // The geodesics to a point that are like those to another one near it: of each two that are like
   // each other the mean.
-  static std::vector<Geodesic> common(const Cut_point& p, const Cut_point& q) {
+  static std::vector<Geodesic> common(const Cut_point& p, const Cut_point& q, const Vector& way) {
     static constexpr double similar = .13; // radians
     std::vector<Geodesic> result;
     std::vector<char> is_taken(q.geodesics.size(), 0);
-    for (const Geodesic& g : p.geodesics) {
-      const auto gap = [&](const Geodesic& h) { return std::abs(turn(g.angle, h.angle)); };
-      const auto nearest =
-          std::min_element(q.geodesics.begin(), q.geodesics.end(),
-                           [&](const auto& a, const auto& b) { return gap(a) < gap(b); });
-      char& taken = is_taken[std::size_t(nearest - q.geodesics.begin())];
-      if (gap(*nearest) >= similar || taken)
+    for (std::size_t i = 0; i < p.geodesics.size(); ++i) {
+      std::vector<double> gaps;
+      for (std::size_t j = 0; j < q.geodesics.size(); ++j)
+        gaps.push_back(gap(p, i, q, j, Pair(way.x(), way.y())));
+      const auto nearest = std::min_element(gaps.begin(), gaps.end());
+      const std::size_t j = std::size_t(nearest - gaps.begin());
+      if (*nearest >= similar || is_taken[j])
         continue;
-      taken = 1;
-      result.push_back(
-          {g.angle + turn(g.angle, nearest->angle) / 2, (g.length + nearest->length) / 2});
+      is_taken[j] = 1;
+      const Geodesic &g = p.geodesics[i], &h = q.geodesics[j];
+      result.push_back({g.angle + turn(g.angle, h.angle) / 2, (g.length + h.length) / 2});
     }
     return result;
   }
 
   // A point of an arc between two others.
   std::optional<Cut_point> middle(const Cut_point& p, const Cut_point& q) const {
-    const std::vector<Geodesic> known = common(p, q);
-    const Vector way = m_front.complex().domain().near(p.point, q.point) - p.point;
+    const Vector way = way_between(p, q);
+    const std::vector<Geodesic> known = common(p, q, way);
     return known.size() < 2 ? std::nullopt : between(known, p.point + way / 2, way);
+  }
+
+  Vector way_between(const Cut_point& p, const Cut_point& q) const {
+    return m_front.complex().domain().near(p.point, q.point) - p.point;
   }
 
 private:
@@ -138,7 +161,26 @@ private:
   using Base::near;
   using Base::turn;
   using typename Base::Arrival;
-  using typename Base::Pair;
+
+  // By how much the angles of two geodesics differ, but for what their points do: by the turns of
+  // either, or by none, as these are large where an arc begins.
+  static double gap(const Cut_point& p, std::size_t i, const Cut_point& q, std::size_t j,
+                    const Pair& way) {
+    const double difference = turn(p.geodesics[i].angle, q.geodesics[j].angle);
+    return (std::min)({std::abs(difference), std::abs(difference - p.turns[i].dot(way)),
+                       std::abs(difference - q.turns[j].dot(way))});
+  }
+
+  std::vector<Pair> turns(const std::vector<Geodesic>& geodesics) const {
+    std::vector<Pair> result;
+    for (const Geodesic& g : geodesics) {
+      const Arrival a = arrival(g);
+      const double area = a.by_angle[0] * a.by_length[1] - a.by_angle[1] * a.by_length[0];
+      result.push_back(area == 0 ? Pair(0, 0)
+                                 : Pair(a.by_length[1] / area, -a.by_length[0] / area));
+    }
+    return result;
+  }
 
   std::optional<Cut_point> follow(std::vector<Geodesic> geodesics, std::size_t number,
                                   const Point& start, const Vector& direction) const {
@@ -159,6 +201,7 @@ private:
         };
         found->geodesics.assign(geodesics.begin(),
                                 std::find_if(geodesics.begin(), geodesics.end(), is_longer));
+        found->turns = turns(found->geodesics);
         return found;
       }
     }
@@ -207,16 +250,16 @@ private:
       for (Eigen::Index j = 0; j < i; ++j)
         if (!are_distinct(geodesics[i], geodesics[j]))
           return std::nullopt;
-    return Cut_point{Point(p[0], p[1]), distance, geodesics};
+    return Cut_point{Point(p[0], p[1]), distance, geodesics, {}};
   }
 
   // Whether a point is about where the front has stopped.
   bool is_near(const Cut_point& p, const Point& front_point, double front_length) const {
-    static constexpr double farthest = 10; // spacings, and steps
+    static constexpr double farthest = 4; // spacings
     const double way = std::sqrt(
         (m_front.complex().domain().near(p.point, front_point) - p.point).squared_length());
     return way < farthest * m_front.spacing() &&
-           std::abs(p.distance - front_length) < farthest * m_front.step();
+           std::abs(p.distance - front_length) < farthest * m_front.length_of_spacing();
   }
 
   // How far it is along a geodesic to the first point that is conjugate to the source: where its
