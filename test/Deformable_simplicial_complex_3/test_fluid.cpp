@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -219,19 +220,37 @@ TEST(Fluid, enters_no_solid) {
   EXPECT_TRUE(complex.is_valid());
 }
 
+// The area of facets on a wall at a height around one vertex, the most.
+double largest_wet_star(const Complex& complex, double height) {
+  std::map<Complex::Vertex_handle, double> areas;
+  for (const auto& facet : complex.interface_facets()) {
+    const auto corners = complex.facet_vertices(facet);
+    if (std::all_of(corners.begin(), corners.end(), [&](Complex::Vertex_handle v) {
+          return complex.position(v).z() - height < 1e-3 * v->spacing();
+        }))
+      for (auto v : corners)
+        areas[v] += complex.measure(facet);
+  }
+  double result = 0;
+  for (const auto& [v, area] : areas)
+    result = (std::max)(result, area);
+  return result;
+}
+
 // What lifts off a wall and falls back would gain the energy of wetting it each time.
 TEST(Fluid, gains_no_energy_at_walls) {
   Complex complex = sphere(8, .4);
   Fluid fluid(complex, liquid(1, .02, 1, 1));
-  fluid.add_solid(dsc::Plane_solid_3(Point(0, 0, -.42), Vector(0, 0, 1)));
+  const double height = -.42;
+  fluid.add_solid(dsc::Plane_solid_3(Point(0, 0, height), Vector(0, 0, 1)));
   const double start = fluid.balance().energy();
   std::size_t contacts = 0;
   for (int k = 0; k < 60; ++k) {
+    // An edge that goes may dry what is around its end; the tension is 1. Others bend it a little.
+    const double star = largest_wet_star(complex, height), little = .01;
     const auto report = fluid.advance(.01);
     EXPECT_LT(report.moved.energy(), report.before.energy()) << k;
-    // Changes of the mesh may dry or wet a few facets.
-    const double facet = report.moved.surface_energy / double(complex.interface_facets().size());
-    EXPECT_LT(report.after.energy(), report.moved.energy() + 5 * facet) << k;
+    EXPECT_LT(report.after.energy(), report.moved.energy() + star + little) << k;
     EXPECT_TRUE(report.contacts_settled) << k;
     contacts = (std::max)(contacts, report.contacts);
   }
