@@ -72,9 +72,10 @@ Cut_locus_2 cut_locus_of_front(Front front, double step, double longest_distance
 
 Finds the cut locus of a point, in a chart that is a flat torus: a `Geodesic_front_2` goes until all
 of it has stopped. From the axis of what is left between its parts, the shortest of all geodesics
-near are followed to where two or three are equally long, to rounding, by Newton's method. An arc
-begins at the nearest conjugate point of the geodesics around its end. What the cut locus leaves of
-the torus is a disk; edges that would contradict this are left out.
+near are followed to where two or three are equally long, to rounding, by Newton's method. Arcs meet
+where points of two of them share a geodesic. An arc begins at the nearest conjugate point of the
+geodesics around its end. What the cut locus leaves of the torus is a disk; edges that would
+contradict this are left out.
 
 \param metric model of `RiemannianMetric_2`, which repeats itself with the torus
 \param domain the torus
