@@ -21,7 +21,7 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/adapt_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_adaptation.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/control_detail_3.h>
 #include <CGAL/deform_interface_3.h>

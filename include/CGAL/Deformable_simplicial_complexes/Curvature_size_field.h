@@ -8,30 +8,34 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_bends.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/vertices_on_junctions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Curvature_lengths.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_2.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <memory>
-#include <queue>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+template <class Complex> class Interface_adaptation;
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
 
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
@@ -76,19 +80,13 @@ public:
     if (!(feature_angle >= 0 && feature_angle <= 180))
       throw Deformable_simplicial_complexes::Error(
           "the angle of features is out of range: use 0 to 180 degrees");
+    namespace internal = Deformable_simplicial_complexes::internal;
     const Deformable_simplicial_complexes::Interface_snapshot<Complex> interface_(dsc);
     const auto positions = interface_.positions(dsc);
-    std::vector<double> lengths =
-        lengths_by_curvature(interface_, positions, tolerance, shortest, longest, feature_angle);
-    grade(interface_, positions, gradation, lengths);
-    std::vector<Sized_point> points;
-    for (std::size_t i = 0; i < positions.size(); ++i)
-      points.emplace_back(positions[i], lengths[i]);
-    m_longest = longest;
-    m_periods = interface_.domain.template periods<d>();
-    m_tree = std::make_shared<Tree>(points.begin(), points.end());
-    if (!points.empty())
-      m_tree->build();
+    const internal::Curvature_lengths<Complex> lengths(interface_, positions, tolerance, shortest,
+                                                       feature_angle);
+    *this =
+        Curvature_size_field(interface_, positions, lengths.graded(longest, gradation), longest);
   }
 
   /// The wanted length of an edge at p: that of the nearest vertex, or the shorter one of the
@@ -114,6 +112,21 @@ public:
   }
 
 private:
+  template <class> friend class Deformable_simplicial_complexes::internal::Interface_adaptation;
+
+  // Of known lengths of the vertices of an interface.
+  template <class Snapshot>
+  Curvature_size_field(const Snapshot& interface_, const std::vector<Point>& positions,
+                       const std::vector<double>& lengths, double longest)
+      : m_longest(longest), m_periods(interface_.domain.template periods<d>()) {
+    std::vector<Sized_point> points;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      points.emplace_back(positions[i], lengths[i]);
+    m_tree = std::make_shared<Tree>(points.begin(), points.end());
+    if (!points.empty())
+      m_tree->build();
+  }
+
   using Sized_point = std::pair<Point, double>;
   using Point_traits = std::conditional_t<d == 2, Search_traits_2<Simple_cartesian<double>>,
                                           Search_traits_3<Simple_cartesian<double>>>;
@@ -138,84 +151,6 @@ private:
           result.push_back(internal::point_of<Point>(image));
         }
     return result;
-  }
-
-  template <class Complex>
-  using Snapshot = Deformable_simplicial_complexes::Interface_snapshot<Complex>;
-
-  template <class Complex, class Points>
-  static std::vector<double>
-  lengths_by_curvature(const Snapshot<Complex>& interface_, const Points& positions,
-                       double tolerance, double shortest, double longest, double feature_angle) {
-    namespace internal = Deformable_simplicial_complexes::internal;
-    using Bends = internal::Interface_bends<Complex>;
-    const auto normals = Bends::normals(interface_, positions);
-    const std::vector<char> is_on_junction = internal::vertices_on_junctions(interface_);
-    const std::vector<char> is_on_feature =
-        Bends::on_features(interface_, positions, feature_angle * (CGAL_PI / 180));
-    const auto has_normal = [&](std::size_t v) { return !is_on_junction[v] && !is_on_feature[v]; };
-    std::vector<double> lengths(positions.size(), longest);
-    for_each_edge(interface_, [&](std::size_t a, std::size_t b) {
-      if (!has_normal(a) || !has_normal(b))
-        return;
-      const auto edge = interface_.domain.near(positions[a], positions[b]) - positions[a];
-      const double bend = std::abs((normals[b] - normals[a]) * edge); // curvature * squared length
-      if (!(bend > 0))
-        return;
-      const double length =
-          (std::max)(shortest, std::sqrt(8 * tolerance * edge.squared_length() / bend));
-      lengths[a] = (std::min)(lengths[a], length);
-      lengths[b] = (std::min)(lengths[b], length);
-    });
-    return lengths;
-  }
-
-  // Short lengths spread until none is longer than its neighbors allow: the shortest first, as in
-  // Dijkstra's algorithm.
-  template <class Interface, class Points>
-  static void grade(const Interface& interface_, const Points& positions, double gradation,
-                    std::vector<double>& lengths) {
-    using Edge = std::pair<std::size_t, std::size_t>; // from a vertex to a neighbor
-    std::vector<Edge> edges;
-    for_each_edge(interface_, [&](std::size_t a, std::size_t b) {
-      edges.emplace_back(a, b);
-      edges.emplace_back(b, a);
-    });
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-
-    using Entry = std::pair<double, std::size_t>; // the length of a vertex
-    std::vector<Entry> entries;
-    for (std::size_t v = 0; v < lengths.size(); ++v)
-      entries.emplace_back(lengths[v], v);
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue(std::greater<>(),
-                                                                         std::move(entries));
-    while (!queue.empty()) {
-      const auto [length, a] = queue.top();
-      queue.pop();
-      if (length > lengths[a])
-        continue; // it has become shorter since
-      for (auto e = std::lower_bound(edges.begin(), edges.end(), Edge(a, 0));
-           e != edges.end() && e->first == a; ++e) {
-        const std::size_t b = e->second;
-        const double bound =
-            length + gradation * std::sqrt((interface_.domain.near(positions[a], positions[b]) -
-                                            positions[a])
-                                               .squared_length());
-        if (lengths[b] > bound) {
-          lengths[b] = bound;
-          queue.emplace(bound, b);
-        }
-      }
-    }
-  }
-
-  template <class Interface, class Function>
-  static void for_each_edge(const Interface& interface_, const Function& function) {
-    for (const auto& facet : interface_.facets())
-      for (int i = 0; i < d; ++i)
-        if (d > 2 || i == 0)
-          function(facet.vertices[i], facet.vertices[(i + 1) % d]);
   }
 
   std::shared_ptr<Tree> m_tree; // shared by copies, and never changed

@@ -15,7 +15,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/interface_paths.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/adapt_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_adaptation.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <cmath>
@@ -99,13 +99,13 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
   using Deformable_simplicial_complexes::Error;
   using Deformable_simplicial_complexes::Integration_scheme;
   using Defaults = internal::defaults::Adaptive_advection<Complex::dimension>;
-  const internal::Adaptation_options adaptation = {
+  const internal::Adaptation_options options = {
       internal::number_parameter(np, tags::interface_tolerance, Defaults::interface_tolerance),
       internal::angle_parameter(np, tags::feature_angle, Defaults::feature_angle, 180,
                                 "angle of features")};
   const unsigned interval = internal::count_parameter(
       np, tags::adaptation_interval, "adaptation_interval", Defaults::adaptation_interval);
-  if (!(adaptation.tolerance >= 0))
+  if (!(options.tolerance >= 0))
     throw Error("the tolerance of the interface is out of range: use 0 or more");
   if (interval == 0)
     throw Error("the interval between adaptations is out of range: use 1 or more");
@@ -124,12 +124,14 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
     const auto visitor =
         internal::parameter_or(np, CGAL::internal_np::visitor, Deformation_visitor_3());
     const Deformable_simplicial_complexes::Interface_snapshot<Complex> interface_(dsc);
-    if (adaptation.tolerance > 0 &&
+    if (options.tolerance > 0 &&
         internal::is_stretched(
             interface_, interface_.positions(dsc),
-            internal::destinations_of_step(dsc, interface_, velocity, t, dt, motion)) &&
-        internal::is_worn(dsc, interface_, adaptation))
-      changes = internal::adapt_interface(dsc, adaptation, visitor);
+            internal::destinations_of_step(dsc, interface_, velocity, t, dt, motion))) {
+      const internal::Interface_adaptation<Complex> adaptation(dsc, interface_, options);
+      if (adaptation.is_worn())
+        changes = adaptation.apply(dsc, visitor);
+    }
     changes =
         changes + control_detail(dsc, Deformable_simplicial_complexes::parameters::collapse_length(
                                           Defaults::collapse_length)

@@ -316,10 +316,13 @@ void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen, Report&
   });
   Improvement_report& result = report.adaptation;
   change_followed([&](const auto& visitor) {
-    const internal::Adaptation_options adaptation = {tolerance, Defaults::feature_angle};
-    if (tolerance > 0 &&
-        internal::is_worn(m_complex, Interface_snapshot<Complex>(m_complex), adaptation))
-      result = internal::adapt_interface(m_complex, adaptation, visitor);
+    if (tolerance > 0) {
+      const Interface_snapshot<Complex> interface_(m_complex);
+      const internal::Interface_adaptation<Complex> adaptation(
+          m_complex, interface_, {tolerance, Defaults::feature_angle});
+      if (adaptation.is_worn())
+        result = adaptation.apply(m_complex, visitor);
+    }
     const double edge = m_complex.mean_interface_edge();
     const auto is_liquid = [this](typename Complex::Cell_handle c) {
       return m_properties.liquid(c->label()) != nullptr;

@@ -2,19 +2,21 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_ADAPT_INTERFACE_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_ADAPT_INTERFACE_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_INTERFACE_ADAPTATION_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_INTERFACE_ADAPTATION_H
 
 #include <CGAL/Deformable_simplicial_complexes/Curvature_size_field.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Curvature_lengths.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -50,19 +52,6 @@ template <int dimension> struct Adaptation_rule
   static constexpr double longest_if_flat = 3 * longest;
 };
 
-template <class Complex>
-Curvature_size_field<Complex::dimension>
-adapted_sizes(const Complex& dsc, const Adaptation_options& options, double longest) {
-  using Rule = Adaptation_rule<Complex::dimension>;
-  const double edge = dsc.mean_interface_edge();
-  return {dsc,
-          options.tolerance * edge,
-          Rule::shortest * edge,
-          longest * edge,
-          Rule::gradation,
-          options.feature_angle};
-}
-
 // Calls a function with the ends of the edges of facets, in space twice for each edge.
 template <class Facets, class Function>
 void for_each_edge_of(const Facets& facets, const Function& function) {
@@ -90,44 +79,68 @@ bool is_stretched(const Interface_snapshot<Complex>& interface_, const Points& f
   return result;
 }
 
-// Whether edges are far longer than the curvature allows, or too many are short.
-template <class Complex>
-bool is_worn(const Complex& dsc, const Interface_snapshot<Complex>& interface_,
-             const Adaptation_options& options) {
-  using Rule = Adaptation_rule<Complex::dimension>;
-  const auto sizes = adapted_sizes(dsc, options, Rule::longest),
-             sizes_if_flat = adapted_sizes(dsc, options, Rule::longest_if_flat);
-  const Edge_unit<Complex> size(std::cref(sizes), 0), size_if_flat(std::cref(sizes_if_flat), 0);
-  std::size_t edges = 0, short_ones = 0, long_ones = 0;
-  for_each_edge_of(interface_.facets(), [&](std::size_t a, std::size_t b) {
-    const auto v = interface_.vertices[a], w = interface_.vertices[b];
-    ++edges;
-    short_ones += length_in_units(dsc, v, w, size) < Rule::collapse;
-    long_ones += length_in_units(dsc, v, w, size_if_flat) > Rule::split;
-  });
-  return double(long_ones) > Rule::many_long_ones * double(edges) ||
-         double(short_ones) > Rule::many_short_ones * double(edges);
-}
+// Keeps edges as long as the curvature of an interface asks for.
+template <class Complex> class Interface_adaptation
+{
+public:
+  Interface_adaptation(const Complex& complex, const Interface_snapshot<Complex>& interface_,
+                       const Adaptation_options& options)
+      : m_interface(interface_), m_positions(interface_.positions(complex)),
+        m_edge(complex.mean_interface_edge()), m_feature_angle(options.feature_angle),
+        m_lengths(interface_, m_positions, options.tolerance * m_edge, Rule::shortest * m_edge,
+                  options.feature_angle),
+        m_sizes(sizes(Rule::longest)) {}
 
-// Splits on the smooth surface, and collapses; no vertex is moved that does not have to.
-template <class Complex, class Visitor>
-Improvement_report adapt_interface(Complex& dsc, const Adaptation_options& options,
-                                   const Visitor& visitor) {
+  // Whether too many edges are far longer than the curvature allows, or short.
+  bool is_worn() const {
+    const std::vector<double> sizes_if_flat = sizes(Rule::longest_if_flat);
+    std::size_t edges = 0, short_ones = 0, long_ones = 0;
+    for_each_edge_of(m_interface.facets(), [&](std::size_t a, std::size_t b) {
+      const double length =
+          std::sqrt((m_interface.domain.near(m_positions[a], m_positions[b]) - m_positions[a])
+                        .squared_length());
+      ++edges;
+      short_ones += length < Rule::collapse * (std::min)(m_sizes[a], m_sizes[b]);
+      long_ones += length > Rule::split * (std::min)(sizes_if_flat[a], sizes_if_flat[b]);
+    });
+    return double(long_ones) > Rule::many_long_ones * double(edges) ||
+           double(short_ones) > Rule::many_short_ones * double(edges);
+  }
+
+  // Splits on the smooth surface, and collapses; no vertex is moved that does not have to. The
+  // complex is still that of the beginning.
+  template <class Visitor>
+  Improvement_report apply(Complex& complex, const Visitor& visitor) const {
+    const Curvature_size_field<Complex::dimension> field(m_interface, m_positions, m_sizes,
+                                                         Rule::longest * m_edge);
+    return CGAL::improve_interface(complex, parameters::size_field(std::cref(field))
+                                                .interface_split_length(Rule::split)
+                                                .interface_collapse_length(Rule::collapse)
+                                                .swept_volume(Rule::swept_volume)
+                                                .curved_splits(true)
+                                                .aggressiveness(0.)
+                                                .feature_angle(m_feature_angle)
+                                                .quality_threshold(0.) // left to the motion
+                                                .visitor(visitor));
+  }
+
+private:
   using Rule = Adaptation_rule<Complex::dimension>;
-  const auto sizes = adapted_sizes(dsc, options, Rule::longest);
-  return CGAL::improve_interface(dsc, parameters::size_field(std::cref(sizes))
-                                          .interface_split_length(Rule::split)
-                                          .interface_collapse_length(Rule::collapse)
-                                          .swept_volume(Rule::swept_volume)
-                                          .curved_splits(true)
-                                          .aggressiveness(0.)
-                                          .feature_angle(options.feature_angle)
-                                          .quality_threshold(0.) // cells are left to the motion
-                                          .visitor(visitor));
-}
+
+  // Of vertices. The longest one is in mean edges.
+  std::vector<double> sizes(double longest) const {
+    return m_lengths.graded(longest * m_edge, Rule::gradation);
+  }
+
+  const Interface_snapshot<Complex>& m_interface;
+  std::vector<typename Complex::Approximate_point> m_positions;
+  double m_edge, m_feature_angle;
+  Curvature_lengths<Complex> m_lengths;
+  std::vector<double> m_sizes;
+};
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_ADAPT_INTERFACE_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_INTERFACE_ADAPTATION_H

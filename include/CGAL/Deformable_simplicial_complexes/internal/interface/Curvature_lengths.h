@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_CURVATURE_LENGTHS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_CURVATURE_LENGTHS_H
+
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_bends.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/vertices_on_junctions.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+/*
+How long edges may be at the vertices of an interface, by its curvature: those that an edge of a
+length h lies a tolerance below, about curvature * h^2 / 8. Vertices on sharp edges, and where more
+than two labels meet, have no normal and thus no curvature. The angle of sharp edges is in degrees.
+*/
+template <class Complex> class Curvature_lengths
+{
+public:
+  using Snapshot = Interface_snapshot<Complex>;
+  using Points = std::vector<typename Complex::Approximate_point>;
+
+  Curvature_lengths(const Snapshot& interface_, const Points& positions, double tolerance,
+                    double shortest, double feature_angle)
+      : m_lengths(positions.size(), std::numeric_limits<double>::infinity()) {
+    using Bends = Interface_bends<Complex>;
+    const auto normals = Bends::normals(interface_, positions);
+    const std::vector<char> is_on_junction = vertices_on_junctions(interface_);
+    const std::vector<char> is_on_feature =
+        Bends::on_features(interface_, positions, feature_angle * (CGAL_PI / 180));
+    const auto has_normal = [&](std::size_t v) { return !is_on_junction[v] && !is_on_feature[v]; };
+    m_first.assign(positions.size() + 1, 0);
+    for_each_edge(interface_, [&](std::size_t a, std::size_t b) {
+      ++m_first[a];
+      ++m_first[b];
+      if (!has_normal(a) || !has_normal(b))
+        return;
+      const auto edge = interface_.domain.near(positions[a], positions[b]) - positions[a];
+      const double bend = std::abs((normals[b] - normals[a]) * edge); // curvature * squared length
+      if (!(bend > 0))
+        return;
+      const double length =
+          (std::max)(shortest, std::sqrt(8 * tolerance * edge.squared_length() / bend));
+      m_lengths[a] = (std::min)(m_lengths[a], length);
+      m_lengths[b] = (std::min)(m_lengths[b], length);
+    });
+    for (std::size_t v = 0, sum = 0; v < m_first.size(); ++v)
+      sum = m_first[v] += sum;
+    m_neighbors.resize(m_first.back());
+    for_each_edge(interface_, [&](std::size_t a, std::size_t b) {
+      const double distance = std::sqrt(
+          (interface_.domain.near(positions[a], positions[b]) - positions[a]).squared_length());
+      m_neighbors[--m_first[a]] = {b, distance};
+      m_neighbors[--m_first[b]] = {a, distance};
+    });
+  }
+
+  // None longer than a bound, nor longer than its neighbors allow, which may differ by a part of
+  // the edge between: the shortest first, as in Dijkstra's algorithm.
+  std::vector<double> graded(double longest, double gradation) const {
+    using Entry = std::pair<double, std::size_t>; // the length of a vertex
+    std::vector<double> lengths = m_lengths;
+    std::vector<Entry> entries;
+    for (std::size_t v = 0; v < lengths.size(); ++v) {
+      lengths[v] = (std::min)(lengths[v], longest);
+      entries.emplace_back(lengths[v], v);
+    }
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue(std::greater<>(),
+                                                                         std::move(entries));
+    while (!queue.empty()) {
+      const auto [length, a] = queue.top();
+      queue.pop();
+      if (length > lengths[a])
+        continue; // it has become shorter since
+      for (std::size_t k = m_first[a]; k < m_first[a + 1]; ++k) {
+        const auto& [b, distance] = m_neighbors[k];
+        const double bound = length + gradation * distance;
+        if (lengths[b] > bound) {
+          lengths[b] = bound;
+          queue.emplace(bound, b);
+        }
+      }
+    }
+    return lengths;
+  }
+
+private:
+  struct Neighbor
+  {
+    std::size_t vertex;
+    double distance;
+  };
+
+  // In space, one of two facets twice.
+  template <class Function>
+  static void for_each_edge(const Snapshot& interface_, const Function& function) {
+    for (const auto& facet : interface_.facets())
+      for (std::size_t i = 0; i < facet.vertices.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          function(facet.vertices[i], facet.vertices[j]);
+  }
+
+  std::vector<double> m_lengths;    // without an upper bound
+  std::vector<std::size_t> m_first; // of the neighbors of a vertex, and one more
+  std::vector<Neighbor> m_neighbors;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_CURVATURE_LENGTHS_H
