@@ -253,6 +253,44 @@ TEST(Components, are_known_after_relabelings_that_keep_them) {
   EXPECT_GT(changed, 5u);
 }
 
+// What relabelings part may be gone, or together again, when one looks.
+TEST(Components, are_known_after_many_relabelings) {
+  Complex dsc = jittered_grid(4, small_meshes::two_boxes, .3, 2);
+  Random random(4);
+  std::size_t known = 0, changed = 0;
+  for (int i = 0; i < 400; ++i) {
+    auto expected = numbers_of_components(dsc);
+    dsc.take_component_events();
+    const auto cells = dsc.cells();
+    Cell_handle c = cells[random.below(cells.size())];
+    for (std::size_t k = random.below(30); k > 0; --k) { // a walk
+      const Cell_handle n = c->neighbor(int(random.below(4)));
+      if (dsc.is_infinite(n))
+        continue;
+      if (n->label() != c->label())
+        dsc.relabel(c, n->label());
+      c = n;
+    }
+    if (i % 3 == 0) {
+      EXPECT_EQ(numbers_of_components(dsc)[1], dsc.number_of_components(1));
+    }
+    EXPECT_TRUE(dsc.is_valid());
+    const auto events = dsc.take_component_events();
+    EXPECT_TRUE(dsc.is_valid());
+    ++(events.empty() ? known : changed);
+    using Kind = CGAL::Component_event::Kind;
+    for (const auto& event : events) // what merges and splits at once is told of twice
+      expected[event.label] += (event.kind == Kind::merged ? 1 : event.after.size()) -
+                               (event.kind == Kind::split ? 1 : event.before.size());
+    for (const auto& [label, number] : expected)
+      EXPECT_EQ(dsc.number_of_components(label), number);
+    for (const auto& [label, number] : numbers_of_components(dsc))
+      EXPECT_EQ(dsc.number_of_components(label), number);
+  }
+  EXPECT_GT(known, 50u);
+  EXPECT_GT(changed, 50u);
+}
+
 TEST(Redistribute_contents, adds_what_all_pairs_would) {
   Random random(1);
   const auto from = filled_cells(jittered_grid(3, small_meshes::uniform, .3, 1), random);

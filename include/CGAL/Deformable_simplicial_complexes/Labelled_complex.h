@@ -473,7 +473,7 @@ private:
   Normalization m_normalization;
   double m_mean_interface_edge = 0, m_minimum_interface_edge = 0;
   std::uint64_t m_version = 0;
-  mutable internal::Component_tracker m_components;
+  mutable internal::Component_tracker<Cell_handle> m_components;
 
   // Buffers whose memory is reused.
   std::vector<Cell_handle> m_star;

@@ -6,8 +6,10 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_ACCOUNTS_COMPONENT_TRACKER_H
 
 #include <CGAL/Deformable_simplicial_complexes/Component_event.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Doubted_connections.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Label_totals.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Marks.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/kept_components.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -25,18 +27,58 @@ namespace internal {
 // a cell that replaces others inherits it. After a change that may have altered components they are
 // numbered anew, in the order of their oldest cells, and the pairs (old number, new number) met on
 // the way tell what merged, split or vanished.
-class Component_tracker
+template <class Cell_handle> class Component_tracker
 {
 public:
   using Number = std::uint32_t;
 
   // The components may have changed.
   void invalidate() {
+    if (!m_doubts.empty())
+      m_components.swap(m_before_doubts);
+    m_doubts.clear();
     m_is_known = false;
     m_is_counted = false;
   }
 
-  // Whether they did not change since they were numbered.
+  // A cell is to have another label. Components stay if its finite neighbors of that are of one,
+  // and those of its own label stay connected around it, or as it turns out later. Nothing changes
+  // if there is no memory for it.
+  template <class Complex>
+  void prepare_relabeling(const Complex& complex, Cell_handle c, int label) {
+    if (!m_is_known)
+      return;
+    std::vector<Cell_handle> left, joined;
+    for (int i = 0; i < Complex::corners; ++i)
+      if (const Cell_handle n = c->neighbor(i); !complex.is_infinite(n)) {
+        if (n->label() == c->label())
+          left.push_back(n);
+        else if (n->label() == label)
+          joined.push_back(n);
+      }
+    const bool joins_one =
+        !joined.empty() && std::all_of(joined.begin(), joined.end(), [&](auto n) {
+          return n->component() == joined.front()->component();
+        });
+    if (!joins_one || !leaves_one(complex, c, left))
+      invalidate();
+  }
+
+  // Finds out whether components have changed, where that is in doubt. To be called before cells
+  // are replaced.
+  template <class Complex> void settle(const Complex& complex) {
+    if (m_doubts.empty())
+      return;
+    if (!m_doubts.are_dispelled(complex)) {
+      invalidate();
+      return;
+    }
+    m_counts = counts_of(m_components);
+    m_is_counted = true;
+    m_doubts.clear();
+  }
+
+  // Whether they did not change since they were numbered. \pre settled
   bool is_known() const { return m_is_known; }
 
   // What a component measures has changed, in the units of totals.
@@ -49,6 +91,7 @@ public:
   // their sums are exact. Nothing changes if there is no memory for it.
   template <class Complex> void update(const Complex& complex, const Label_totals& totals) {
     const std::lock_guard<std::mutex> lock(m_guard.mutex);
+    settle(complex);
     if (m_is_known)
       return;
     Numbering now = number(complex, totals);
@@ -68,8 +111,8 @@ public:
 
   // Forgets the past: the components of now are the first ones. \pre no cell has a number
   template <class Complex> void reset(const Complex& complex, const Label_totals& totals) {
+    invalidate();
     m_components.clear();
-    m_is_known = false;
     update(complex, totals);
     m_events.clear();
     begin_lineage();
@@ -78,7 +121,7 @@ public:
   // Gives the components the numbers that their cells once had. Returns false if these are no
   // numbers of them. \pre is_known()
   template <class Complex>
-  bool renumber(const Complex& complex, const std::vector<typename Complex::Cell_handle>& cells,
+  bool renumber(const Complex& complex, const std::vector<Cell_handle>& cells,
                 const std::vector<Number>& numbers) {
     const std::size_t n = m_components.size();
     std::vector<Number> former(n, Number(n)); // n stands for none
@@ -129,9 +172,8 @@ public:
 
   // Whether the numbers and the volumes are those of now, if that is said to be known.
   template <class Complex> bool is_right(const Complex& complex, const Label_totals& totals) const {
-    using Cell_handle = typename Complex::Cell_handle;
     const std::lock_guard<std::mutex> lock(m_guard.mutex);
-    if (!m_is_known)
+    if (!m_is_known || !m_doubts.empty())
       return true;
     std::vector<bool> is_found(m_components.size(), false);
     std::vector<Cell_handle> seen;
@@ -165,6 +207,27 @@ private:
     std::int64_t volume; // now, or just before something happened to components
   };
   using Origin = std::pair<Number, Number>;
+
+  // Whether what a cell leaves, given by its neighbors, is still one component, for all that is
+  // known. Notes what is not.
+  template <class Complex>
+  bool leaves_one(const Complex& complex, Cell_handle c, const std::vector<Cell_handle>& left) {
+    static constexpr std::size_t most = 64; // doubts: beyond, a look at all cells is as cheap
+    if (m_doubts.size() > most)
+      return false;
+    if (m_doubts.has(c))
+      return m_doubts.replace(c, left);
+    if (left.empty())
+      return false;
+    if (are_connected_nearby(
+            complex, left, [&](auto v) { return c->has_vertex(v); }, c))
+      return true;
+    if (m_doubts.empty())
+      m_before_doubts = m_components;
+    m_doubts.add_group(left);
+    m_is_counted = false;
+    return true;
+  }
 
   void begin_lineage() {
     m_lineage.clear();
@@ -218,8 +281,8 @@ private:
 
   // Those of the same component.
   template <class Complex>
-  static void add_neighbors(const Complex& complex, typename Complex::Cell_handle c, Marks& marks,
-                            std::vector<typename Complex::Cell_handle>& seen) {
+  static void add_neighbors(const Complex& complex, Cell_handle c, Marks& marks,
+                            std::vector<Cell_handle>& seen) {
     for (int i = 0; i < Complex::corners; ++i)
       if (c->neighbor(i)->label() == c->label() && !complex.is_infinite(c->neighbor(i)))
         marks.add(c->neighbor(i), seen);
@@ -227,10 +290,10 @@ private:
 
   template <class Complex> void count(const Complex& complex) const {
     m_counts.clear();
-    std::vector<typename Complex::Cell_handle> seen;
+    std::vector<Cell_handle> seen;
     Marks marks = cell_marks(complex);
     std::size_t next = 0;
-    for (typename Complex::Cell_handle seed : complex.finite_cells()) {
+    for (Cell_handle seed : complex.finite_cells()) {
       if (marks.has(seed))
         continue;
       add_one(m_counts, seed->label());
@@ -250,7 +313,6 @@ private:
 
   template <class Complex>
   Numbering number(const Complex& complex, const Label_totals& totals) const {
-    using Cell_handle = typename Complex::Cell_handle;
     static constexpr Number none = Number(-1);
     Numbering result;
     std::vector<Number>& of_cell = result.of_cell;
@@ -370,6 +432,8 @@ private:
   std::vector<Component_event> m_events;
   std::vector<Origin> m_lineage; // since it was taken
   bool m_is_known = true;
+  Doubted_connections<Cell_handle> m_doubts; // that what is known holds
+  std::vector<Component> m_before_doubts;
   mutable std::vector<Count> m_counts; // by label
   mutable bool m_is_counted = false;
   mutable Guard m_guard;

@@ -8,15 +8,40 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Marks.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
 // Whether a change of a few cells certainly leaves the connected components of labels, as their
-// surroundings tell. Where this says no, only a look at all cells knows.
+// surroundings tell. Where this says no, it takes a look farther around, or at all cells.
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
+
+// Whether two cells of one label are connected: it looks from both at once, about as far as they
+// are from each other, or over the smaller of what they are in.
+template <class Complex>
+bool are_connected(const Complex& complex, typename Complex::Cell_handle a,
+                   typename Complex::Cell_handle b) {
+  if (a == b)
+    return true;
+  std::array<std::vector<typename Complex::Cell_handle>, 2> reached;
+  std::array<Marks, 2> marks = {cell_marks(complex), cell_marks(complex)};
+  marks[0].add(a, reached[0]);
+  marks[1].add(b, reached[1]);
+  for (std::size_t k = 0; k < reached[0].size() && k < reached[1].size(); ++k)
+    for (std::size_t side : {0, 1})
+      for (int i = 0; i < Complex::corners; ++i) {
+        const auto n = reached[side][k]->neighbor(i);
+        if (n->label() != a->label() || complex.is_infinite(n))
+          continue;
+        if (marks[1 - side].has(n))
+          return true;
+        marks[side].add(n, reached[side]);
+      }
+  return false;
+}
 
 // Whether cells of one label are connected through cells that have one of some vertices, given as
 // `is_near(v)`, without passing through one.
@@ -45,28 +70,6 @@ bool are_connected_nearby(const Complex& complex,
     }
   }
   return false;
-}
-
-// Of the finite neighbors of a cell that is to have another label: those of its label stay
-// connected around it, and those of the other one are of one component.
-template <class Complex>
-bool relabeling_keeps_components(const Complex& complex, typename Complex::Cell_handle c,
-                                 int label) {
-  using Cell_handle = typename Complex::Cell_handle;
-  std::vector<Cell_handle> left, joined;
-  for (int i = 0; i < Complex::corners; ++i)
-    if (const Cell_handle n = c->neighbor(i); !complex.is_infinite(n)) {
-      if (n->label() == c->label())
-        left.push_back(n);
-      else if (n->label() == label)
-        joined.push_back(n);
-    }
-  return !left.empty() && !joined.empty() &&
-         std::all_of(
-             joined.begin(), joined.end(),
-             [&](Cell_handle n) { return n->component() == joined.front()->component(); }) &&
-         are_connected_nearby(
-             complex, left, [&](auto v) { return c->has_vertex(v); }, c);
 }
 
 // Cells in groups of one label that are connected among them.

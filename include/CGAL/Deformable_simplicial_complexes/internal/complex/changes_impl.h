@@ -162,8 +162,7 @@ void CGAL_DSC_CLASS::set_points(const std::vector<Vertex_handle>& vertices,
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::relabel(Cell_handle c, Label label) {
   m_totals.make_room(label);
-  const bool keeps_components =
-      m_components.is_known() && internal::relabeling_keeps_components(*this, c, label);
+  m_components.prepare_relabeling(*this, c, label);
   // From here on nothing can fail.
   ++m_version;
   const auto count_interface = [&](int number) {
@@ -172,8 +171,6 @@ void CGAL_DSC_CLASS::relabel(Cell_handle c, Label label) {
         count_interface_facet(Facet(c, i), number);
   };
   const double volume = measure(c);
-  if (!keeps_components)
-    m_components.invalidate();
   count_interface(-1);
   m_totals.remove_cell(c->label(), volume);
   m_components.add_volume(c->component(), -m_totals.units(volume));
@@ -250,6 +247,7 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
   m_half_facets.clear();
   m_half_facets.reserve(corners * (cavity.removed().size() + cavity.planned().size()));
   const bool is_label_mixed = has_several_labels(cavity.removed());
+  m_components.settle(*this);
   std::optional<internal::Connections<Labelled_complex>> connections;
   if (is_label_mixed && m_components.is_known())
     connections.emplace(*this, cavity.removed());

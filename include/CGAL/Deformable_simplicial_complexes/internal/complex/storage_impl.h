@@ -77,7 +77,7 @@ CGAL_DSC_CLASS::Labelled_complex(Labelled_complex&& other) noexcept
       m_mean_interface_edge(std::exchange(other.m_mean_interface_edge, 0)),
       m_minimum_interface_edge(std::exchange(other.m_minimum_interface_edge, 0)),
       m_version(other.m_version++), m_components(std::move(other.m_components)) {
-  other.m_components = internal::Component_tracker();
+  other.m_components = internal::Component_tracker<Cell_handle>();
 }
 
 CGAL_DSC_TEMPLATE
