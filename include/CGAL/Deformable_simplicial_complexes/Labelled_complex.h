@@ -392,12 +392,13 @@ public:
   \throws Stale_proposal_error if the complex has changed since the cavity was begun. Neither this
          nor a lack of memory changes the complex.
 
-  n log n in the size of the cavity.
+  n log n in the size of the cavity. Linear in the complex, at the most, after relabelings that may
+  have parted a component.
   */
   void replace(Cavity& cavity);
 
-  /// Gives a finite cell another label. Constant time. A lack of memory leaves the complex as it
-  /// was.
+  /// Gives a finite cell another label. Linear in the cells around it, and in the number of
+  /// components where one may have been parted. A lack of memory leaves the complex as it was.
   void relabel(Cell_handle c, Label label);
 
   /// @}

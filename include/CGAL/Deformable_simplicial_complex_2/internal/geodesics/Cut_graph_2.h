@@ -248,7 +248,9 @@ private:
   void add_begins() {
     for (std::size_t i = 0, size = m_points.size(); i < size; ++i)
       if (m_graph[i].size() == 1) {
-        if (const auto begin = m_finder.begin_of_arc(point(i)))
+        const auto begin = point(i).geodesics.size() == 2 ? m_finder.begin_of_arc(point(i))
+                                                          : std::nullopt; // arcs are missing there
+        if (begin)
           m_graph.join(i, add(*begin));
         else
           m_has_loose_ends = true;

@@ -88,7 +88,8 @@ public:
   }
 
   // Where an arc begins that ends in a point: at the nearest of the points where geodesics between
-  // those to its end are conjugate to the source.
+  // those to its end are conjugate to the source. It has no neighbors to be compared with, and thus
+  // no turns.
   std::optional<Cut_point> begin_of_arc(const Cut_point& end) const {
     static constexpr double precision = 1e-6; // radians
     static const double golden = (std::sqrt(5.) - 1) / 2;

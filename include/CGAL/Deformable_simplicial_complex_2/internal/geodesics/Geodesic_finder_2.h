@@ -112,7 +112,7 @@ protected:
 public:
   // The one that Newton's method finds from another one.
   std::optional<Geodesic> geodesic_to(const Point& p, const Geodesic& start) const {
-    static constexpr int iterations = 30; // at conjugate points each step halves the error
+    static constexpr int iterations = 30; // many at conjugate points, where it converges slowly
     static constexpr double precision = 1e-9;
     Geodesic g = start;
     for (int k = 0; k < iterations; ++k) {

@@ -46,6 +46,8 @@ public:
   // if there is no memory for it.
   template <class Complex>
   void prepare_relabeling(const Complex& complex, Cell_handle c, int label) {
+    if (!m_is_known || !m_doubts.empty())
+      m_is_counted = false;
     if (!m_is_known)
       return;
     std::vector<Cell_handle> left, joined;
@@ -173,7 +175,7 @@ public:
   // Whether the numbers and the volumes are those of now, if that is said to be known.
   template <class Complex> bool is_right(const Complex& complex, const Label_totals& totals) const {
     const std::lock_guard<std::mutex> lock(m_guard.mutex);
-    if (!m_is_known || !m_doubts.empty())
+    if (!m_is_known || !m_doubts.are_dispelled(complex))
       return true;
     std::vector<bool> is_found(m_components.size(), false);
     std::vector<Cell_handle> seen;

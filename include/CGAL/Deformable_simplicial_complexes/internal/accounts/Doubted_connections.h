@@ -31,7 +31,9 @@ public:
     m_number_of_groups = 0;
   }
 
+  // Nothing changes if there is no memory for it.
   void add_group(const std::vector<Cell_handle>& cells) {
+    m_doubts.reserve(m_doubts.size() + cells.size());
     for (Cell_handle c : cells)
       m_doubts.push_back({m_number_of_groups, c});
     ++m_number_of_groups;
@@ -64,14 +66,16 @@ public:
                        [&](const Doubt& doubt) { return doubt.group == group; });
   }
 
-  // Whether each group is connected.
+  // Whether each group is connected, as far as a search finds out that takes no longer than a look
+  // at all cells.
   template <class Complex> bool are_dispelled(const Complex& complex) const {
     std::vector<Cell_handle> first(m_number_of_groups);
+    std::size_t budget = complex.cell_id_bound();
     for (const Doubt& doubt : m_doubts) {
       Cell_handle& c = first[doubt.group];
       if (c == Cell_handle())
         c = doubt.cell;
-      else if (!are_connected(complex, c, doubt.cell))
+      else if (!are_connected(complex, c, doubt.cell, budget))
         return false;
     }
     return true;

@@ -20,17 +20,19 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // Whether two cells of one label are connected: it looks from both at once, about as far as they
-// are from each other, or over the smaller of what they are in.
+// are from each other, or over the smaller of what they are in. Says no, too, when it has looked
+// around as many cells as a budget has, from which they are taken.
 template <class Complex>
 bool are_connected(const Complex& complex, typename Complex::Cell_handle a,
-                   typename Complex::Cell_handle b) {
+                   typename Complex::Cell_handle b, std::size_t& budget) {
   if (a == b)
     return true;
   std::array<std::vector<typename Complex::Cell_handle>, 2> reached;
   std::array<Marks, 2> marks = {cell_marks(complex), cell_marks(complex)};
   marks[0].add(a, reached[0]);
   marks[1].add(b, reached[1]);
-  for (std::size_t k = 0; k < reached[0].size() && k < reached[1].size(); ++k)
+  for (std::size_t k = 0; k < reached[0].size() && k < reached[1].size() && budget > 1; ++k) {
+    budget -= 2;
     for (std::size_t side : {0, 1})
       for (int i = 0; i < Complex::corners; ++i) {
         const auto n = reached[side][k]->neighbor(i);
@@ -40,6 +42,7 @@ bool are_connected(const Complex& complex, typename Complex::Cell_handle a,
           return true;
         marks[side].add(n, reached[side]);
       }
+  }
   return false;
 }
 

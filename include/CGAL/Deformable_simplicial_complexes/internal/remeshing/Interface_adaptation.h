@@ -44,10 +44,10 @@ template <int dimension> struct Adaptation_rule
   // In squares or cubes of the size: a curve feels each collapse, a surface has thousands.
   static constexpr double swept_volume = dimension == 2 ? .01 : .1;
 
-  // An interface is worn if more than these parts of its edges would be split, where flat parts may
-  // have edges of `longest_if_flat`, as what is stretched without being bent is as good as before;
-  // or would be collapsed. A few do no harm, and all that is changed has another volume than it
-  // had.
+  // An interface is worn if more than these parts of its edges are, by the sizes at their ends, to
+  // be split, where flat parts may have edges of `longest_if_flat`, as what is stretched without
+  // being bent is as good as before; or to be collapsed. A few do no harm, and all that is changed
+  // has another volume than it had.
   static constexpr double many_long_ones = .015, many_short_ones = .003;
   static constexpr double longest_if_flat = 3 * longest;
 };
