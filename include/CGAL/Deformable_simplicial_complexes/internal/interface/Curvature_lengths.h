@@ -24,6 +24,15 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// Calls a function with the ends of the edges of facets, in space twice for each edge.
+template <class Facets, class Function>
+void for_each_edge_of(const Facets& facets, const Function& function) {
+  for (const auto& facet : facets)
+    for (std::size_t i = 0; i < facet.vertices.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        function(facet.vertices[i], facet.vertices[j]);
+}
+
 /*
 How long edges may be at the vertices of an interface, by its curvature: those that an edge of a
 length h lies a tolerance below, about curvature * h^2 / 8. Vertices on sharp edges, and where more
@@ -45,7 +54,7 @@ public:
         Bends::on_features(interface_, positions, feature_angle * (CGAL_PI / 180));
     const auto has_normal = [&](std::size_t v) { return !is_on_junction[v] && !is_on_feature[v]; };
     m_first.assign(positions.size() + 1, 0);
-    for_each_edge(interface_, [&](std::size_t a, std::size_t b) {
+    for_each_edge_of(interface_.facets(), [&](std::size_t a, std::size_t b) {
       ++m_first[a];
       ++m_first[b];
       if (!has_normal(a) || !has_normal(b))
@@ -62,7 +71,7 @@ public:
     for (std::size_t v = 0, sum = 0; v < m_first.size(); ++v)
       sum = m_first[v] += sum;
     m_neighbors.resize(m_first.back());
-    for_each_edge(interface_, [&](std::size_t a, std::size_t b) {
+    for_each_edge_of(interface_.facets(), [&](std::size_t a, std::size_t b) {
       const double distance = std::sqrt(
           (interface_.domain.near(positions[a], positions[b]) - positions[a]).squared_length());
       m_neighbors[--m_first[a]] = {b, distance};
@@ -105,15 +114,6 @@ private:
     std::size_t vertex;
     double distance;
   };
-
-  // In space, one of two facets twice.
-  template <class Function>
-  static void for_each_edge(const Snapshot& interface_, const Function& function) {
-    for (const auto& facet : interface_.facets())
-      for (std::size_t i = 0; i < facet.vertices.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-          function(facet.vertices[i], facet.vertices[j]);
-  }
 
   std::vector<double> m_lengths;    // without an upper bound
   std::vector<std::size_t> m_first; // of the neighbors of a vertex, and one more

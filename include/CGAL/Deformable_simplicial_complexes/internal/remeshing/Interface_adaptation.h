@@ -52,15 +52,6 @@ template <int dimension> struct Adaptation_rule
   static constexpr double longest_if_flat = 3 * longest;
 };
 
-// Calls a function with the ends of the edges of facets, in space twice for each edge.
-template <class Facets, class Function>
-void for_each_edge_of(const Facets& facets, const Function& function) {
-  for (const auto& facet : facets)
-    for (std::size_t i = 0; i < facet.vertices.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        function(facet.vertices[i], facet.vertices[j]);
-}
-
 // Whether a motion changes lengths: not if it is rigid.
 template <class Complex, class Points>
 bool is_stretched(const Interface_snapshot<Complex>& interface_, const Points& from,
