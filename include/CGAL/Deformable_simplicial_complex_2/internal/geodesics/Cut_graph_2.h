@@ -93,10 +93,6 @@ private:
     return distance(point(i).point, point(j).point);
   }
 
-  std::size_t number_of_common(std::size_t i, std::size_t j) const {
-    return Finder::common(point(i), point(j), m_finder.way_between(point(i), point(j))).size();
-  }
-
   // What is not found becomes a neighbor.
   void find_points(const Chordal_axis_2<Front>& axis) {
     const auto& nodes = axis.nodes();
@@ -118,7 +114,7 @@ private:
   // Whether two points are close, and two shortest geodesics or more to them are like each other.
   bool are_on_an_arc(std::size_t i, std::size_t j, double farthest) const {
     return !m_graph[i].empty() && !m_graph[j].empty() && distance(i, j) < farthest * m_spacing &&
-           number_of_common(i, j) >= 2;
+           m_finder.common(point(i), point(j)).size() >= 2;
   }
 
   // The axis need not fork where arcs do. Of two arcs that meet, points share one geodesic, that of
@@ -127,8 +123,7 @@ private:
     std::vector<Edge> pairs;
     for (std::size_t i = 0; i < m_points.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (!m_graph[i].empty() && !m_graph[j].empty() && distance(i, j) < next_arc * m_spacing &&
-            number_of_common(i, j) == 1)
+        if (!m_graph[i].empty() && !m_graph[j].empty() && distance(i, j) < next_arc * m_spacing)
           pairs.emplace_back(distance(i, j), i, j);
     std::sort(pairs.begin(), pairs.end());
     std::vector<std::size_t> junctions;
@@ -248,9 +243,7 @@ private:
   void add_begins() {
     for (std::size_t i = 0, size = m_points.size(); i < size; ++i)
       if (m_graph[i].size() == 1) {
-        const auto begin = point(i).geodesics.size() == 2 ? m_finder.begin_of_arc(point(i))
-                                                          : std::nullopt; // arcs are missing there
-        if (begin)
+        if (const auto begin = m_finder.begin_of_arc(point(i)))
           m_graph.join(i, add(*begin));
         else
           m_has_loose_ends = true;

@@ -74,8 +74,7 @@ public:
   std::optional<Cut_point> junction(const Cut_point& p, const Cut_point& q) const {
     if (p.geodesics.size() != 2 || q.geodesics.size() != 2)
       return std::nullopt;
-    const Vector way = way_between(p, q);
-    std::vector<Geodesic> three = common(p, q, way);
+    std::vector<Geodesic> three = common(p, q);
     if (three.size() != 1)
       return std::nullopt;
     for (const Cut_point* x : {&p, &q})
@@ -84,13 +83,15 @@ public:
                                           return std::abs(turn(three[0].angle, a.angle)) <
                                                  std::abs(turn(three[0].angle, b.angle));
                                         }));
-    return follow(three, 3, p.point + way / 2, Vector(0, 0));
+    return follow(three, 3, p.point + way_between(p, q) / 2, Vector(0, 0));
   }
 
   // Where an arc begins that ends in a point: at the nearest of the points where geodesics between
   // those to its end are conjugate to the source. It has no neighbors to be compared with, and thus
-  // no turns.
+  // no turns. Nothing where arcs are missing, as more geodesics meet.
   std::optional<Cut_point> begin_of_arc(const Cut_point& end) const {
+    if (end.geodesics.size() != 2)
+      return std::nullopt;
     static constexpr double precision = 1e-6; // radians
     static const double golden = (std::sqrt(5.) - 1) / 2;
     double low = end.geodesics[0].angle, high = low + turn(low, end.geodesics[1].angle);
@@ -122,14 +123,16 @@ public:
 
   // The geodesics to a point that are like those to another one near it: of each two that are like
   // each other the mean.
-  static std::vector<Geodesic> common(const Cut_point& p, const Cut_point& q, const Vector& way) {
+  std::vector<Geodesic> common(const Cut_point& p, const Cut_point& q) const {
     static constexpr double similar = .13; // radians
+    const Vector v = way_between(p, q);
+    const Pair way(v.x(), v.y());
     std::vector<Geodesic> result;
     std::vector<char> is_taken(q.geodesics.size(), 0);
     for (std::size_t i = 0; i < p.geodesics.size(); ++i) {
       std::vector<double> gaps;
       for (std::size_t j = 0; j < q.geodesics.size(); ++j)
-        gaps.push_back(gap(p, i, q, j, Pair(way.x(), way.y())));
+        gaps.push_back(gap(p, i, q, j, way));
       const auto nearest = std::min_element(gaps.begin(), gaps.end());
       const std::size_t j = std::size_t(nearest - gaps.begin());
       if (*nearest >= similar || is_taken[j])
@@ -144,12 +147,8 @@ public:
   // A point of an arc between two others.
   std::optional<Cut_point> middle(const Cut_point& p, const Cut_point& q) const {
     const Vector way = way_between(p, q);
-    const std::vector<Geodesic> known = common(p, q, way);
+    const std::vector<Geodesic> known = common(p, q);
     return known.size() < 2 ? std::nullopt : between(known, p.point + way / 2, way);
-  }
-
-  Vector way_between(const Cut_point& p, const Cut_point& q) const {
-    return m_front.complex().domain().near(p.point, q.point) - p.point;
   }
 
 private:
@@ -162,6 +161,10 @@ private:
   using Base::near;
   using Base::turn;
   using typename Base::Arrival;
+
+  Vector way_between(const Cut_point& p, const Cut_point& q) const {
+    return m_front.complex().domain().near(p.point, q.point) - p.point;
+  }
 
   // By how much the angles of two geodesics differ, but for what their points do: by the turns of
   // either, or by none, as these are large where an arc begins.
