@@ -244,16 +244,20 @@ TEST(Fluid, gains_no_energy_at_walls) {
   const double height = -.42;
   fluid.add_solid(dsc::Plane_solid_3(Point(0, 0, height), Vector(0, 0, 1)));
   const double start = fluid.balance().energy();
-  std::size_t contacts = 0;
+  std::size_t contacts = 0, large_gains = 0;
   for (int k = 0; k < 60; ++k) {
-    // An edge that goes may dry what is around its end; the tension is 1. Others bend it a little.
+    // An edge that goes may dry what is around its end, which is rare; the tension is 1. Other
+    // changes of the mesh may dry or wet a few facets.
     const double star = largest_wet_star(complex, height), little = .01;
     const auto report = fluid.advance(.01);
     EXPECT_LT(report.moved.energy(), report.before.energy()) << k;
     EXPECT_LT(report.after.energy(), report.moved.energy() + star + little) << k;
+    const double facet = report.moved.surface_energy / double(complex.interface_facets().size());
+    large_gains += report.after.energy() >= report.moved.energy() + 5 * facet;
     EXPECT_TRUE(report.contacts_settled) << k;
     contacts = (std::max)(contacts, report.contacts);
   }
+  EXPECT_LE(large_gains, 1u);
   EXPECT_LT(fluid.balance().energy(), .96 * start);
   EXPECT_GT(contacts, 3u);
 }
