@@ -15,8 +15,8 @@ cmake --build build --parallel "$jobs"
 ctest --test-dir build --output-on-failure --no-tests=error --parallel "$jobs"
 
 # Optimized a little, or it would be too slow to run. Sanitizers take two thirds of the time that
-# compilation takes with them, so they watch what meets the worst input; scripts/check_more.sh has
-# them watch everything.
+# compilation takes with them, so they watch what meets the worst input, which is short and needs no
+# optimization; scripts/check_more.sh has them watch everything.
 echo "== Debug, with the checks of CGAL and of the standard library: the headers"
 cmake -S . -B build-checked -G Ninja -DCMAKE_BUILD_TYPE=Debug \
   -DCMAKE_CXX_FLAGS_DEBUG="-O1 -D_GLIBCXX_ASSERTIONS" \
@@ -26,7 +26,7 @@ ctest --test-dir build-checked --output-on-failure --no-tests=error --parallel "
 
 echo "== With the address and undefined behaviour sanitizers: damaged files and random changes"
 sanitized=(test_fuzzed_readers test_random_abuse)
-cmake -S . -B build-sanitized -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" \
+cmake -S . -B build-sanitized -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O0 -g1" \
   -DDSC_SANITIZE=ON -DDSC_BUILD_PROGRAM=OFF -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_BENCHMARKS=OFF
 cmake --build build-sanitized --parallel "$jobs" --target "${sanitized[@]}"
 ctest --test-dir build-sanitized --output-on-failure --no-tests=error --parallel "$jobs" \

@@ -40,8 +40,7 @@ template <class Complex, class NP, class Label>
 Complex fill_box(Complex dsc, const Curve_soup_2& soup, const Bbox_2& box, const NP& np,
                  const Label& label) {
   const New_mesh_options options = new_mesh_options(np);
-  check_crossings(soup);
-  Planar_filling_2 filling(soup, box);
+  Planar_filling_2 filling = fill_planar_box(soup, box);
   const auto labels = label(filling);
   if constexpr (!Complex::Domain::has_outside)
     join_sides(box, filling.points, filling.triangles);

@@ -5,13 +5,10 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_CURVE_SOUP_2_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_CURVE_SOUP_2_H
 
-#include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/box_intersection_d.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -96,57 +93,6 @@ template <class Curve> void add_curve(const Curve& curve, std::size_t number, Cu
                        : "has a point where an odd number of its segments end: make it closed "
                          "curves, or use segments with seeds",
                    number, number, {segments.front()});
-}
-
-// Whether two segments have more in common than ends, or all that they are.
-inline bool meet(const Curve_soup_2& soup, const Wall<2>& s, const Wall<2>& t) {
-  const auto point = [&](std::size_t i) { return soup.points[i]; };
-  if (s.vertices == t.vertices)
-    return s.surface == t.surface;
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j)
-      if (s.vertices[i] == t.vertices[j]) {
-        const auto p = point(s.vertices[i]), a = point(s.vertices[1 - i]),
-                   b = point(t.vertices[1 - j]);
-        return CGAL::collinear(p, a, b) &&
-               !CGAL::collinear_are_strictly_ordered_along_line(a, p, b);
-      }
-  return CGAL::do_intersect(Planar_kernel::Segment_2(point(s.vertices[0]), point(s.vertices[1])),
-                            Planar_kernel::Segment_2(point(t.vertices[0]), point(t.vertices[1])));
-}
-
-// Refuses segments that cross or overlap others. n log n, if few boxes around them overlap.
-inline void check_crossings(const Curve_soup_2& soup) {
-  using Box = Box_intersection_d::Box_with_info_d<double, 2, std::size_t>;
-  using Reason = Invalid_surface_error::Reason;
-  std::vector<Box> boxes;
-  for (std::size_t w = 0; w < soup.walls.size(); ++w) {
-    const auto& v = soup.walls[w].vertices;
-    boxes.emplace_back(soup.points[v[0]].bbox() + soup.points[v[1]].bbox(), w);
-  }
-  std::vector<std::pair<std::size_t, std::size_t>> crossings;
-  box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    if (meet(soup, soup.walls[a.info()], soup.walls[b.info()]))
-      crossings.push_back(std::minmax(a.info(), b.info()));
-  });
-  if (crossings.empty())
-    return;
-  std::sort(crossings.begin(), crossings.end());
-  const auto curve = [&](std::size_t wall) { return soup.walls[wall].surface; };
-  const std::size_t first = curve(crossings[0].first), second = curve(crossings[0].second);
-  std::vector<std::size_t> segments;
-  for (const auto& [a, b] : crossings)
-    if (curve(a) == first && curve(b) == second)
-      segments.insert(segments.end(), {soup.segments[a], soup.segments[b]});
-  if (first == second)
-    refuse_curve(Reason::self_intersection,
-                 "crosses or overlaps itself: segments may meet in common ends only", first, second,
-                 std::move(segments));
-  refuse_curve(
-      Reason::crossing_surfaces,
-      "meets another curve: they may be nested, touch in common ends of segments, and have "
-      "whole segments in common, but not cross or overlap in parts",
-      first, second, std::move(segments));
 }
 
 } // namespace internal

@@ -34,12 +34,12 @@ std::vector<int> label_by_seeds(const std::vector<std::pair<Point, int>>& seeds,
     const Planar_filling_2::Point p(to_double(seeds[i].first.x()), to_double(seeds[i].first.y()));
     if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
       refuse(i, "has coordinates that are no finite numbers: correct them");
-    const auto triangle = filling.locate(p);
-    if (!triangle)
+    const Planar_filling_2::Place place = filling.locate(p);
+    if (!place.triangle)
       refuse(i, "is outside the enclosing box: give a larger box");
-    if (filling.is_on_segment(p))
+    if (place.is_on_segment)
       refuse(i, "is on a segment: choose a point within its region");
-    triangles.emplace_back(*triangle, seeds[i].second);
+    triangles.emplace_back(*place.triangle, seeds[i].second);
   }
   std::optional<Contradicting_seeds> contradicting;
   auto labels = label_cells_by_seeds<2>(filling.triangles, soup.walls, triangles, contradicting);
