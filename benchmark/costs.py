@@ -18,7 +18,9 @@ import tempfile
 
 MESHES = "/usr/share/doc/libcgal-demo/data.tar.gz"
 BUNNY = ["bunny00.off", "--triangles", "13900"]
-SIZES = [1000, 3000, 14000, 50000, 200000, 800000]
+SIZES = [1000, 3000, 14000, 50000, 200000, 800000, 3000000]
+LARGEST = 1000000  # triangles that TetGen is given; more are made by refinement
+REFINED = 6  # triangles, about, that refinement makes of one
 THREADS = ["1", "2", "4", "8"]
 MODES = ["rotation", "offset", "inwards", "curvature"]
 COLOURS = ["#4477aa", "#66ccee", "#228833", "#ccbb44", "#ee6677", "#aa3377", "#bbbbbb", "#555555"]
@@ -131,7 +133,11 @@ def draw_sizes(programs, folder, output):
     curves, rows = {mode: [] for mode in modes}, []
     for size in sizes:
         for mode in modes:
-            run = steps_of(programs, mode, ["sphere", "--triangles", str(size), "--steps", STEPS], folder)
+            refinements = 0
+            while size > LARGEST * REFINED**refinements:
+                refinements += 1
+            arguments = ["sphere", "--triangles", str(size // REFINED**refinements), "--refine", str(refinements)]
+            run = steps_of(programs, mode, [*arguments, "--steps", STEPS], folder)
             seconds = sorted(s["seconds"] for s in run["steps"])
             cost = 1e6 * seconds[len(seconds) // 2] / run["triangles"]
             curves[mode].append((run["triangles"], cost))

@@ -11,6 +11,8 @@
 
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/advect_interface_3.h>
+#include <CGAL/improve_interface_3.h>
+#include <CGAL/improve_mesh_3.h>
 #include <CGAL/interface_flows_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/mean_curvature_flow_3.h>
@@ -152,6 +154,16 @@ private:
   Json m_steps = Json::array();
 };
 
+/// Makes edges half as long: large surfaces take long to tetrahedralize.
+void refine(Complex& complex) {
+  static constexpr double longest = 4. / 3; // of the wanted length, half of what there is
+  const double edge = complex.mean_interface_edge() / 2;
+  CGAL::improve_interface(complex, parameters::size_field([edge](const Point&) {
+                                     return edge;
+                                   }).interface_split_length(longest));
+  CGAL::improve_mesh(complex);
+}
+
 /// Two degrees in each step, about the z axis through the centre of the box.
 Json rotate(Complex& complex, Steps& steps, int number_of_steps) {
   const CGAL::Bbox_3 box = bounding_box(complex);
@@ -267,14 +279,16 @@ Json move(const std::string& mode, Complex& complex, Steps& steps, int number_of
 }
 
 int run(const std::string& mode, const std::string& input, std::size_t triangles,
-        int number_of_steps, const std::string& json_path) {
-  Surface surface = read_input(input, triangles);
+        int number_of_refinements, int number_of_steps, const std::string& json_path) {
+  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+      {read_input(input, triangles)}, CGAL::Tetgen_tetrahedralizer_3(),
+      parameters::normalize(true));
+  for (int i = 0; i < number_of_refinements; ++i)
+    refine(complex);
+  complex.sort_storage();
   Json result = {{"mode", mode},
                  {"input", std::filesystem::path(input).stem().string()},
-                 {"triangles", surface.triangles.size()}};
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
-      {std::move(surface)}, CGAL::Tetgen_tetrahedralizer_3(), parameters::normalize(true));
-  complex.sort_storage();
+                 {"triangles", complex.interface_facets().size()}};
   result["tetrahedra"] = complex.number_of_cells();
 
   Steps steps(complex);
@@ -314,19 +328,23 @@ int main(int argc, char** argv) {
                "it.");
   std::string mode, input, json_path;
   std::size_t triangles = 0;
-  int number_of_steps = 0;
+  int number_of_refinements = 0, number_of_steps = 0;
   app.add_option("mode", mode)
       ->required()
       ->check(CLI::IsMember(
           {"rotation", "offset", "inwards", "curvature", "slow_curvature", "push", "rest"}));
   app.add_option("mesh", input, "a file, sphere, or two_spheres")->required();
   app.add_option("--triangles", triangles, "to which a finer surface is decimated");
+  app.add_option("--refine", number_of_refinements,
+                 "how often edges become half as long before the motion")
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--steps", number_of_steps, "how many, instead of as many as the table has")
       ->check(CLI::PositiveNumber);
   app.add_option("--json", json_path, "a file for the numbers of all steps");
   CLI11_PARSE(app, argc, argv);
   try {
-    return dsc_benchmark::run(mode, input, triangles, number_of_steps, json_path);
+    return dsc_benchmark::run(mode, input, triangles, number_of_refinements, number_of_steps,
+                              json_path);
   } catch (const std::exception& error) {
     std::cerr << "motion_benchmark: " << input << ": " << error.what() << '\n';
     return EXIT_FAILURE;
