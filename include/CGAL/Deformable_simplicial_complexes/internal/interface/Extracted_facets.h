@@ -7,6 +7,8 @@
 
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Vertex_numbering.h>
 
+#include <CGAL/Origin.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
