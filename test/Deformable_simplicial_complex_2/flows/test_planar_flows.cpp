@@ -1,0 +1,365 @@
+// Curves, the complexes made of them, and how these move.
+
+#include <CGAL/Deformable_simplicial_complex_2.h>
+#include <CGAL/advect_interface_2.h>
+#include <CGAL/control_detail_2.h>
+#include <CGAL/interface_flows_2.h>
+#include <CGAL/make_deformable_simplicial_complex_2.h>
+#include <CGAL/velocity_fields_2.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace test_planar_flows {
+
+using Complex = CGAL::Deformable_simplicial_complex_2<>;
+using Point = Complex::Point_2;
+using Position = Complex::Approximate_point_2;
+using Vector = Complex::Approximate_vector_2;
+using Curve = CGAL::Labelled_curve_2<Point>;
+using Curves = std::vector<Curve>;
+using Report = CGAL::Deformation_report<Complex>;
+using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
+using Reason = Invalid_surface_error::Reason;
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
+constexpr double pi = 3.14159265358979323846;
+
+Curve polygon(const std::vector<Point>& points, int label = 1) {
+  Curve result;
+  result.add_polyline(points);
+  result.label = label;
+  return result;
+}
+
+// r(angle) about a center
+template <class Radius>
+Curve round_curve(double x, double y, std::size_t n, const Radius& radius, int label = 1) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * pi * double(i) / double(n), r = radius(angle);
+    points.emplace_back(x + r * std::cos(angle), y + r * std::sin(angle));
+  }
+  return polygon(points, label);
+}
+
+Curve circle(double x, double y, double radius, std::size_t n, int label = 1) {
+  return round_curve(
+      x, y, n, [=](double) { return radius; }, label);
+}
+
+Complex make(const Curves& curves) {
+  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(curves);
+  EXPECT_TRUE(dsc.is_valid(true));
+  return dsc;
+}
+
+double smallest_quality(const Complex& dsc) {
+  double result = 1;
+  for (auto c : dsc.cells())
+    result = (std::min)(result, c->quality());
+  return result;
+}
+
+std::vector<Position> positions(const Complex& dsc) {
+  std::vector<Position> result;
+  for (auto v : dsc.interface_vertices())
+    result.push_back(dsc.position(v));
+  return result;
+}
+
+double largest_distance(const std::vector<Position>& p, const std::vector<Position>& q) {
+  if (p.size() != q.size())
+    return std::numeric_limits<double>::infinity();
+  double result = 0;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    result = (std::max)(result, std::sqrt((p[i] - q[i]).squared_length()));
+  return result;
+}
+
+Invalid_surface_error refusal(const Curves& curves) {
+  try {
+    make(curves);
+  } catch (const Invalid_surface_error& e) {
+    return e;
+  }
+  ADD_FAILURE() << "accepted";
+  return {Reason::empty, "", 0};
+}
+
+// Turns about the origin in steps of so many degrees and expects that nothing changes but places.
+void expect_turn(Complex& dsc, int degrees, double tolerance) {
+  const auto before = positions(dsc);
+  const auto labels = dsc.labels();
+  std::vector<double> areas;
+  for (int label : labels)
+    areas.push_back(dsc.area(label));
+  const CGAL::Rigid_rotation_2 rotation({0, 0}, pi / 180);
+  for (int angle = 0; angle < 360; angle += degrees) {
+    const Report report = CGAL::advect_interface(dsc, rotation, angle, degrees);
+    ASSERT_TRUE(report.complete);
+    EXPECT_EQ(report.relabeled, 0u);
+  }
+  EXPECT_TRUE(dsc.is_valid(true));
+  EXPECT_LT(largest_distance(positions(dsc), before), tolerance);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    EXPECT_NEAR(dsc.area(labels[i]), areas[i], tolerance);
+}
+
+TEST(Make_2, of_nested_curves) {
+  const Complex dsc =
+      make({circle(0, 0, 1, 64, 1), circle(.1, 0, .6, 48, 2), circle(.1, .1, .2, 24, 1)});
+  const auto area = [](double r, double n) { return n / 2 * std::sin(2 * pi / n) * r * r; };
+  EXPECT_NEAR(dsc.area(2), area(.6, 48) - area(.2, 24), 1e-12);
+  EXPECT_NEAR(dsc.area(1), area(1, 64) - area(.6, 48) + area(.2, 24), 1e-12);
+  EXPECT_EQ(dsc.number_of_components(1), 2u);
+  EXPECT_EQ(dsc.interface_vertices().size(), 64u + 48 + 24);
+  EXPECT_GT(smallest_quality(dsc), .3);
+}
+
+// A curve within itself bounds a hole; parts may touch in a point.
+TEST(Make_2, of_holes_and_touching_parts) {
+  Curve c = polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  c.add_polyline(std::vector<Point>{{0, 0}, {1, 3}, {3, 1}});
+  c.add_polyline(std::vector<Point>{{4, 4}, {6, 4}, {6, 6}});
+  const Complex dsc = make({c});
+  EXPECT_NEAR(dsc.area(1), 16 - 4 + 2, 1e-12);
+  EXPECT_EQ(dsc.number_of_components(1), 2u);
+  EXPECT_EQ(dsc.number_of_components(0), 2u);
+}
+
+TEST(Make_2, refuses_what_bounds_nothing) {
+  EXPECT_EQ(refusal({Curve()}).reason(), Reason::empty);
+  Curve open = circle(0, 0, 1, 8);
+  open.segments.erase(open.segments.begin() + 3);
+  EXPECT_EQ(refusal({open}).reason(), Reason::open);
+  EXPECT_EQ(refusal({open}).facets(), std::vector<std::size_t>{2});
+  Curve bad = circle(0, 0, 1, 8);
+  bad.segments[2][1] = 99;
+  EXPECT_EQ(refusal({bad}).reason(), Reason::bad_index);
+  bad = circle(0, 0, std::numeric_limits<double>::quiet_NaN(), 8);
+  EXPECT_EQ(refusal({bad}).reason(), Reason::not_finite);
+  EXPECT_THROW(make({}), CGAL::Deformable_simplicial_complexes::Error);
+  EXPECT_THROW(CGAL::make_deformable_simplicial_complex_2<Complex>(
+                   {circle(0, 0, 1, 8)}, parameters::enclosing_box(CGAL::Bbox_2(-1, -1, 1, 1))),
+               Invalid_surface_error);
+  for (double size : {1e-170, 1e160})
+    EXPECT_THROW(make({polygon({{0, 0}, {size, 0}, {0, size}})}),
+                 CGAL::Deformable_simplicial_complexes::Error);
+}
+
+// Points of space keep off long segments beside short ones.
+TEST(Make_2, of_long_segments_beside_short_ones) {
+  const Curve curve = polygon(
+      {{.25, .5625}, {3.25, .5625}, {3.25, .7625}, {3.45, .7625}, {3.45, 3.5625}, {.25, 3.5625}});
+  const Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+      {curve}, parameters::enclosing_box(CGAL::Iso_rectangle_2<CGAL::Epick>(-4, -4, 4, 4)));
+  EXPECT_TRUE(dsc.is_valid(true));
+  EXPECT_EQ(dsc.interface_vertices().size(), 6u);
+  EXPECT_NEAR(dsc.area(1), 3.2 * 3 - .2 * .2, 1e-12);
+}
+
+TEST(Make_2, of_polygons_with_holes_in_a_flat_box) {
+  CGAL::Polygon_with_holes_2<CGAL::Epick> polygon;
+  for (const Point& p : circle(0, 0, .3, 64).points)
+    polygon.outer_boundary().push_back(p);
+  CGAL::Polygon_2<CGAL::Epick> hole;
+  for (const Point& p : circle(0, 0, .1, 16).points)
+    hole.push_back(p);
+  polygon.add_hole(hole);
+  Curve curve;
+  curve.add_polygon(polygon);
+  const Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+      {curve}, parameters::enclosing_box(CGAL::Bbox_2(-50, -.5, 50, .5)).improve(false));
+  EXPECT_TRUE(dsc.is_valid(true));
+  EXPECT_EQ(dsc.number_of_components(0), 2u);
+  EXPECT_LT(dsc.number_of_vertices(), 3000u);
+}
+
+// What limits are measured by follows splits and collapses of the interface, and nothing else.
+TEST(Spacing, follows_refinement_and_not_motion) {
+  Complex dsc = make({circle(0, 0, 1, 24)});
+  const double edge = 2 * std::sin(pi / 24);
+  const auto expect_edge = [&] {
+    for (auto v : dsc.interface_vertices())
+      EXPECT_NEAR(v->spacing(), edge, 1e-6 * edge);
+  };
+  expect_edge();
+  for (int step = 0; step < 10; ++step)
+    CGAL::advect_interface(dsc, CGAL::Normal_offset_2{.1}, step, 1.);
+  EXPECT_EQ(dsc.interface_vertices().size(), 24u);
+  expect_edge(); // of edges that are twice as long now
+  CGAL::control_detail(dsc, parameters::change_interface(true).size_field(
+                                [=](const Position&) { return edge / 2; }));
+  EXPECT_GT(dsc.interface_vertices().size(), 60u);
+  for (auto v : dsc.interface_vertices())
+    EXPECT_NEAR(v->spacing(), dsc.interface_edge_length(v), 1e-6 * edge);
+  CGAL::control_detail(dsc, parameters::change_interface(true)
+                                .interface_split_length(4)
+                                .interface_collapse_length(1)
+                                .collapse_quality(.1)
+                                .size_field([=](const Position&) { return 2 * edge; }));
+  EXPECT_LT(dsc.interface_vertices().size(), 60u);
+  double longest = 0;
+  for (auto v : dsc.interface_vertices())
+    longest = (std::max)(longest, double(v->spacing()));
+  EXPECT_GT(longest, 1.2 * edge);
+}
+
+TEST(Make_2, refuses_crossings_with_their_segments) {
+  const Curve eight = polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
+  EXPECT_EQ(refusal({eight}).reason(), Reason::self_intersection);
+  EXPECT_EQ(refusal({eight}).facets(), (std::vector<std::size_t>{0, 2}));
+  const auto e = refusal({polygon({{0, 0}, {2, 0}, {2, 2}}), polygon({{1, -1}, {3, -1}, {1, 3}})});
+  EXPECT_EQ(e.reason(), Reason::crossing_surfaces);
+  EXPECT_EQ(e.surface(), 0u);
+  EXPECT_EQ(e.other_surface(), 1u);
+  EXPECT_FALSE(e.facets().empty());
+  // along a part of a segment
+  EXPECT_EQ(
+      refusal({polygon({{0, 0}, {4, 0}, {2, 2}}), polygon({{1, 0}, {3, 0}, {2, -2}})}).reason(),
+      Reason::crossing_surfaces);
+}
+
+TEST(Planar_flows, star_turns_and_is_back) {
+  Complex dsc = make({round_curve(0, 0, 120, [](double a) { return 1 + .4 * std::cos(5 * a); })});
+  expect_turn(dsc, 5, 1e-12);
+}
+
+TEST(Planar_flows, nested_figure_turns_and_is_back) {
+  Complex dsc = make({circle(0, 0, 1, 64, 1), circle(.2, 0, .6, 48, 2), circle(.1, .1, .2, 24, 3)});
+  expect_turn(dsc, 6, 1e-12);
+}
+
+// Two disks of radius 1/2 grow by .2 each, which brings them together.
+TEST(Planar_flows, disks_grow_together) {
+  Complex dsc = make({circle(-.6, 0, .5, 160), circle(.6, 0, .5, 160)});
+  EXPECT_EQ(dsc.number_of_components(1), 2u);
+  std::size_t merged = 0;
+  for (int step = 0; step < 20; ++step) {
+    const Report report = CGAL::advect_interface(dsc, CGAL::Normal_offset_2{.01}, step, 1.);
+    ASSERT_TRUE(dsc.is_valid());
+    for (const auto& change : report.labels)
+      merged += change.label == 1 ? change.merged : 0;
+  }
+  EXPECT_EQ(merged, 1u);
+  EXPECT_EQ(dsc.number_of_components(1), 1u);
+  const double r = .7, half = .6,
+               exact = 2 * (pi * r * r - r * r * std::acos(half / r) +
+                            half * std::sqrt(r * r - half * half));
+  EXPECT_NEAR(dsc.area(1), exact, .001 * exact);
+  EXPECT_EQ(dsc.euler_characteristic(1), 1);
+  EXPECT_EQ(dsc.euler_characteristic(0), 0);
+}
+
+// They do not where that is forbidden.
+TEST(Planar_flows, disks_stay_apart_if_they_must) {
+  Complex dsc = make({circle(-.6, 0, .5, 80), circle(.6, 0, .5, 80)});
+  for (int step = 0; step < 20; ++step) {
+    CGAL::advect_interface(dsc, CGAL::Normal_offset_2{.01}, step, 1.,
+                           parameters::topology_control(
+                               CGAL::Deformable_simplicial_complexes::Forbid_topology_changes()));
+    ASSERT_TRUE(dsc.is_valid());
+  }
+  EXPECT_EQ(dsc.number_of_components(1), 2u);
+  EXPECT_EQ(dsc.number_of_components(0), 1u);
+  EXPECT_EQ(dsc.euler_characteristic(1), 2);
+  EXPECT_EQ(dsc.euler_characteristic(0), -1);
+}
+
+// A ring closes, and its hole is gone, unless that is forbidden.
+TEST(Planar_flows, hole_of_a_ring_closes) {
+  Curve ring = circle(0, 0, 1, 320);
+  const Curve hole = circle(0, 0, .2, 64);
+  ring.add_polyline(hole.points);
+  for (bool may_close : {true, false}) {
+    Complex dsc = make({ring});
+    EXPECT_EQ(dsc.number_of_components(0), 2u);
+    EXPECT_EQ(dsc.euler_characteristic(1), 0);
+    for (int step = 0; step < 12; ++step) {
+      if (may_close)
+        CGAL::advect_interface(dsc, CGAL::Normal_offset_2{.02}, step, 1.);
+      else
+        CGAL::advect_interface(
+            dsc, CGAL::Normal_offset_2{.02}, step, 1.,
+            parameters::topology_control(
+                CGAL::Deformable_simplicial_complexes::Forbid_topology_changes()));
+      ASSERT_TRUE(dsc.is_valid());
+    }
+    EXPECT_EQ(dsc.number_of_components(0), may_close ? 1u : 2u);
+    EXPECT_EQ(dsc.euler_characteristic(1), may_close ? 1 : 0);
+    EXPECT_NEAR(dsc.area(1), pi * 1.24 * 1.24, .001 * pi * 1.24 * 1.24);
+  }
+}
+
+// A disk is drawn out to almost twice its circumference and comes back; detail follows it.
+TEST(Planar_flows, vortex_there_and_back) {
+  const double radius = .15, edge = 2 * pi * radius / 80;
+  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+      {circle(.5, .75, radius, 80)}, parameters::enclosing_box(CGAL::Bbox_2(0, 0, 1, 1)));
+  const double area = dsc.area(1);
+  const auto length = [&] {
+    double sum = 0;
+    for (const auto& f : dsc.interface_facets())
+      sum += dsc.measure(f);
+    return sum;
+  };
+  const double start = length();
+  double longest = 0;
+  const CGAL::Single_vortex_velocity_2 vortex(2);
+  for (int step = 0; step < 80; ++step) {
+    const Report report = CGAL::advect_interface(
+        dsc, vortex, step * .025, .025,
+        parameters::scheme(CGAL::Deformable_simplicial_complexes::Integration_scheme::rk4));
+    EXPECT_TRUE(report.complete);
+    CGAL::control_detail(
+        dsc, parameters::change_interface(true).size_field([=](const Position&) { return edge; }));
+    ASSERT_TRUE(dsc.is_valid(true));
+    EXPECT_NEAR(dsc.area(1), area, .005 * area);
+    longest = (std::max)(longest, length());
+  }
+  EXPECT_GT(longest, 1.8 * start);
+  EXPECT_NEAR(length(), start, .01 * start);
+  EXPECT_EQ(dsc.number_of_components(1), 1u);
+  for (const Position& p : positions(dsc))
+    EXPECT_NEAR(std::hypot(p.x() - .5, p.y() - .75), radius, .1 * edge);
+}
+
+// Whatever the field, the complex stays valid, and space is filled.
+TEST(Planar_flows, random_fields_never_break_it) {
+  std::mt19937 random(7);
+  const auto any = [&](double bound) { return bound * (double(random()) / 2147483648. - 1); };
+  std::size_t relabeled = 0;
+  for (int run = 0; run < 4; ++run) {
+    Complex dsc = make({circle(-.6, 0, .5, 32, 1), circle(.6, 0, .5, 32, 2),
+                        circle(.6, 0, .2, 12, 1), circle(0, 1, .3, 16, 3)});
+    double domain = 0;
+    for (int label : dsc.labels())
+      domain += dsc.area(label);
+    for (int step = 0; step < 15; ++step) {
+      const double a = any(6), b = any(6), c = any(6), d = any(6), size = .1 + any(.09);
+      const Report report = CGAL::advect_interface(
+          dsc,
+          [&](const Position& p, double) {
+            return Vector(size * std::sin(a * p.x() + b * p.y() + c),
+                          size * std::sin(c * p.x() + d * p.y() + a));
+          },
+          0, 1);
+      relabeled += report.relabeled;
+      ASSERT_TRUE(dsc.is_valid(true));
+      double sum = 0;
+      for (int label : dsc.labels())
+        sum += dsc.area(label);
+      EXPECT_NEAR(sum, domain, 1e-10 * domain);
+    }
+  }
+  EXPECT_GT(relabeled, 0u);
+}
+
+} // namespace test_planar_flows

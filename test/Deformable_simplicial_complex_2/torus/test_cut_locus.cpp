@@ -1,0 +1,452 @@
+#include <CGAL/Deformable_simplicial_complex_2/Geodesic_distance_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/Sphere_like_surface_2.h>
+#include <CGAL/cut_locus_2.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace test_cut_locus {
+
+using CGAL::Deformable_simplicial_complexes::Error;
+using Domain = CGAL::Deformable_simplicial_complexes::Torus_domain<2>;
+using Point = CGAL::Simple_cartesian<double>::Point_2;
+
+constexpr double pi = 3.14159265358979324;
+
+// Of revolution, about a circle of radius 2.
+struct Torus
+{
+  template <class T> std::array<T, 3> operator()(const T& u, const T& v) const {
+    using std::cos;
+    using std::sin;
+    const T radius = 2. + cos(v);
+    return {radius * cos(u), radius * sin(u), sin(v)};
+  }
+};
+
+struct Tensor_of_torus
+{
+  template <class T> std::array<T, 3> operator()(const T& u, const T& v) const {
+    using std::cos;
+    const T radius = 2. + cos(v);
+    return {radius * radius, 0. * u, 1. + 0. * u};
+  }
+};
+
+using Torus_metric = CGAL::Embedded_surface_2<Torus>;
+
+// A flat torus, sheared: lengths are those of (u + v / 2, v).
+struct Sheared_metric
+{
+  CGAL::Metric_jet_2 operator()(double, double) const { return {1, .5, 1.25, 0, 0, 0, 0, 0, 0}; }
+};
+
+struct Flat_metric
+{
+  CGAL::Metric_jet_2 operator()(double, double) const { return {1, 0, 1, 0, 0, 0, 0, 0, 0}; }
+};
+
+TEST(Riemannian_metric, of_an_embedding_is_differentiated) {
+  const Torus_metric metric;
+  const CGAL::Metric_tensor_2<Tensor_of_torus> from_tensor;
+  for (double u : {0., .3, 4.})
+    for (double v : {0., .7, 2., 5.}) {
+      const double radius = 2 + std::cos(v);
+      for (const auto& g : {metric(u, v), from_tensor(u, v)}) {
+        EXPECT_NEAR(g.E, radius * radius, 1e-14);
+        EXPECT_NEAR(g.F, 0, 1e-14);
+        EXPECT_NEAR(g.G, 1, 1e-14);
+        EXPECT_NEAR(g.E_u, 0, 1e-14);
+        EXPECT_NEAR(g.E_v, -2 * radius * std::sin(v), 1e-14);
+        EXPECT_NEAR(g.F_u, 0, 1e-14);
+        EXPECT_NEAR(g.F_v, 0, 1e-14);
+        EXPECT_NEAR(g.G_u, 0, 1e-14);
+        EXPECT_NEAR(g.G_v, 0, 1e-14);
+      }
+    }
+}
+
+TEST(Geodesics, keep_their_speed_and_the_relation_of_Clairaut) {
+  const CGAL::Deformable_simplicial_complexes::internal::Geodesics_2<Torus_metric> geodesics(
+      Torus_metric(), Domain({2 * pi, 2 * pi}), Point(.2, .5));
+  for (double angle : {.1, 1., 2.5, 4.}) {
+    const auto begin = geodesics.shoot(angle, 0), end = geodesics.advance(begin, 5);
+    const auto momentum = [](const auto& x) {
+      return (2 + std::cos(x[1])) * (2 + std::cos(x[1])) * x[2];
+    };
+    EXPECT_NEAR(momentum(end), momentum(begin), 1e-9);
+    EXPECT_NEAR(momentum(end) * end[2] + end[3] * end[3], 1, 1e-9);
+  }
+}
+
+TEST(Geodesics, are_straight_in_a_sheared_chart) {
+  const CGAL::Deformable_simplicial_complexes::internal::Geodesics_2<Sheared_metric> geodesics(
+      Sheared_metric(), Domain(), Point(0, 0));
+  const auto end = geodesics.shoot(.7, 2);
+  EXPECT_NEAR(end[0] + end[1] / 2, 2 * std::cos(.7), 1e-12);
+  EXPECT_NEAR(end[1], 2 * std::sin(.7), 1e-12);
+}
+
+TEST(Geodesic_front, is_a_circle_before_it_meets_itself) {
+  CGAL::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(0, 0), .04);
+  while (front.radius() < .4)
+    EXPECT_TRUE(front.advance(.02));
+  EXPECT_TRUE(front.complex().is_valid());
+  for (auto v : front.complex().interface_vertices()) {
+    const auto q = front.complex().domain().near(Point(0, 0), front.complex().position(v));
+    EXPECT_NEAR(std::hypot(q.x(), q.y()), front.radius(), 1e-9);
+  }
+}
+
+// Two lines that cross where four geodesics meet.
+TEST(Cut_locus, of_a_flat_torus) {
+  const Point p(.2, .3);
+  const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(Flat_metric(), Domain(), p, .05, .025);
+  std::size_t crossings = 0;
+  for (const auto& v : locus.vertices) {
+    const double u = std::abs(std::remainder(v.point.x() - p.x(), 1)),
+                 w = std::abs(std::remainder(v.point.y() - p.y(), 1));
+    EXPECT_NEAR((std::max)(u, w), .5, 1e-8);
+    EXPECT_NEAR(v.distance, std::hypot(u, w), 1e-8);
+    if (v.multiplicity != 2) {
+      ++crossings;
+      EXPECT_EQ(v.multiplicity, 4u);
+      EXPECT_NEAR((std::min)(u, w), .5, 1e-8);
+    }
+  }
+  EXPECT_EQ(crossings, 1u);
+  EXPECT_EQ(locus.polylines.size(), 2u);
+}
+
+// A torus of revolution whose generator is an ellipse, of the height 2 b; by formulas, which are
+// faster than differentiation.
+struct Torus_by_formulas
+{
+  double b;
+
+  CGAL::Metric_jet_2 operator()(double, double v) const {
+    const double radius = 2 + std::cos(v), s = std::sin(v), c = std::cos(v);
+    return {radius * radius,        0, s * s + b * b * c * c, 0, -2 * radius * s, 0, 0, 0,
+            2 * (1 - b * b) * s * c};
+  }
+};
+
+// An end or a junction, in the chart from -pi to pi.
+struct Special_point
+{
+  double u, v, distance;
+  std::size_t multiplicity;
+};
+
+// The cut locus is symmetric: u and -u, or both halves of the opposite meridian.
+void expect_cut_locus(double b, double v, double spacing, std::size_t arcs,
+                      const std::vector<Special_point>& expected) {
+  const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(Torus_by_formulas{b}, Domain({2 * pi, 2 * pi}),
+                                                    Point(0, v), spacing, spacing / 2);
+  EXPECT_EQ(locus.polylines.size(), arcs);
+  std::vector<Special_point> found;
+  for (const auto& p : locus.vertices)
+    if (p.multiplicity != 2)
+      found.push_back({std::abs(std::remainder(p.point.x(), 2 * pi)),
+                       std::remainder(p.point.y(), 2 * pi), p.distance, p.multiplicity});
+  EXPECT_EQ(found.size(), expected.size());
+  for (const Special_point& e : expected)
+    EXPECT_TRUE(std::any_of(found.begin(), found.end(),
+                            [&](const Special_point& f) {
+                              return std::abs(f.u - e.u) < 1e-3 &&
+                                     std::abs(std::remainder(f.v - e.v, 2 * pi)) < 1e-3 &&
+                                     std::abs(f.distance - e.distance) < 1e-3 &&
+                                     f.multiplicity == e.multiplicity;
+                            }))
+        << e.u << ' ' << e.v;
+}
+
+TEST(Cut_locus, of_a_point_of_the_outer_equator_of_a_torus) {
+  const double conjugate = pi * std::sqrt(1. / 3);
+  expect_cut_locus(1, 0, .3, 5,
+                   {{pi, pi, 5.47597569, 4},
+                    {pi, 0, 7.63112309, 4},
+                    {conjugate, 0, 3 * conjugate, 1},
+                    {conjugate, 0, 3 * conjugate, 1}});
+}
+
+// The ends lie on the opposite parallel, where it meets the curve that goes around.
+TEST(Cut_locus, of_another_point_of_a_torus) {
+  const double v = .1 * pi;
+  expect_cut_locus(1, v, .2, 6,
+                   {{pi, -.158299, 7.48836, 4},
+                    {2.51091, -v, 6.80779, 3},
+                    {2.51091, -v, 6.80779, 3},
+                    {1.82135894, -v, 5.46388, 1},
+                    {1.82135894, -v, 5.46388, 1}});
+}
+
+// Whatever mesh it begins with, and wherever the axis of what is left has its forks.
+TEST(Cut_locus, of_a_torus_does_not_depend_on_the_mesh) {
+  for (double v : {.09 * pi, .095 * pi, .105 * pi})
+    for (double spacing : {.19, .21}) {
+      const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(
+          Torus_by_formulas{1}, Domain({2 * pi, 2 * pi}), Point(0, v), spacing, spacing / 2);
+      EXPECT_TRUE(locus.is_complete);
+      EXPECT_EQ(locus.polylines.size(), 6u) << v << ' ' << spacing;
+    }
+}
+
+// Geodesics are focused by the rims of a high torus: four more arcs begin there.
+TEST(Cut_locus, of_a_point_of_a_high_torus) {
+  const double v = .1 * pi;
+  expect_cut_locus(2, v, .15, 9,
+                   {{pi, -2.03121, 7.41805, 4},
+                    {pi, -v, 9.23702, 4},
+                    {2.99242, -v, 9.00772, 3},
+                    {2.99242, -v, 9.00772, 3},
+                    {2.09331, .671748, 5.9118, 1},
+                    {2.09331, .671748, 5.9118, 1},
+                    {2.24727, -1.02541, 6.78796, 1},
+                    {2.24727, -1.02541, 6.78796, 1}});
+}
+
+template <class Metric>
+CGAL::Geodesic_distance_2<Metric> distance_field(const Metric& metric, const Domain& domain,
+                                                 const Point& source, double spacing) {
+  CGAL::Geodesic_front_2<Metric> front(metric, domain, source, spacing);
+  while (front.advance(spacing / 2)) {
+  }
+  return CGAL::Geodesic_distance_2<Metric>(front);
+}
+
+TEST(Geodesic_distance, on_a_flat_torus) {
+  const Point source(.2, .3);
+  const auto distance = distance_field(Flat_metric(), Domain(), source, .05);
+  EXPECT_EQ(distance(source), 0);
+  for (int i = 0; i < 10; ++i)
+    for (int j = 0; j < 10; ++j) {
+      const Point p(.1 * i + .003, .1 * j + .007);
+      EXPECT_NEAR(
+          distance(p),
+          std::hypot(std::remainder(p.x() - source.x(), 1), std::remainder(p.y() - source.y(), 1)),
+          1e-8);
+    }
+}
+
+// The other values are those of 8000 geodesics.
+TEST(Geodesic_distance, on_tori_of_revolution) {
+  const Domain domain({2 * pi, 2 * pi});
+  const auto equator = distance_field(Torus_by_formulas{1}, domain, Point(0, 0), .2);
+  EXPECT_NEAR(equator(Point(0, pi)), pi, 1e-8);
+  EXPECT_NEAR(equator(Point(pi, 0)), 7.63112309, 1e-7);
+  EXPECT_NEAR(equator(Point(pi, pi)), 5.47597569, 1e-7);
+  EXPECT_NEAR(equator(Point(.001, -.002)), std::hypot(.003, .002), 1e-5);
+  const auto above = distance_field(Torus_by_formulas{1}, domain, Point(0, .3 * pi), .2);
+  EXPECT_NEAR(above(Point(1.95, -.3 * pi)), 5.17309, 1e-4);
+  const auto high = distance_field(Torus_by_formulas{2}, domain, Point(0, .1 * pi), .15);
+  EXPECT_NEAR(high(Point(3.05, -.1 * pi)), 9.09745, 1e-4);
+}
+
+// Where geodesics are conjugate to the source, and its neighborhood.
+TEST(Geodesic_distance, at_an_end_of_the_cut_locus) {
+  const auto distance =
+      distance_field(Torus_by_formulas{1}, Domain({2 * pi, 2 * pi}), Point(0, 0), .2);
+  const double conjugate = pi * std::sqrt(1. / 3);
+  for (double way : {0., 1e-9, -1e-9, 1e-7, -1e-7, -1e-4})
+    EXPECT_NEAR(distance(Point(conjugate + way, 0)), 3 * (conjugate + way), 1e-7) << way;
+}
+
+TEST(Geodesic_distance, is_infinite_where_the_front_did_not_come) {
+  CGAL::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(0, 0), .04);
+  while (front.radius() < .2)
+    front.advance(.02);
+  const CGAL::Geodesic_distance_2<Flat_metric> distance(front);
+  EXPECT_NEAR(distance(Point(.1, 0)), .1, 1e-9);
+  EXPECT_EQ(distance(Point(.5, .5)), std::numeric_limits<double>::infinity());
+}
+
+struct Ellipsoid
+{
+  std::array<double, 3> axes; // halves
+
+  template <class T> std::array<T, 3> operator()(const std::array<T, 3>& n) const {
+    return {axes[0] * n[0], axes[1] * n[1], axes[2] * n[2]};
+  }
+};
+
+using Ellipsoid_surface = CGAL::Sphere_like_surface_2<Ellipsoid>;
+
+TEST(Geodesics, of_a_sphere_are_great_circles) {
+  const Ellipsoid_surface sphere(Ellipsoid{{1, 1, 1}}, {1, 2, 2});
+  const CGAL::Deformable_simplicial_complexes::internal::Geodesics_2<Ellipsoid_surface> geodesics(
+      sphere);
+  for (double angle : {.1, 1., 2.5, 4.})
+    for (double length : {.2, 1., 3., 4.}) {
+      const auto end = geodesics.shoot(angle, length);
+      const auto n = sphere.image(Point(end[0], end[1]));
+      EXPECT_NEAR((n[0] + 2 * n[1] + 2 * n[2]) / 3, std::cos(length), 1e-9);
+    }
+}
+
+// Part of the equator between the points that are conjugate to the source along it, where the
+// curvature is 1 / h^2; an arc of the meridian leads to the middle.
+TEST(Cut_locus, of_a_point_of_the_equator_of_an_oblate_spheroid) {
+  const double h = .8, conjugate = pi * h;
+  const Ellipsoid_surface spheroid(Ellipsoid{{1, 1, h}}, {3, 0, 0});
+  const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(spheroid, .2, .1);
+  ASSERT_EQ(locus.polylines.size(), 1u);
+  for (const auto& v : locus.vertices) {
+    const auto p = spheroid.image(v.point);
+    EXPECT_NEAR(p[2], 0, 1e-8);
+    EXPECT_GE(std::abs(std::atan2(p[1], p[0])), conjugate - 1e-7);
+    if (v.multiplicity == 1) {
+      EXPECT_NEAR(std::abs(std::atan2(p[1], p[0])), conjugate, 1e-7);
+      EXPECT_NEAR(v.distance, conjugate, 1e-7);
+    }
+  }
+}
+
+// Part of a line of curvature: a quadric that is confocal with the ellipsoid cuts it out. (J. Itoh,
+// K. Kiyohara, The cut loci and the conjugate loci on ellipsoids, Manuscripta Math. 114, 2004.)
+TEST(Cut_locus, of_an_ellipsoid_is_on_a_line_of_curvature) {
+  const std::array<double, 3> axes = {1, .8, .6};
+  const Ellipsoid_surface ellipsoid(Ellipsoid{axes}, {1, 1, 1});
+  const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(ellipsoid, .1, .05);
+  ASSERT_EQ(locus.polylines.size(), 1u);
+  EXPECT_GT(locus.vertices.size(), 10u);
+  const auto confocal = [&](const std::array<double, 3>& p, double parameter) {
+    double sum = -1;
+    for (std::size_t i = 0; i < 3; ++i)
+      sum += p[i] * p[i] / (axes[i] * axes[i] - parameter);
+    return sum;
+  };
+  // The hyperboloid of one sheet through the source: between the squares of the shorter two axes.
+  double low = .36 + 1e-9, high = .64 - 1e-9;
+  const double third = std::sqrt(1. / 3);
+  const std::array<double, 3> source = {third, .8 * third, .6 * third};
+  while (high - low > 1e-15)
+    (confocal(source, (low + high) / 2) > 0 ? high : low) = (low + high) / 2;
+  for (const auto& v : locus.vertices)
+    EXPECT_NEAR(confocal(ellipsoid.image(v.point), low), 0, 1e-6);
+}
+
+TEST(Geodesic_distance, on_a_sphere) {
+  const Ellipsoid_surface sphere(Ellipsoid{{1, 1, 1}}, {0, 0, 1});
+  CGAL::Geodesic_front_2<Ellipsoid_surface> front(sphere, .2);
+  while (front.radius() < 1.6)
+    front.advance(.1);
+  const CGAL::Geodesic_distance_2<Ellipsoid_surface> distance(front);
+  for (const Point& p : {Point(5.5, 4), Point(2, 3), Point(7, 1), Point(.5, 4)})
+    EXPECT_NEAR(distance(p), std::acos(sphere.direction(p)[2]), 1e-8);
+  EXPECT_EQ(distance(Point(4, 4)), std::numeric_limits<double>::infinity());
+}
+
+TEST(Sphere_like_surface, has_a_source) {
+  EXPECT_THROW(Ellipsoid_surface(Ellipsoid{{1, 1, 1}}, {0, 0, 0}), Error);
+  EXPECT_THROW(Ellipsoid_surface(Ellipsoid{{1, 1, 1}}, {0, std::nan(""), 1}), Error);
+  EXPECT_THROW(CGAL::cut_locus_2(Ellipsoid_surface(Ellipsoid{{1, 1, 0}}, {1, 0, 0}), .2, .1),
+               Error);
+}
+
+// Of the period 1, in any unit: chart and manifold may have different ones.
+TEST(Cut_locus, does_not_depend_on_units) {
+  struct Metric
+  {
+    double scale;
+    CGAL::Metric_jet_2 operator()(double, double) const {
+      return {scale * scale, 0, scale * scale, 0, 0, 0, 0, 0, 0};
+    }
+  };
+  for (double period : {1e-14, 1., 1e10})
+    for (double scale : {1e-8, 1e8}) {
+      const Domain domain({period, period});
+      const CGAL::Cut_locus_2 locus =
+          CGAL::cut_locus_2(Metric{scale}, domain, Point(.2 * period, .3 * period), .05 * period,
+                            .025 * period * scale);
+      EXPECT_TRUE(locus.is_complete);
+      EXPECT_EQ(locus.polylines.size(), 2u);
+      for (const auto& v : locus.vertices) {
+        const double u = std::abs(std::remainder(v.point.x() / period - .2, 1)),
+                     w = std::abs(std::remainder(v.point.y() / period - .3, 1));
+        EXPECT_NEAR((std::max)(u, w), .5, 1e-7);
+        EXPECT_NEAR(v.distance / (period * scale), std::hypot(u, w), 1e-7);
+      }
+    }
+}
+
+TEST(Cut_locus, tells_whether_it_is_complete) {
+  EXPECT_FALSE(CGAL::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), .05, .025, .52).is_complete);
+  EXPECT_TRUE(CGAL::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), .05, .025, .8).is_complete);
+}
+
+// A step that is too long is divided.
+TEST(Geodesic_front, goes_on_by_any_length) {
+  CGAL::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(0, 0), .04);
+  EXPECT_TRUE(front.advance(.3));
+  EXPECT_TRUE(front.advance(1e-7));
+  for (double length : {0., -1., std::nan(""), 1e-300, 1e10})
+    EXPECT_THROW(front.advance(length), Error) << length;
+  const CGAL::Geodesic_distance_2<Flat_metric> distance(front);
+  EXPECT_NEAR(distance(Point(.1, .2)), std::hypot(.1, .2), 1e-9);
+}
+
+// Where it is not positive, no geodesic goes; the front stays as it was.
+TEST(Geodesic_front, ends_where_the_metric_is_not_positive) {
+  const auto metric = [](double, double v) {
+    const double G = std::abs(v - .5) < .2 ? -1 : 1;
+    return CGAL::Metric_jet_2{1, 0, G, 0, 0, 0, 0, 0, 0};
+  };
+  CGAL::Geodesic_front_2<decltype(metric)> front(metric, Domain(), Point(.3, 0), .04);
+  double last = front.radius();
+  try {
+    for (;; last = front.radius())
+      front.advance(.02);
+  } catch (const Error&) {
+  }
+  EXPECT_LT(last, .32);
+  EXPECT_EQ(front.radius(), last);
+  for (auto v : front.complex().interface_vertices())
+    EXPECT_NEAR(front.ray(v).length, last, 1e-12);
+}
+
+TEST(Geodesic_distance, close_to_the_source) {
+  CGAL::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(.3, .3), .04);
+  const CGAL::Geodesic_distance_2<Flat_metric> at_once(front);
+  EXPECT_NEAR(at_once(Point(.35, .3)), .05, 1e-12);
+  front.advance(.2);
+  const CGAL::Geodesic_distance_2<Flat_metric> distance(front);
+  for (double radius : {1e-12, 1e-9, 1e-6, 1e-3, .03})
+    for (double angle : {0., 1., 2., 3., 4., 5.})
+      EXPECT_NEAR(distance(Point(.3 + radius * std::cos(angle), .3 + radius * std::sin(angle))),
+                  radius, 1e-12 + 1e-6 * radius);
+}
+
+TEST(Cut_locus, refuses_what_it_cannot_do) {
+  const auto find = [](double spacing, double step) {
+    return CGAL::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), spacing, step);
+  };
+  EXPECT_THROW(find(0, .1), Error);
+  EXPECT_THROW(find(.1, .1), Error);
+  EXPECT_THROW(find(.05, 0), Error);
+  EXPECT_THROW(find(.05, std::nan("")), Error);
+  EXPECT_THROW(find(.05, 1e-300), Error);
+  EXPECT_THROW(find(.05, std::numeric_limits<double>::infinity()), Error);
+  for (double distance : {0., -1., std::nan("")})
+    EXPECT_THROW(CGAL::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), .05, .02, distance),
+                 Error);
+  for (double x : {std::nan(""), std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(CGAL::cut_locus_2(Flat_metric(), Domain(), Point(x, 0), .05, .02), Error);
+  const auto anisotropic = [](double, double) {
+    return CGAL::Metric_jet_2{1, 0, 100, 0, 0, 0, 0, 0, 0};
+  };
+  EXPECT_THROW(CGAL::cut_locus_2(anisotropic, Domain(), Point(0, 0), .05, .02), Error);
+  EXPECT_TRUE(CGAL::cut_locus_2(anisotropic, Domain(), Point(0, 0), .01, .005).is_complete);
+  const auto no_metric = [](double, double) {
+    return CGAL::Metric_jet_2{1, 1, 1, 0, 0, 0, 0, 0, 0};
+  };
+  EXPECT_THROW(CGAL::cut_locus_2(no_metric, Domain(), Point(0, 0), .05, .02), Error);
+}
+
+} // namespace test_cut_locus

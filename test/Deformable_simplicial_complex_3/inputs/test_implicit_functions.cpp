@@ -1,0 +1,69 @@
+#include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/make_deformable_simplicial_complex_3.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+
+namespace test_implicit_functions {
+
+using Complex = CGAL::Deformable_simplicial_complex_3<>;
+using Point = Complex::Approximate_point_3;
+using CGAL::Deformable_simplicial_complexes::Error;
+
+constexpr double pi = 3.14159265358979323846;
+
+template <class Label_at>
+Complex make(const CGAL::Bbox_3& box, double edge, const Label_at& label_at) {
+  return CGAL::make_deformable_simplicial_complex_3<Complex>(box, edge, label_at);
+}
+
+TEST(Make_complex_in_a_box, fills_it_exactly) {
+  const Complex dsc = make(CGAL::Bbox_3(-1, 0, 2, 1, 3, 3), .5, [](const Point&) { return 0; });
+  EXPECT_TRUE(dsc.is_valid());
+  EXPECT_NEAR(dsc.volume(0), 6, 1e-13);
+  EXPECT_GE(dsc.number_of_cells(), 6u * 4 * 2 * 6);
+  EXPECT_EQ(dsc.interface_facets().size(), 0u);
+}
+
+TEST(Make_complex_in_a_box, of_a_torus) {
+  const auto is_inside = [](const Point& p) {
+    const double q = std::hypot(p.x(), p.y()) - 1;
+    return q * q + p.z() * p.z() < .16 ? 1 : 0;
+  };
+  const double volume = 2 * pi * pi * .16;
+  double last = 1;
+  for (double edge : {.25, .125}) {
+    const Complex dsc = make(CGAL::Bbox_3(-2, -2, -1, 2, 2, 1), edge, is_inside);
+    EXPECT_TRUE(dsc.is_valid());
+    EXPECT_EQ(dsc.euler_characteristic(1), 0);
+    const double error = std::abs(dsc.volume(1) / volume - 1);
+    EXPECT_LT(error, .3 * last); // in proportion to the square of the edge
+    last = error;
+  }
+  EXPECT_LT(last, .02);
+}
+
+// Two balls that overlap, and a wall between them.
+TEST(Make_complex_in_a_box, of_several_labels) {
+  const auto label_at = [](const Point& p) {
+    if (p.x() * p.x() + p.y() * p.y() + p.z() * p.z() < 1)
+      return 1;
+    return (p.x() - 1) * (p.x() - 1) + p.y() * p.y() + p.z() * p.z() < 1 ? 2 : 0;
+  };
+  const Complex dsc = make(CGAL::Bbox_3(-1.5, -1.5, -1.5, 2.5, 1.5, 1.5), .15, label_at);
+  EXPECT_TRUE(dsc.is_valid());
+  EXPECT_NEAR(dsc.volume(1), 4 * pi / 3, .03 * 4 * pi / 3);
+  EXPECT_NEAR(dsc.volume(2), 11 * pi / 12, .03 * 11 * pi / 12);
+}
+
+TEST(Make_complex_in_a_box, refuses_what_is_out_of_range) {
+  const auto nothing = [](const Point&) { return 0; };
+  EXPECT_THROW(make(CGAL::Bbox_3(0, 0, 0, 1, 1, 1), 0, nothing), Error);
+  EXPECT_THROW(make(CGAL::Bbox_3(0, 0, 0, 1, 1, 1), 1e-9, nothing), Error);
+  EXPECT_THROW(make(CGAL::Bbox_3(0, 0, 0, 1, 1, 0), .1, nothing), Error);
+  EXPECT_THROW(make(CGAL::Bbox_3(0, 0, 0, 1e-40, 1e-40, 1e-40), 1e-41, nothing), Error);
+}
+
+} // namespace test_implicit_functions
