@@ -102,7 +102,6 @@ struct Vtu
   std::map<std::string, Array> arrays;
 };
 
-
 TEST(Vtu, of_the_volume_has_all_arrays) {
   const Temporary_folder folder;
   Complex dsc = make_complex(grid(4, small_meshes::two_boxes));

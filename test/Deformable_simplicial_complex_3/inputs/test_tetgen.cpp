@@ -227,8 +227,8 @@ TEST(Tetgen, puts_the_input_first) {
   EXPECT_FALSE(has_children());
 }
 
-// The allocator of the sanitizer may be locked for ever in the child of a process with threads, other
-// than that of the system. test/installed_package has threads, too.
+// The allocator of the sanitizer may be locked for ever in the child of a process with threads,
+// other than that of the system. test/installed_package has threads, too.
 #ifndef __SANITIZE_ADDRESS__
 TEST(Tetgen, several_threads_get_the_same) {
   const auto expected = fill(Tetgen_tetrahedralizer_3(), cube);
