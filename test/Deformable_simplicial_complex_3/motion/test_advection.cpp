@@ -415,7 +415,6 @@ TEST(Small_angles, refuses_bounds_out_of_range) {
 }
 
 // A flow that ends at the sides of the domain: a harmonic function could not follow it.
-
 Vector eddy(const Position& p, double) {
   const auto bump = [](double x) { return (1 - x * x) * (1 - x * x); };
   const double f = 3 * bump(p.x()) * bump(p.y()) * bump(p.z());
