@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_UNUSED_CONTENT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_UNUSED_CONTENT_H
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+The content of a file that a reader recognized and did not use, by kind. What would change the
+result is never listed here: a reader refuses it.
+*/
+class Unused_content
+{
+public:
+  /// Counts `number` items of a kind, named in the plural, such as "vertex colors".
+  void add(const std::string& kind, std::size_t number = 1) {
+    if (number > 0)
+      m_numbers[kind] += number;
+  }
+
+  /// Returns whether everything in the file was used.
+  bool empty() const { return m_numbers.empty(); }
+
+  /// Returns the number of items of each kind.
+  const std::map<std::string, std::size_t>& numbers() const { return m_numbers; }
+
+  /// Returns all kinds in one line, such as "12 normals, 3 groups".
+  std::string text() const {
+    std::string result;
+    for (const auto& [kind, number] : m_numbers)
+      result += (result.empty() ? "" : ", ") + std::to_string(number) + ' ' + kind;
+    return result;
+  }
+
+private:
+  std::map<std::string, std::size_t> m_numbers;
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_UNUSED_CONTENT_H
