@@ -10,6 +10,7 @@
 #include <CGAL/Deformable_simplicial_complex_2/Sphere_like_surface_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/Chordal_axis_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/Cut_graph_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Simple_cartesian.h>
@@ -58,6 +59,7 @@ Cut_locus_2 cut_locus_of_front(Front front, double step, double longest_distance
         "is on the surface");
   if (!(longest_distance > 0))
     throw Error("the longest distance is not positive");
+  const Progress_phase phase("looking for the cut locus");
   while (front.radius() < longest_distance && front.advance(step)) {
   }
   const Chordal_axis_2<Front> axis(front);

@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "files.h"
+#include "interrupt.h"
 #include "tracked_complex.h"
 
 #include <iostream>
@@ -12,6 +13,7 @@ namespace dsc {
 
 int execute(const Convert_options& options) {
   require_writable(options.output);
+  const Interruptible interruptible(options.quiet);
   std::string metadata;
   const auto complex = track_checkpoint(options.checkpoint, metadata);
   if (options.subdivisions > 0)

@@ -6,7 +6,7 @@
 #include "commands.h"
 #include "errors.h"
 #include "files.h"
-#include "progress_line.h"
+#include "interrupt.h"
 #include "report_json.h"
 #include "surface_expressions.h"
 
@@ -25,6 +25,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -139,6 +140,7 @@ Json parameters(const Cut_locus_options& options, double spacing, double step) {
 template <class Surface>
 int draw_ball(const Cut_locus_options& options, const Surface& surface, double spacing,
               double step) {
+  std::optional<Interruptible> interruptible(std::in_place, options.quiet);
   auto front = surface.front(spacing);
   if (options.radius < front.radius())
     throw Usage_error("--radius is less than that of the first front, " +
@@ -147,6 +149,7 @@ int draw_ball(const Cut_locus_options& options, const Surface& surface, double s
   bool goes_on = true;
   while (goes_on && front.radius() < options.radius)
     goes_on = front.advance(std::min(step, options.radius - front.radius()));
+  interruptible.reset();
   const auto& complex = front.complex();
   if (!options.output.empty() && std::filesystem::path(options.output).extension() == ".vtu")
     CGAL::IO::write_VTU(options.output, complex);
@@ -173,13 +176,13 @@ int find_cut_locus(const Cut_locus_options& options, const Surface& surface, dou
   // A short cut locus may slip through a mesh that happens to lie symmetrically about it.
   static constexpr int attempts = 3;
   static constexpr double finer = .75; // no simple ratio to what lies symmetrically
-  Waiting_line waiting("looking for the cut locus", options.quiet);
+  std::optional<Interruptible> interruptible(std::in_place, options.quiet);
   CGAL::Cut_locus_2 locus = surface.cut_locus(spacing, step_of(options, spacing, surface.scale()));
   for (int i = 1; i < attempts && locus.vertices.empty() && options.spacing == 0; ++i) {
     spacing *= finer;
     locus = surface.cut_locus(spacing, step_of(options, spacing, surface.scale()));
   }
-  waiting.clear();
+  interruptible.reset();
   if (locus.vertices.empty())
     throw std::runtime_error("no cut locus was found: use a smaller --spacing, or another chart");
   if (!options.output.empty())

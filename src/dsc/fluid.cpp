@@ -33,8 +33,6 @@ namespace {
 using Complex = Tracked_complex_3::Complex;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
-constexpr int exit_code_of_interrupt = 130; // what shells use for SIGINT
-
 template <class Vector> Json vector_json(const Vector& v) { return {v.x(), v.y(), v.z()}; }
 
 Json balance_json(const Fluid::Balance& balance) {
@@ -350,7 +348,6 @@ int execute(const Fluid_options& options) {
     std::printf("%s\n", find_scene(options.scene).json.dump(2).c_str());
     return 0;
   }
-  catch_interrupts();
   std::optional<Output_folder> folder;
   if (!options.output.empty())
     folder.emplace(options.output, options.resume, options.subdivisions);
@@ -360,6 +357,7 @@ int execute(const Fluid_options& options) {
     require_writable(options.picture);
 
   const auto begin = Clock::now();
+  std::optional<Interruptible> interruptible(std::in_place, options.quiet);
   Run run = options.resume.empty() ? start(options) : resume(options);
   Fluid& fluid = *run.fluid;
   run.complex->velocity_at = [&fluid](Complex::Vertex_handle v) { return fluid.velocity(v); };
@@ -383,6 +381,7 @@ int execute(const Fluid_options& options) {
       write_json(options.report, {{"scene", run.scene.json}, {"steps", steps}});
   };
   write_files();
+  interruptible.reset();
   static constexpr unsigned parts = 100; // of the time
   Progress_line progress(parts, options.quiet, "percent");
   const double start_time = fluid.time();
@@ -391,13 +390,14 @@ int execute(const Fluid_options& options) {
                       .interface_tolerance(run.scene.interface_tolerance)
                       .adaptation_interval(unsigned(run.scene.adaptation_interval));
   try {
+    const Interruptible scope(true);
     while (fluid.time() < end && (options.steps == 0 || done < options.steps) && !interrupted()) {
       run.complex->keep();
       const Fluid::State before = fluid.state();
       try {
         const Fluid::Report report = fluid.advance(next_step(run, end), np);
+        steps.push_back(step_json(fluid, run.scene, first + done + 1, report));
         ++done;
-        steps.push_back(step_json(fluid, run.scene, first + done, report));
       } catch (...) {
         // Steps before it are worth keeping.
         run.complex->go_back();
@@ -413,6 +413,7 @@ int execute(const Fluid_options& options) {
       if ((first + done) % options.every == 0)
         write_files();
     }
+  } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {
   } catch (...) {
     progress.clear();
     write_files();

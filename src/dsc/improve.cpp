@@ -5,11 +5,12 @@
 #include "commands.h"
 #include "errors.h"
 #include "files.h"
-#include "progress_line.h"
+#include "interrupt.h"
 #include "report_json.h"
 #include "tracked_complex_3.h"
 
 #include <cstdio>
+#include <optional>
 #include <string>
 
 namespace dsc {
@@ -47,12 +48,12 @@ int execute(const Improve_options& options) {
     require_place_of_report(options.report, {options.input, options.output});
   require_writable(options.output);
 
+  std::optional<Interruptible> interruptible(std::in_place, options.quiet);
   const auto complex = Tracked_complex_3::from_mesh(options.input);
   const Statistics before = complex->statistics();
-  Waiting_line waiting("improving " + std::to_string(before.cells) + " tetrahedra", options.quiet);
   const Improvement_outcome outcome = complex->improve(options);
-  waiting.clear();
   const Statistics after = complex->statistics();
+  interruptible.reset();
   complex->write(options.output);
   if (!options.report.empty())
     write_json(options.report, {{"input", options.input},

@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "files.h"
+#include "interrupt.h"
 #include "run_position.h"
 #include "tracked_complex_3.h"
 
@@ -54,6 +55,7 @@ void print(const Surface_statistics& statistics) {
 } // namespace
 
 int execute(const Info_options& options) {
+  const Interruptible interruptible(false);
   const std::string format = extension(options.file);
   Run_start start;
   start.inputs = {options.file};

@@ -4,7 +4,10 @@
 
 #include "interrupt.h"
 
+#include "progress_line.h"
+
 #include <csignal>
+#include <cstdio>
 #include <ctime>
 
 namespace dsc {
@@ -13,7 +16,7 @@ namespace {
 volatile std::sig_atomic_t flag = 0;
 timespec time_of_first = {};
 
-// Whoever asks twice does not want to wait for the step; but timeout(1) and some shells send the
+// Whoever asks twice does not want to wait; but timeout(1) and some shells send the
 // same signal to the program and to its process group.
 extern "C" void raise_flag(int signal) {
   timespec now;
@@ -29,15 +32,38 @@ extern "C" void raise_flag(int signal) {
 
 } // namespace
 
-void catch_interrupts() {
+void catch_signals() {
   struct sigaction action = {};
   action.sa_handler = raise_flag;
   sigemptyset(&action.sa_mask);
   action.sa_flags = SA_RESTART;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP})
+    sigaction(number, &action, nullptr);
+  for (const int number : {SIGXFSZ, SIGPIPE})
+    std::signal(number, SIG_IGN);
 }
 
 bool interrupted() { return flag != 0; }
+
+Interruptible::Interruptible(bool quiet)
+    : m_shows(!quiet && shows_lines()), m_scope([this](const char* phase) { return go_on(phase); }) {
+}
+
+Interruptible::~Interruptible() {
+  if (m_shown)
+    std::fputs("\r\033[K", stderr);
+}
+
+bool Interruptible::go_on(const char* phase) {
+  const Clock::time_point now = Clock::now();
+  if (m_shows && now >= m_next) {
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now - m_start).count();
+    std::fprintf(stderr, "\r\033[K%s, %ld s", phase, long(seconds));
+    std::fflush(stderr);
+    m_shown = true;
+    m_next = now + std::chrono::seconds(1);
+  }
+  return !interrupted();
+}
 
 } // namespace dsc

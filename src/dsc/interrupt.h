@@ -5,14 +5,41 @@
 #ifndef DSC_INTERRUPT_H
 #define DSC_INTERRUPT_H
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+
+#include <chrono>
+
 namespace dsc {
 
-/// From now on the first SIGINT or SIGTERM only raises a flag; one some seconds later ends the
-/// program.
-void catch_interrupts();
+constexpr int exit_code_of_interrupt = 130; ///< what shells use for SIGINT
 
-/// Whether a signal arrived.
+/// From now on the first SIGINT, SIGTERM or SIGHUP only raises a flag; one some seconds later ends
+/// the program. Files that grow too large and pipes that nobody reads make writing fail, and no
+/// longer end the program.
+void catch_signals();
+
+/// Returns whether the flag is raised.
 bool interrupted();
+
+/// While it exists, the functions of the package throw Interrupted_error once the flag is raised.
+/// On a terminal, a line names what takes longer than a second.
+class Interruptible
+{
+public:
+  /// \param quiet whether the line is left out
+  explicit Interruptible(bool quiet);
+  ~Interruptible();
+
+private:
+  bool go_on(const char* phase);
+
+  using Clock = std::chrono::steady_clock;
+
+  bool m_shows;
+  bool m_shown = false;
+  Clock::time_point m_start = Clock::now(), m_next = m_start + std::chrono::seconds(1);
+  CGAL::Deformable_simplicial_complexes::Progress_scope m_scope;
+};
 
 } // namespace dsc
 

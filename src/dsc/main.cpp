@@ -5,10 +5,12 @@
 #include "command_line.h"
 #include "commands.h"
 #include "errors.h"
+#include "interrupt.h"
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -16,7 +18,7 @@
 
 namespace {
 
-enum Exit_code { bad_input = 1, bad_usage = 2 };
+enum Exit_code { bad_input = 1, bad_usage = 2, stopped = dsc::exit_code_of_interrupt };
 
 int fail(std::string message, Exit_code code) {
   std::replace(message.begin(), message.end(), '\n', ' ');
@@ -27,18 +29,33 @@ int fail(std::string message, Exit_code code) {
 // CGAL throws after it has printed; the message comes with the exception.
 void print_nothing(const char*, const char*, const char*, int, const char*) {}
 
+/// Returns whether everything that was printed has arrived.
+bool flush_output() {
+  std::cout.flush();
+  std::fflush(stdout);
+  return std::cout.good() && std::ferror(stdout) == 0;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
+  dsc::catch_signals();
   CGAL::set_error_handler(print_nothing);
   CGAL::set_warning_handler(print_nothing);
   try {
     const std::optional<dsc::Options> options = dsc::parse_command_line(argc, argv);
-    if (!options)
-      return 0;
-    return std::visit([](const auto& command) { return dsc::execute(command); }, *options);
+    const int code =
+        options ? std::visit([](const auto& command) { return dsc::execute(command); }, *options)
+                : 0;
+    if (!flush_output())
+      return fail("cannot write to standard output; check that its disk has space left and that "
+                  "its reader is there",
+                  bad_input);
+    return code;
   } catch (const dsc::Usage_error& error) {
     return fail(error.what(), bad_usage);
+  } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {
+    return fail("interrupted; nothing is written", stopped);
   } catch (const std::bad_alloc&) {
     return fail("there is not enough memory; choose fewer --triangles or a smaller mesh",
                 bad_input);

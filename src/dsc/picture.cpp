@@ -4,7 +4,7 @@
 
 #include "picture.h"
 
-#include "errors.h"
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 
 #include <png.h>
 
@@ -157,8 +157,9 @@ void write_picture(const std::string& path, const std::vector<Picture_triangle>&
   image.version = PNG_IMAGE_VERSION;
   image.width = image.height = side;
   image.format = PNG_FORMAT_RGB;
-  if (png_image_write_to_file(&image, path.c_str(), 0, pixels.data(), 0, nullptr) == 0)
-    throw Input_error("the picture '" + path + "' cannot be written: " + image.message);
+  CGAL::Deformable_simplicial_complexes::internal::replace_file(path, [&](const std::string& name) {
+    return png_image_write_to_file(&image, name.c_str(), 0, pixels.data(), 0, nullptr) != 0;
+  });
 }
 
 } // namespace dsc

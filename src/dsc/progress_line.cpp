@@ -24,9 +24,9 @@ std::string duration(double seconds) {
   return text;
 }
 
-bool shows_lines() { return isatty(STDERR_FILENO) == 1; }
-
 } // namespace
+
+bool shows_lines() { return isatty(STDERR_FILENO) == 1; }
 
 Progress_line::Progress_line(unsigned steps, bool quiet, const char* unit)
     : m_steps(steps), m_unit(unit), m_enabled(!quiet && shows_lines()),
@@ -49,33 +49,6 @@ void Progress_line::clear() {
   if (m_shown)
     std::fputs("\r\033[K", stderr);
   m_shown = false;
-}
-
-Waiting_line::Waiting_line(const std::string& what, bool quiet) {
-  if (!quiet && shows_lines())
-    m_thread = std::thread([this, what] { show_each_second(what); });
-}
-
-void Waiting_line::show_each_second(const std::string& what) {
-  std::unique_lock<std::mutex> lock(m_mutex);
-  for (int seconds = 1;; ++seconds) {
-    if (m_cleared.wait_for(lock, std::chrono::seconds(1), [this] { return m_is_clear; }))
-      break;
-    std::fprintf(stderr, "\r\033[K%s, %s", what.c_str(), duration(seconds).c_str());
-    std::fflush(stderr);
-  }
-  std::fputs("\r\033[K", stderr);
-}
-
-void Waiting_line::clear() {
-  if (!m_thread.joinable())
-    return;
-  {
-    const std::lock_guard<std::mutex> lock(m_mutex);
-    m_is_clear = true;
-  }
-  m_cleared.notify_one();
-  m_thread.join();
 }
 
 } // namespace dsc

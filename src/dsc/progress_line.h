@@ -6,12 +6,11 @@
 #define DSC_PROGRESS_LINE_H
 
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
-#include <string>
-#include <thread>
 
 namespace dsc {
+
+/// Returns whether stderr is a terminal, where lines are overwritten.
+bool shows_lines();
 
 /// One line on the terminal that is overwritten after every step, with an estimate of the
 /// remaining time. Shows nothing if stderr is not a terminal.
@@ -36,28 +35,6 @@ private:
   bool m_enabled;
   bool m_shown = false;
   std::chrono::steady_clock::time_point m_start;
-};
-
-/// A line on the terminal that tells for how long what cannot be counted has taken. Shows nothing
-/// if stderr is not a terminal.
-class Waiting_line
-{
-public:
-  Waiting_line(const std::string& what, bool quiet);
-  ~Waiting_line() { clear(); }
-  Waiting_line(const Waiting_line&) = delete;
-  Waiting_line& operator=(const Waiting_line&) = delete;
-
-  /// Removes the line.
-  void clear();
-
-private:
-  void show_each_second(const std::string& what);
-
-  std::mutex m_mutex;
-  std::condition_variable m_cleared;
-  bool m_is_clear = false;
-  std::thread m_thread; // last, as it uses the others
 };
 
 } // namespace dsc

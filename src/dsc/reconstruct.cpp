@@ -34,8 +34,6 @@ using Complex = Tracked_complex_3::Complex;
 using Reconstruction_report =
     CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Complex>;
 
-constexpr int exit_code_of_interrupt = 130; // what shells use for SIGINT
-
 /// Writes each step of a reconstruction.
 class Step_folder
 {
@@ -119,7 +117,6 @@ void print_summary(const Reconstruction_report& report, const Statistics& statis
 } // namespace
 
 int execute(const Reconstruct_options& options) {
-  catch_interrupts();
   // What cannot work is refused before anything is computed.
   if (!options.report.empty())
     require_place_of_report(options.report, {options.input, options.output});

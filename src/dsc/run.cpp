@@ -32,8 +32,6 @@
 namespace dsc {
 namespace {
 
-constexpr int exit_code_of_interrupt = 130; // what shells use for SIGINT
-
 void print_repairs(const std::vector<std::string>& inputs, const Repairs& repairs) {
   for (std::size_t i = 0; i < repairs.size(); ++i)
     std::printf("dsc: %s: %s\n", inputs[i].c_str(), what_was_repaired(repairs[i]).c_str());
@@ -118,7 +116,6 @@ void print_interruption(const Run_position& position, const std::string& checkpo
 
 int execute(const Run_options& asked) {
   Run_options options = asked;
-  catch_interrupts();
 
   // What cannot work is refused before anything is computed.
   std::optional<Output_folder> folder;
@@ -139,6 +136,7 @@ int execute(const Run_options& asked) {
 
   Run_position position;
   Repairs repairs;
+  std::optional<Interruptible> interruptible(std::in_place, options.quiet);
   const std::unique_ptr<Tracked_complex> tracked = start(options, position, repairs);
   if (!options.quiet)
     print_repairs(options.start.inputs, repairs);
@@ -161,6 +159,7 @@ int execute(const Run_options& asked) {
       folder->write(complex, position, to_metadata(position, options.step));
   };
   write_files();
+  interruptible.reset();
 
   unsigned done = 0;
   std::size_t unfinished = 0;
@@ -168,27 +167,30 @@ int execute(const Run_options& asked) {
   Progress_line progress(options.steps, options.quiet);
   progress.show(done);
   const auto advance = [&] {
-    if (folder && !folder->holds(position))
-      complex.keep();
+    complex.keep();
     Step_outcome outcome = complex.advance(options.step, position.time, options.threads);
+    const double time = position.time + time_step;
+    if (from_start && is_whole_period(time, time_step, period(options.step.motion)))
+      outcome.distance_to_start = from_start->of(complex.interface_points(), complex.mean_edge());
+    statistics = complex.statistics();
     complex.forget();
     ++done;
     ++position.step;
-    position.time += time_step;
-    if (from_start && is_whole_period(position.time, time_step, period(options.step.motion)))
-      outcome.distance_to_start = from_start->of(complex.interface_points(), complex.mean_edge());
+    position.time = time;
     unfinished += outcome.unfinished_vertices;
     seconds += outcome.seconds;
-    statistics = complex.statistics();
     report.add(position, outcome, statistics);
     if (position.step % options.every == 0)
       write_files();
   };
   try {
+    const Interruptible steps(true);
     while (done < options.steps && !interrupted()) {
       advance();
       progress.show(done);
     }
+  } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {
+    complex.go_back();
   } catch (...) {
     // A step that cannot be done, for whatever reason. Those before it are worth keeping.
     progress.clear();

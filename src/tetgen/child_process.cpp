@@ -4,10 +4,13 @@
 
 #include "child_process.h"
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+
 #include <algorithm>
 
 #ifdef DSC_HAS_FORK
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/time.h>
@@ -204,6 +207,14 @@ Child_process::~Child_process() {
 }
 
 bool Child_process::refill() {
+  // The caller may stop before anything comes.
+  static constexpr int patience = 50; // milliseconds
+  pollfd pipe = {m_pipe, POLLIN, 0};
+  int number_of_ready;
+  do {
+    Progress_scope::check();
+    number_of_ready = poll(&pipe, 1, patience);
+  } while (number_of_ready == 0 || (number_of_ready < 0 && errno == EINTR));
   m_data.resize(buffer_size);
   m_position = 0;
   ssize_t got;

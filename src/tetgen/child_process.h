@@ -59,7 +59,8 @@ public:
   Child_process(const Child_process&) = delete;
   Child_process& operator=(const Child_process&) = delete;
 
-  /// Waits for the next `size` bytes that the function sends. False if it ended before.
+  /// Waits for the next `size` bytes that the function sends. False if it ended before. \throws
+  /// Interrupted_error, see Progress_scope
   bool read(void* data, std::size_t size);
 
   /// Waits until the child has ended; what it still sends is lost. To be called once. Where the

@@ -434,7 +434,7 @@ TEST_F(Program, keeps_the_results_of_other_runs) {
   expect_success(motion + "out --resume out/checkpoint.dsc");
 }
 
-TEST_F(Program, finishes_the_step_when_interrupted) {
+TEST_F(Program, goes_back_to_the_last_step_when_interrupted) {
   const std::string arguments =
       "rotate octahedron.off --axis 0,0,1 --angle 1 --steps 10000000 --report r.json";
   for (const char* signal : {"INT", "TERM"}) {

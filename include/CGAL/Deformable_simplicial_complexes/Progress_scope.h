@@ -52,8 +52,12 @@ public:
   using Callback = std::function<bool(const char* phase)>;
 
   /// Begins the scope. The callback may throw: the exception leaves the function of the package.
-  explicit Progress_scope(Callback callback)
-      : m_callback(std::move(callback)), m_outer(std::exchange(innermost(), this)) {}
+  /// \param callback asked whether to go on
+  /// \param interval shortest time between two calls of the callback; 0 for a call at each check
+  explicit Progress_scope(Callback callback,
+                          std::chrono::milliseconds interval = std::chrono::milliseconds(50))
+      : m_callback(std::move(callback)), m_interval(interval),
+        m_outer(std::exchange(innermost(), this)) {}
 
   /// Ends the scope.
   ~Progress_scope() { innermost() = m_outer; }
@@ -61,9 +65,9 @@ public:
   Progress_scope(const Progress_scope&) = delete;
   Progress_scope& operator=(const Progress_scope&) = delete;
 
-  /// Asks the callbacks of all scopes of this thread, unless they were asked in the last
-  /// twentieth of a second. For loops of users, and of this package. \throws Interrupted_error if
-  /// one of them returned `false`
+  /// Asks the callbacks of all scopes of this thread, unless the interval of the innermost one has
+  /// not passed. For loops of users, and of this package. \throws Interrupted_error if one of them
+  /// returned `false`
   static void check() {
     if (innermost() != nullptr)
       innermost()->check_now_and_then();
@@ -84,17 +88,17 @@ private:
   }
 
   void check_now_and_then() {
-    static constexpr std::chrono::milliseconds interval(50);
     const Clock::time_point now = Clock::now();
     if (now < m_next)
       return;
-    m_next = now + interval;
+    m_next = now + m_interval;
     for (const Progress_scope* scope = this; scope != nullptr; scope = scope->m_outer)
       if (!scope->m_callback(phase()))
         throw Interrupted_error();
   }
 
   Callback m_callback;
+  std::chrono::milliseconds m_interval;
   Progress_scope* m_outer;
   Clock::time_point m_next = Clock::time_point(); // when to ask again
 };

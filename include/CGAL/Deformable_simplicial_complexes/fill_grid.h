@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_FILL_GRID_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_FILL_GRID_H
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/fit_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/torus_grid.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
@@ -23,8 +24,10 @@ Complex fill_grid(Complex result, const Grid<Complex::dimension>& grid, const La
   for (const auto& p : grid.points)
     points.push_back(result.exact(point_at<Complex>(p)));
   result.assign(points, grid.cells, std::vector<typename Complex::Label>(grid.cells.size(), 0));
-  for (auto c : result.cells())
+  for (auto c : result.cells()) {
+    Progress_scope::check();
     result.relabel(c, label_at(result.domain().canonical(barycenter(result, c))));
+  }
   result.measure_interface_edges();
   fit_interface(result, label_at, np);
   result.measure_interface_edges();

@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 
 #include <CGAL/Origin.h>
@@ -54,6 +55,7 @@ changes_of_labels(const Complex& complex, const LabelAt& label_at,
   std::vector<std::size_t> numbers(positions.size(), 0);
   const auto facets = complex.interface_facets();
   for (std::size_t i = 0; i < facets.size(); ++i) {
+    Progress_scope::check();
     const auto behind = facets[i].first, in_front = behind->neighbor(facets[i].second);
     const auto from = barycenter(complex, behind);
     const auto to = complex.domain().near(from, barycenter(complex, in_front));
@@ -97,6 +99,7 @@ template <
     class NamedParameters = Deformable_simplicial_complexes::parameters::Default_named_parameters>
 Deformation_report<Complex> fit_interface(Complex& dsc, const LabelAt& label_at,
                                           const NamedParameters& np = NamedParameters()) {
+  const Deformable_simplicial_complexes::Progress_phase phase("fitting the interface");
   static constexpr int rounds = 3; // the first straightens stairs; more change little
   Deformation_report<Complex> report;
   for (int i = 0; i < rounds && !report.stopped; ++i) {

@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/Chordal_axis_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/Cut_point_finder_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
 #include <algorithm>
 #include <cmath>
@@ -272,6 +273,7 @@ Cut_locus make_cut_locus(const Cut_graph_2<Front>& cut_graph,
   Cut_locus result;
   result.is_complete = cut_graph.is_complete();
   std::vector<std::size_t> index(graph.size());
+  Progress_scope::check();
   for (std::size_t i = 0; i < graph.size(); ++i)
     if (!graph[i].empty()) {
       index[i] = result.vertices.size();

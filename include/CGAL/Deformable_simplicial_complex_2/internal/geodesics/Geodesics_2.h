@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_2/Riemannian_metric_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/Sphere_like_surface_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Simple_cartesian.h>
@@ -60,6 +61,7 @@ Geodesic_state advance_geodesic(const Metric& metric, const Geodesic_units& unit
                                          odeint::runge_kutta_fehlberg78<Geodesic_state>());
   double done = 0, step = first_step * whole;
   for (int i = 0; i < most_steps && std::abs(whole - done) > shortest * std::abs(whole); ++i) {
+    Progress_scope::check();
     if (std::abs(step) > std::abs(whole - done))
       step = whole - done;
     // A step that is so long that it ends in infinity is taken for a good one.

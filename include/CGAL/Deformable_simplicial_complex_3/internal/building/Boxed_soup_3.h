@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/Tetrahedralization_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/enclosing_box_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/improve_new_mesh.h>
@@ -60,6 +61,7 @@ template <class NP> Boxed_soup_3 put_into_box(Joined_soup_3 soup, const NP& np) 
 // come first.
 template <class Tetrahedralizer>
 Tetrahedralization_3 fill_box(const Boxed_soup_3& boxed, const Tetrahedralizer& tetrahedralizer) {
+  const Progress_phase phase("filling the box with tetrahedra");
   Triangle_soup_3 all = boxed.soup;
   append(all, box_surface(boxed.box, boxed.subdivision));
   auto mesh = tetrahedralizer(all.points, all.triangles);

@@ -9,6 +9,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/remeshing/Patch_optimizer_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Patch_improver.h>
@@ -89,6 +90,7 @@ private:
     static constexpr std::size_t worthwhile = 2;
     std::vector<std::optional<Patch_3<Complex>>> found(m_optimizers.size());
     for (std::size_t begin = 0; begin < items.size(); begin += found.size()) {
+      Progress_scope::check();
       const std::size_t number = (std::min)(found.size(), items.size() - begin);
       const auto is_alive = [&](std::size_t k) {
         return m_complex.is_alive(items[begin + k].cell, items[begin + k].time_stamp);

@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SOLVERS_MINIMAL_RESIDUALS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SOLVERS_MINIMAL_RESIDUALS_H
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 
@@ -94,6 +95,7 @@ unsigned minimal_residuals(const For_each_index& for_each, const Multiply& multi
     w_before.setZero();
     // By the names of Paige and Saunders: r are Lanczos' vectors, not normalized.
     while (!(std::abs(eta) <= enough)) { // nor for what is no number
+      Progress_scope::check();
       if (++k > most)
         throw Error("the equations of the flow cannot be solved by iterations: cells may be too "
                     "flat, or the step too long");

@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_ASSEMBLE_TRIANGULATION_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_ASSEMBLE_TRIANGULATION_H
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Item_numbers.h>
 
@@ -55,7 +56,8 @@ sorted_facets(const std::vector<std::array<std::size_t, corners>>& cells) {
   std::vector<Facet> unsorted;
   unsorted.reserve(corners * cells.size());
   std::vector<std::size_t> bucket_ends;
-  for (std::size_t c = 0; c < cells.size(); ++c)
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    Progress_scope::check();
     for (int i = 0; i <= d; ++i) {
       std::array<std::size_t, d> f;
       for (int k = 0; k < d; ++k)
@@ -67,6 +69,7 @@ sorted_facets(const std::vector<std::array<std::size_t, corners>>& cells) {
         bucket_ends.resize(f[0] + 2, 0);
       ++bucket_ends[f[0] + 1];
     }
+  }
   std::partial_sum(bucket_ends.begin(), bucket_ends.end(), bucket_ends.begin());
   std::vector<Facet> facets(unsorted.size());
   for (const Facet& f : unsorted)
@@ -127,6 +130,7 @@ create_cells(typename Space::Triangulation_data_structure& tds, Item_numbers& nu
   std::vector<typename Space::Cell_handle> handles;
   handles.reserve(cells.size());
   for (const auto& c : cells) {
+    Progress_scope::check();
     handles.push_back(numbers.add_cell(Space::create_cell(tds)));
     for (int i = 0; i < corners; ++i) {
       handles.back()->set_vertex(i, vertices[c[i]]);
@@ -135,6 +139,7 @@ create_cells(typename Space::Triangulation_data_structure& tds, Item_numbers& nu
   }
   const auto facets = sorted_facets(cells);
   for (std::size_t i = 0; i < facets.size(); i += 2) {
+    Progress_scope::check();
     if (i + 1 == facets.size() || !facets[i].fits(facets[i + 1]) ||
         (i + 2 < facets.size() && facets[i].vertices == facets[i + 2].vertices))
       throw Invalid_tetrahedra_error(

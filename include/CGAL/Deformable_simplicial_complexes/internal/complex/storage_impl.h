@@ -8,6 +8,7 @@
 // Member functions of Labelled_complex: creation, state, validity.
 
 #include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
@@ -123,7 +124,9 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
                                    "the points, so that volumes and qualities can be computed");
   std::vector<bool> is_used(points.size(), false);
   std::vector<Approximate_point> barycenters;
+  const Progress_phase phase("assembling the mesh");
   for (size_type t = 0; t < tetrahedra.size(); ++t) {
+    Progress_scope::check();
     const auto& v = tetrahedra[t];
     Approximate_vector sum(CGAL::NULL_VECTOR);
     for (size_type i : v) {

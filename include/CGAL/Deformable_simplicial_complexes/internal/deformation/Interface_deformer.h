@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_INTERFACE_DEFORMER_H
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Stopwatch.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
@@ -130,6 +131,7 @@ public:
     if (m_options.collision_order)
       sort_by_first_collision(m_complex, m_destinations, vertices);
     for (Vertex_handle v : vertices) {
+      Progress_scope::check();
       m_complex.star(v, m_star);
       const bool is_at_contact = std::any_of(m_star.begin(), m_star.end(), [&](Cell_handle c) {
         return !m_complex.is_infinite(c) && c->quality() < m_options.relabeling_threshold;
@@ -169,6 +171,7 @@ public:
     m_trapped_cells.remove_small_components(handles(cells));
     find_events(pass);
     for (const auto& item : cells) {
+      Progress_scope::check();
       if (m_complex.is_alive(item.cell, item.time_stamp))
         m_mesh.remove_obstacle(item.cell, m_may_remove_facets, m_touched);
     }

@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_DEFORM_H
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Interface_deformer.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
@@ -28,6 +29,7 @@ deform(Complex& dsc, const std::vector<typename Complex::Vertex_handle>& vertice
        unsigned number_of_threads, Any_visitor<Complex>& visitor,
        const std::function<bool(unsigned)>& go_further) {
   using Seconds = typename Deformation_report<Complex>::Seconds;
+  const Progress_phase phase("moving the interface");
   const For_each_index for_each_index(number_of_threads);
   Interface_deformer<Complex> deformer(dsc, visitor, options, for_each_index);
   deformer.set_destinations(vertices, destinations);
@@ -37,6 +39,7 @@ deform(Complex& dsc, const std::vector<typename Complex::Vertex_handle>& vertice
   while (!deformer.is_complete() && deformer.is_progressing() && pass < maximum_number_of_passes &&
          !(is_stopped = !go_further(pass + 1))) {
     ++pass;
+    Progress_scope::check();
     deformer.begin_pass();
     deformer.move_together(pass);
     deformer.move_one_by_one();

@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_IMPROVE_NEW_MESH_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_IMPROVE_NEW_MESH_H
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
@@ -32,6 +33,7 @@ template <class NP> New_mesh_options new_mesh_options(const NP& np) {
 
 // Improves the mesh as each step of a deformation will. More vertices would only slow that down.
 template <class Complex> void improve_new_mesh(Complex& dsc, const New_mesh_options& options) {
+  const Progress_phase phase("improving the mesh");
   if (options.improve) {
     Any_visitor<Complex> visitor;
     Mesh_improver<Complex> improver(dsc, visitor, options.threshold);

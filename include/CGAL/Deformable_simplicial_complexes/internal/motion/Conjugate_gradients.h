@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_CONJUGATE_GRADIENTS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_CONJUGATE_GRADIENTS_H
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Row_blocks.h>
 
@@ -56,6 +57,7 @@ public:
     const Vector bound = part * part * energy;
     for (int k = 0; k < maximum_number_of_iterations && (energy.array() > bound.array()).any();
          ++k) {
+      Progress_scope::check();
       const Vector step = ratio(energy, sum([&](std::size_t i) -> Vector {
                                   products[i] = product(i, directions);
                                   return products[i].cwiseProduct(directions[i]);

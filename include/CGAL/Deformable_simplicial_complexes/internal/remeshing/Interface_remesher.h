@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
@@ -95,6 +96,7 @@ public:
       return;
     typename Complex::Point target;
     for (Vertex_handle v : m_complex.interface_vertices()) {
+      Progress_scope::check();
       const Fan fan = this->fan(v);
       if (!null_space_position(m_complex, fan, m_star, m_thresholds.aggressiveness,
                                m_thresholds.feature_angle, m_thresholds.quality_threshold, target))
@@ -260,6 +262,7 @@ template <class Complex>
 Improvement_report remesh_interface(Complex& dsc, const Interface_thresholds& thresholds,
                                     const Edge_unit<Complex>& unit, unsigned iterations,
                                     Any_visitor<Complex>& visitor) {
+  const Progress_phase phase("improving the interface");
   Interface_improver<Complex> improver(dsc, visitor, thresholds, unit);
   for (unsigned i = 0; i < iterations; ++i) {
     improver.split_long_edges();

@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_IMPROVE_WHOLE_MESH_H
 
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
@@ -28,6 +29,7 @@ struct Mesh_improvement_options
 template <class Complex>
 Improvement_report improve_whole_mesh(Complex& dsc, const Mesh_improvement_options& options,
                                       Any_visitor<Complex>& visitor) {
+  const Progress_phase phase("improving the mesh");
   const double threshold = options.threshold;
   const unsigned rounds = options.rounds;
   Mesh_improver<Complex> improver(dsc, visitor, threshold, true, options.smooths_interface);

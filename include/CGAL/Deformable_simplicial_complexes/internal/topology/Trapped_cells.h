@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TRAPPED_CELLS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TRAPPED_CELLS_H
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Manifold_relabeling.h>
@@ -60,6 +61,7 @@ public:
     spread(front, threshold, is_flat);
     std::vector<Cell_handle> proposed;
     for (Cell_handle c : cells) {
+      Progress_scope::check();
       Label label;
       if (!propose(c, threshold, is_flat, proposed, label) ||
           relabeling_keeps_topology(m_complex, proposed, label) ||
@@ -78,7 +80,8 @@ public:
   void remove_small_components(const std::vector<Cell_handle>& cells) {
     std::vector<Cell_handle> component;
     std::unordered_set<std::size_t> large; // cells of components that are known not to be small
-    for (Cell_handle c : cells)
+    for (Cell_handle c : cells) {
+      Progress_scope::check();
       if (is_small_component(c, component, large)) {
         const Label label = surrounding_label(component);
         if (label == c->label() || !complete(component, label) ||
@@ -88,6 +91,7 @@ public:
         relabel(component, label);
         large.clear(); // a component may have lost cells
       }
+    }
   }
 
   // Relabels a cell whatever its shape, if that keeps the topology; once after each relabel().

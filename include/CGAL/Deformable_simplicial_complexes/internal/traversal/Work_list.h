@@ -5,6 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_WORK_LIST_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_WORK_LIST_H
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -60,9 +62,11 @@ void work_in_rounds(const Complex& complex, Work_list<typename Complex::Cell_han
   for (unsigned round = 0; round < rounds && !cells.empty(); ++round) {
     cells.sort();
     touched.clear();
-    for (const auto& item : cells)
+    for (const auto& item : cells) {
+      Progress_scope::check();
       if (complex.is_alive(item.cell, item.time_stamp))
         work(item.cell, touched);
+    }
     std::swap(cells, touched);
   }
 }

@@ -1,0 +1,140 @@
+#include "program.h"
+
+#include <cmath>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+// Nothing is lost: whatever takes long stops when asked, results appear whole or not at all, and
+// what cannot be written is told.
+namespace {
+
+using program::contents;
+using program::fs::directory_iterator;
+using program::Outcome;
+
+class Stopping : public program::Program_test
+{
+protected:
+  std::set<std::string> files() const {
+    std::set<std::string> result;
+    for (const auto& entry : directory_iterator(path("")))
+      result.insert(entry.path().filename().string());
+    result.erase("stderr.txt");
+    return result;
+  }
+
+  // Runs what takes long, asks it to stop, and expects that it wrote nothing.
+  void expect_stops(const std::string& arguments, const std::string& signal,
+                    const std::string& seconds = "0.7") const {
+    SCOPED_TRACE(arguments + ", " + signal);
+    const std::set<std::string> before = files();
+    const Outcome outcome =
+        run(arguments, "timeout --preserve-status -s " + signal + ' ' + seconds);
+    EXPECT_EQ(outcome.exit_code, 130) << outcome.err << outcome.out;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err.rfind("dsc: interrupted", 0), 0u) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(files(), before);
+  }
+
+  // A closed surface of 20 n^2 / 2 triangles.
+  std::string sphere(int n) const {
+    std::ostringstream off;
+    const int m = 2 * n;
+    off << "OFF\n" << m * (n - 1) + 2 << ' ' << 2 * m * (n - 1) << " 0\n0 0 1\n0 0 -1\n";
+    for (int i = 1; i < n; ++i)
+      for (int j = 0; j < m; ++j) {
+        const double a = M_PI * i / n, b = 2 * M_PI * j / m;
+        off << std::sin(a) * std::cos(b) << ' ' << std::sin(a) * std::sin(b) << ' ' << std::cos(a)
+            << '\n';
+      }
+    const auto at = [&](int i, int j) { return 2 + (i - 1) * m + j % m; };
+    for (int j = 0; j < m; ++j) {
+      off << "3 0 " << at(1, j) << ' ' << at(1, j + 1) << '\n';
+      off << "3 1 " << at(n - 1, j + 1) << ' ' << at(n - 1, j) << '\n';
+      for (int i = 1; i + 1 < n; ++i)
+        off << "3 " << at(i, j) << ' ' << at(i + 1, j) << ' ' << at(i + 1, j + 1) << "\n3 "
+            << at(i, j) << ' ' << at(i + 1, j + 1) << ' ' << at(i, j + 1) << '\n';
+    }
+    return off.str();
+  }
+};
+
+const std::string ball_in_box = "'x^2+y^2+z^2<.5' --domain -1,-1,-1,1,1,1";
+
+TEST_F(Stopping, building_stops) {
+  write("sphere.off", sphere(250));
+  for (const char* signal : {"INT", "TERM", "HUP"})
+    expect_stops("offset " + ball_in_box + " --edge .012 --distance .001", signal);
+  expect_stops("offset sphere.off --distance .001", "INT");
+  expect_stops("offset sphere.off --triangles 400000 --distance .001", "INT");
+}
+
+TEST_F(Stopping, a_long_step_stops_and_the_one_before_is_kept) {
+  expect_success("enright --dt .01 --steps 1 --output out --quiet");
+  const Outcome outcome = run("enright --resume out/checkpoint.dsc --dt 3 --steps 5 --output out "
+                              "--report r.json",
+                              "timeout --preserve-status -s INT 2");
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+  EXPECT_NE(outcome.err.find("--resume out/checkpoint.dsc"), std::string::npos) << outcome.err;
+  const int step = int(info("out/checkpoint.dsc", "step"));
+  EXPECT_EQ(report("r.json").at("steps").back().at("step"), step);
+}
+
+TEST_F(Stopping, improvement_stops_and_keeps_its_input) {
+  expect_success("offset " + ball_in_box + " --edge .08 --distance .001 --steps 1 --output out");
+  expect_success("convert out/checkpoint.dsc mesh.vtu --quiet");
+  const std::string before = contents(path("mesh.vtu"));
+  expect_stops("improve --aggressive mesh.vtu -o mesh.vtu --report r.json", "INT", "1.5");
+  EXPECT_TRUE(contents(path("mesh.vtu")) == before);
+}
+
+TEST_F(Stopping, other_commands_stop) {
+  expect_stops("cut-locus --point 0.4,0.3 --spacing .05 -o out.svg", "INT", "0.4");
+  expect_stops("fluid dam-break --report r.json --quiet", "TERM", "0.3");
+}
+
+TEST_F(Stopping, a_reconstruction_keeps_the_previous_result) {
+  std::ostringstream points;
+  for (int i = 0; i < 40000; ++i) { // on a sphere, along a spiral
+    const double z = 1 - (2 * i + 1) / 40000., r = std::sqrt(1 - z * z), a = 2.399963 * i;
+    points << r * std::cos(a) << ' ' << r * std::sin(a) << ' ' << z << '\n';
+  }
+  write("points.xyz", points.str());
+  write("out.off", "precious");
+  expect_stops("reconstruct points.xyz -o out.off", "INT");
+  EXPECT_EQ(contents(path("out.off")), "precious");
+}
+
+// A file size limit of some blocks: writing fails as on a full disk.
+TEST_F(Stopping, what_cannot_be_written_leaves_what_was_there) {
+  write("sphere.off", sphere(40));
+  expect_success("offset sphere.off --distance .01 --steps 1 --output out");
+  for (const char* name : {"x.off", "x.vtu", "x.mesh", "x.png", "x.stl", "x.ply", "x.obj"}) {
+    SCOPED_TRACE(name);
+    write(name, "precious");
+    const auto before = files();
+    const Outcome outcome =
+        run(std::string("convert out/checkpoint.dsc ") + name, "ulimit -f 4; ");
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+    EXPECT_EQ(outcome.err.rfind("dsc: cannot write", 0), 0u) << outcome.err;
+    EXPECT_EQ(contents(path(name)), "precious");
+    EXPECT_EQ(files(), before);
+  }
+}
+
+TEST_F(Stopping, standard_output_that_fails_is_told) {
+  write("sphere.off", sphere(10));
+  for (const char* arguments : {"info sphere.off > /dev/full", "fluid --list > /dev/full",
+                                "--help > /dev/full", "fluid --print dam-break > /dev/full",
+                                "offset sphere.off --distance .01 --steps 1 > /dev/full"}) {
+    SCOPED_TRACE(arguments);
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.err.rfind("dsc: cannot write to standard output", 0), 0u) << outcome.err;
+  }
+}
+
+} // namespace
