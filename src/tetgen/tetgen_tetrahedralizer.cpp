@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 #include "child_process.h"
@@ -227,7 +228,8 @@ bool has_facets(const Tetrahedralization_3& mesh, Triangles triangles) {
     std::sort(t.begin(), t.end());
   std::sort(triangles.begin(), triangles.end());
   std::vector<char> is_found(triangles.size(), 0);
-  for (const auto& v : mesh.tetrahedra)
+  for (const auto& v : mesh.tetrahedra) {
+    Deformable_simplicial_complexes::Progress_scope::check();
     for (std::size_t i = 0; i < 4; ++i) {
       internal::Triangle_indices facet = {v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4]};
       std::sort(facet.begin(), facet.end());
@@ -235,6 +237,7 @@ bool has_facets(const Tetrahedralization_3& mesh, Triangles triangles) {
       if (t != triangles.end() && *t == facet)
         is_found[t - triangles.begin()] = 1;
     }
+  }
   return std::find(is_found.begin(), is_found.end(), 0) == is_found.end();
 }
 

@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_BOX_GRID_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_BOX_GRID_3_H
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/torus_grid.h>
 
 #include <CGAL/Bbox_3.h>
@@ -33,8 +34,10 @@ inline Grid<3> box_grid(const Bbox_3& box, double edge) {
   const auto for_each = [](const Place& size, const auto& visit) {
     for (Place p = {}; p[0] < size[0]; ++p[0])
       for (p[1] = 0; p[1] < size[1]; ++p[1])
-        for (p[2] = 0; p[2] < size[2]; ++p[2])
+        for (p[2] = 0; p[2] < size[2]; ++p[2]) {
+          Progress_scope::check();
           visit(p);
+        }
   };
   const auto add_point = [&](const Place& p, double shift) {
     std::array<double, 3> x;

@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_LABEL_CELLS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_LABEL_CELLS_H
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 
@@ -56,6 +57,7 @@ std::vector<Facet_sides<d>> find_sides(const std::vector<Cell_vertices<d>>& cell
   std::vector<Facet_sides<d>> sides(cells.size());
   const auto facets = sorted_facets(cells);
   for (std::size_t i = 1; i < facets.size(); ++i) {
+    Progress_scope::check();
     const auto &f = facets[i - 1], &g = facets[i];
     if (f.vertices != g.vertices)
       continue;
@@ -84,7 +86,8 @@ void gather_region(const std::vector<Facet_sides<d>>& sides, std::size_t first,
                    Entrances& entrances) {
   region = {first};
   is_visited[first] = 1;
-  for (std::size_t i = 0; i < region.size(); ++i)
+  for (std::size_t i = 0; i < region.size(); ++i) {
+    Progress_scope::check();
     for (const Facet_side& side : sides[region[i]]) {
       if (side.cell == Facet_side::none || is_visited[side.cell])
         continue;
@@ -95,6 +98,7 @@ void gather_region(const std::vector<Facet_sides<d>>& sides, std::size_t first,
         region.push_back(side.cell);
       }
     }
+  }
 }
 
 // The label of each cell, found by walking in from the boundary of the mesh through as few walls as

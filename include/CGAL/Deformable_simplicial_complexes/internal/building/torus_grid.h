@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_TORUS_GRID_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_TORUS_GRID_H
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <algorithm>
@@ -54,6 +55,7 @@ inline Grid<2> torus_grid(const std::array<double, 2>& periods, double edge) {
   const auto index = [&](std::size_t i, std::size_t j) { return j % rows * columns + i % columns; };
   for (std::size_t j = 0; j < rows; ++j)
     for (std::size_t i = 0; i < columns; ++i) {
+      Progress_scope::check();
       const std::size_t shift = j % 2;
       grid.points.push_back({periods[0] * (double(i) + .5 * double(shift)) / double(columns),
                              periods[1] * double(j) / double(rows)});
@@ -79,6 +81,7 @@ inline Grid<3> torus_grid(const std::array<double, 3>& periods, double edge) {
   for (std::array<std::size_t, 3> box = {}; box[0] < n[0]; ++box[0])
     for (box[1] = 0; box[1] < n[1]; ++box[1])
       for (box[2] = 0; box[2] < n[2]; ++box[2]) {
+        Progress_scope::check();
         for (int axis = 0; axis < 3; ++axis) {
           const double step = periods[axis] / double(n[axis]);
           grid.points[corner(box)][axis] = double(box[axis]) * step;

@@ -75,6 +75,7 @@ sorted_facets(const std::vector<std::array<std::size_t, corners>>& cells) {
   for (const Facet& f : unsorted)
     facets[bucket_ends[f.vertices[0]]++] = f;
   for (auto first = facets.begin(); first != facets.end();) {
+    Progress_scope::check();
     const auto last = facets.begin() + bucket_ends[first->vertices[0]];
     std::sort(first, last, [](const Facet& f, const Facet& g) {
       return f.vertices != g.vertices ? f.vertices < g.vertices : f.cell < g.cell;
@@ -90,6 +91,7 @@ template <std::size_t corners>
 void append_infinite_cells(std::vector<std::array<std::size_t, corners>>& cells) {
   const auto facets = sorted_facets(cells);
   for (std::size_t i = 0; i < facets.size();) {
+    Progress_scope::check();
     std::size_t j = i + 1;
     while (j < facets.size() && facets[j].vertices == facets[i].vertices)
       ++j;

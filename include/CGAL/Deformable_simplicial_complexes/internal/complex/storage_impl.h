@@ -357,12 +357,14 @@ void CGAL_DSC_CLASS::check_stars(const std::vector<Vertex_handle>& vertices) con
     star(vertices[i], cells);
     return cells.size() == degrees[i];
   };
-  for (size_type i = 1; i < vertices.size(); ++i)
+  for (size_type i = 1; i < vertices.size(); ++i) {
+    Progress_scope::check();
     if (degrees[i] == 0 || !is_connected(i))
       throw Invalid_tetrahedra_error(
           "the tetrahedra around a vertex are not connected through facets; give a mesh whose "
           "domain is a ball",
           {}, {i});
+  }
   if (Domain::has_outside && !is_connected(0))
     throw Invalid_tetrahedra_error(
         "the boundary of the tetrahedra is not connected; give a mesh whose domain is a ball");
