@@ -275,11 +275,11 @@ private:
       throw Syntax_error("the name " + quoted(name) + " is not known" +
                          advice_on_name(name, is_misspelt ? known : m_values, "variables"));
     }
-    const std::string function = take();
+    m_tokens.take();
     if (!m_tokens.is_next("("))
       throw Syntax_error("the function " + quoted(name) + " needs parentheses, like " + name +
                          "(x)");
-    return function + in_parentheses(true);
+    return name + in_parentheses(true); // muParser wants no space between them
   }
 
   std::string in_parentheses(bool is_list) {

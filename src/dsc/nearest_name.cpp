@@ -29,6 +29,12 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return distance[a.size()][b.size()];
 }
 
+std::string lower_case(std::string text) {
+  for (char& c : text)
+    c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
 } // namespace
 
 std::string nearest_name(const std::string& name, const std::vector<std::string>& known) {
@@ -38,13 +44,16 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
     return "";
   std::string result;
   std::size_t least = std::max<std::size_t>(1, name.size() / letters_per_error) + 1;
-  for (const std::string& candidate : known)
+  for (const std::string& candidate : known) {
+    if (lower_case(candidate) == lower_case(name))
+      return candidate;
     // A single letter is not near to another one.
     if (const std::size_t d = edit_distance(name, candidate);
         d < least && d < std::max(name.size(), candidate.size())) {
       least = d;
       result = candidate;
     }
+  }
   return result;
 }
 
