@@ -27,7 +27,8 @@ def run(dsc, name, change):
         files = [os.path.join(folder, f) for f in ("scene.json", "report.json")]
         with open(files[0], "w") as out:
             json.dump(scene, out)
-        subprocess.run([dsc, "fluid", files[0], "--report", files[1], "--quiet", "--data", data])
+        folder_of_files = ["--data", data] if '"file"' in json.dumps(scene) else []
+        subprocess.run([dsc, "fluid", files[0], "--report", files[1], "--quiet"] + folder_of_files)
         if not os.path.exists(files[1]):
             sys.exit(f"the scene {name} did not begin")
         with open(files[1]) as report:

@@ -6,8 +6,10 @@
 
 #include "errors.h"
 #include "files.h"
+#include "nearest_name.h"
 #include "option_values.h"
 #include "run_commands.h"
+#include "surface_expressions.h"
 
 #include <CLI/CLI.hpp>
 
@@ -16,6 +18,7 @@
 #include <iostream>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace dsc {
 namespace {
@@ -30,6 +33,52 @@ void require_surface_to_subdivide(const std::string& path) {
   if (format != "off" && format != "obj" && format != "ply" && format != "stl")
     throw Usage_error("--subdivide has a meaning for surfaces only (.off, .obj, .ply, .stl); leave "
                       "it out, or choose one of these for OUT");
+}
+
+/// The commands, or with `-` in front the options, that an app knows.
+std::vector<std::string> known_names(const CLI::App& app, bool are_options) {
+  std::vector<std::string> result;
+  if (are_options)
+    for (const CLI::Option* option : app.get_options())
+      for (const std::string& name : option->get_lnames())
+        result.push_back("--" + name);
+  else
+    for (const CLI::App* command : app.get_subcommands(nullptr))
+      result.push_back(command->get_name());
+  return result;
+}
+
+/// The nearest name to the first command or option that is not known; empty if all are known, or no
+/// name is near.
+std::string advice_on_arguments(const CLI::App& app, int argc, char** argv) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i], name = argument.substr(0, argument.find('='));
+    const bool is_option = name.rfind("--", 0) == 0 && name.size() > 2;
+    if (!is_option && (i > 1 || !chosen.empty()))
+      continue;
+    const std::vector<std::string> known = known_names(command, is_option);
+    if (std::find(known.begin(), known.end(), name) != known.end())
+      continue;
+    const std::string nearest = nearest_name(name, known);
+    return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+  }
+  return "";
+}
+
+void require_effect_of_periods(const std::string& surface) {
+  if (surface == "ellipsoid" || (surface != "torus" && Surface_expressions(surface).is_of_sphere()))
+    throw Usage_error("--periods has a meaning for a surface in u and v only; leave it out");
+}
+
+/// Scenes are named or printed without anything else.
+void require_alone(const CLI::App& command, const std::vector<std::string>& names) {
+  for (const CLI::Option* option : command.get_options())
+    if (option->count() > 0 &&
+        std::find(names.begin(), names.end(), option->get_name()) == names.end())
+      throw Usage_error(option->get_name() + " has no effect with " + names.front() +
+                        "; leave it out");
 }
 
 } // namespace
@@ -180,6 +229,7 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
       ->needs(fluid_output);
   fluid->add_option("--every", fluid_options.every, "Write each of so many steps")
       ->check(CLI::Range(1, INT_MAX))
+      ->needs(fluid_output)
       ->capture_default_str();
   fluid->add_option("--resume", fluid_options.resume, "Go on from a checkpoint, to the same bits");
   fluid->add_option("--report", fluid_options.report,
@@ -200,7 +250,8 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
     std::string command = "dsc";
     for (const CLI::App* chosen : app.get_subcommands())
       command += " " + chosen->get_name();
-    throw Usage_error(one_line(error.what()) + "; see " + command + " --help");
+    throw Usage_error(one_line(error.what()) + advice_on_arguments(app, argc, argv) + "; see " +
+                      command + " --help");
   }
 
   if (*info) {
@@ -225,6 +276,8 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   if (*cut_locus) {
     cut_locus_options.point = parse_point(point);
     cut_locus_options.periods = parse_pair(periods, "--periods");
+    if (cut_locus->count("--periods") > 0)
+      require_effect_of_periods(cut_locus_options.surface);
     if (cut_locus->count("--spacing") > 0)
       cut_locus_options.spacing = parse_positive(spacing, "--spacing");
     if (cut_locus->count("--step") > 0)
@@ -246,6 +299,10 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
     return reconstruct_options;
   }
   if (*fluid) {
+    if (fluid_options.lists)
+      require_alone(*fluid, {"--list"});
+    if (fluid_options.prints)
+      require_alone(*fluid, {"--print", "SCENE"});
     if (!fluid_options.picture.empty())
       require_extension(fluid_options.picture, {"png"});
     if (fluid->count("--end") > 0)

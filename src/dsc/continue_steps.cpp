@@ -91,16 +91,23 @@ void require_options(const Motion& motion, const std::set<std::string>& given) {
   require_dt_in_period(motion);
 }
 
+void require_effect_of_options(const Step_options& step, const std::set<std::string>& given) {
+  if (step.improves_interface && given.count("--tolerance") > 0)
+    throw Usage_error("--tolerance has no effect with --improve-interface; leave one of them out");
+}
+
 std::string continue_steps(const Step_options& before, const std::set<std::string>& given,
                            Step_options& asked) {
   const std::string command = command_of(asked.motion), last = command_of(before.motion);
   if (command != last) {
     require_options(asked.motion, given);
+    require_effect_of_options(asked, given);
     return command + " instead of " + last;
   }
   Completion completion(given);
   completion.complete(before, asked);
   require_dt_in_period(asked.motion);
+  require_effect_of_options(asked, given);
   std::string changes;
   for (const std::string& option : completion.changed())
     changes += (changes.empty() ? "another " : ", ") + option;

@@ -17,6 +17,10 @@ namespace dsc {
 /// \throws Usage_error
 void require_options(const Motion& motion, const std::set<std::string>& given);
 
+/// Makes sure that no option of the steps is given that another one makes useless.
+/// \throws Usage_error
+void require_effect_of_options(const Step_options& step, const std::set<std::string>& given);
+
 /// Completes what a command line says of the steps by what a run did in each step so far: an option
 /// that is not given stays as it was. Another command begins another motion, with its own options.
 /// \param given the names of the options in the command line

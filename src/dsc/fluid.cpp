@@ -287,7 +287,9 @@ struct Run
 Run start(const Fluid_options& options) {
   Run run;
   run.scene = find_scene(options.scene);
+  require_files(run.scene, options.data);
   run.complex = std::make_unique<Tracked_complex_3>(start_of_scene(run.scene, options.data));
+  require_effect(run.scene, run.complex->complex);
   run.fluid = fluid_of_scene(run.scene, options.data, run.complex->complex);
   require_outside_of_solids(run.scene, *run.fluid);
   if (run.scene.relaxation_steps > 0) {
@@ -362,6 +364,9 @@ int execute(const Fluid_options& options) {
   Fluid& fluid = *run.fluid;
   run.complex->velocity_at = [&fluid](Complex::Vertex_handle v) { return fluid.velocity(v); };
   const double end = options.end > 0 ? options.end : run.scene.end;
+  if (!(end > fluid.time()))
+    throw Usage_error("the end " + Json(end).dump() + " is not after the time " +
+                      Json(fluid.time()).dump() + " of the checkpoint; choose a later --end");
   if (folder && !options.resume.empty())
     folder->keep_until(fluid.time());
   Json steps = Json::array();

@@ -5,8 +5,11 @@
 #include "fluid_scene.h"
 
 #include "errors.h"
+#include "fluid_scene_checks.h"
 #include "fluid_scenes.h"
 #include "json_fields.h"
+#include "json_text.h"
+#include "nearest_name.h"
 
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 
@@ -19,153 +22,205 @@
 namespace dsc {
 namespace {
 
-Fluid_shape read_shape(Json_fields& liquid, bool& is_surroundings) {
-  static constexpr double most_amplitude = .5; // of radii
-  Json_fields shape = liquid.object("shape");
-  const std::string type = shape.text("type");
-  Fluid_shape result;
-  if (type == "ball") {
-    Ball_shape ball;
-    ball.center = shape.numbers<3>("center");
-    ball.radius = shape.positive("radius");
-    ball.mode = shape.count("mode", 0);
-    ball.amplitude = shape.number("amplitude", 0);
-    ball.triangles = shape.count("triangles", 0);
-    static constexpr std::size_t highest = 100;
-    if (!(std::abs(ball.amplitude) <= most_amplitude))
-      shape.refuse("amplitude", "at most 0.5 is possible");
-    if (ball.mode > highest)
-      shape.refuse("mode", "at most 100 is possible");
-    result = ball;
-  } else if (type == "box") {
-    const Box_shape box{shape.numbers<3>("from"), shape.numbers<3>("to")};
-    for (std::size_t i = 0; i < 3; ++i)
-      if (!(box.to[i] > box.from[i]))
-        shape.refuse("to", "the box is empty");
-    result = box;
-  } else if (type == "cylinder") {
-    Cylinder_shape column{shape.numbers<3>("from"), shape.numbers<3>("to"),
-                          shape.positive("radius"), shape.number("amplitude", 0),
-                          shape.number("wave_length", 0)};
-    if (column.from == column.to)
-      shape.refuse("to", "the cylinder has no length");
-    if (!(std::abs(column.amplitude) <= most_amplitude))
-      shape.refuse("amplitude", "at most 0.5 is possible");
-    if (!(column.wave_length >= 0) || (column.amplitude != 0 && column.wave_length == 0))
-      shape.refuse("wave_length", "a positive number is needed");
-    result = column;
-  } else if (type == "file") {
-    File_shape file;
-    file.file = shape.text("file");
-    file.ball.center = shape.numbers<3>("center");
-    file.ball.radius = shape.positive("radius");
-    file.triangles = shape.count("triangles", 0);
-    result = file;
-  } else if (type == "pool") {
-    Pool_shape pool;
-    pool.level = shape.number("level");
-    pool.height = shape.text("height", "");
-    result = pool;
-  } else if (type == "surroundings") {
-    is_surroundings = true;
-    result = Surroundings();
-  } else {
-    shape.refuse("type", "use ball, box, cylinder, file, pool or surroundings");
-  }
-  shape.close();
+constexpr double most_amplitude = .5; // of radii
+constexpr std::size_t highest_mode = 100;
+
+double read_amplitude(const Json_fields& shape) {
+  const double result = shape.number("amplitude", 0);
+  if (!(std::abs(result) <= most_amplitude))
+    shape.refuse("amplitude", "at most 0.5 is possible");
   return result;
+}
+
+std::size_t read_mode(const Json_fields& json) {
+  const std::size_t result = json.count("mode", 0);
+  if (result > highest_mode)
+    json.refuse("mode", "at most 100 is possible");
+  return result;
+}
+
+/// Two fields that have an effect together only.
+void require_both_or_none(const Json_fields& shape, const char* a, const char* b) {
+  if (shape.has(a) != shape.has(b)) {
+    const bool has_a = shape.has(a);
+    shape.refuse(has_a ? a : b,
+                 std::string("it has no effect without the field '") + (has_a ? b : a) + "'");
+  }
+}
+
+Ball_shape read_ball(const Json_fields& shape) {
+  shape.require_known({"type", "center", "radius", "mode", "amplitude", "triangles"});
+  require_both_or_none(shape, "mode", "amplitude");
+  return {shape.numbers<3>("center"), shape.positive("radius"), read_mode(shape),
+          read_amplitude(shape), shape.count("triangles", 0)};
+}
+
+Box_shape read_box(const Json_fields& shape) {
+  shape.require_known({"type", "from", "to"});
+  const Box_shape box{shape.numbers<3>("from"), shape.numbers<3>("to")};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!(box.to[i] > box.from[i]))
+      shape.refuse("to", "the box is empty");
+  return box;
+}
+
+Cylinder_shape read_cylinder(const Json_fields& shape) {
+  shape.require_known({"type", "from", "to", "radius", "amplitude", "wave_length"});
+  require_both_or_none(shape, "amplitude", "wave_length");
+  const Cylinder_shape column{shape.numbers<3>("from"), shape.numbers<3>("to"),
+                              shape.positive("radius"), read_amplitude(shape),
+                              shape.has("wave_length") ? shape.positive("wave_length") : 0};
+  if (column.from == column.to)
+    shape.refuse("to", "the cylinder has no length");
+  return column;
+}
+
+File_shape read_file(const Json_fields& shape) {
+  shape.require_known({"type", "file", "center", "radius", "triangles"});
+  return {shape.text("file"),
+          {shape.numbers<3>("center"), shape.positive("radius")},
+          shape.count("triangles", 0)};
+}
+
+Pool_shape read_pool(const Json_fields& shape) {
+  shape.require_known({"type", "level", "height"});
+  Pool_shape result{shape.number("level"), {}};
+  if (shape.has("height"))
+    result.height =
+        shape.expression("height", {"x", "y"}, 1, "an expression in x and y like '1+0.1*cos(x)'");
+  return result;
+}
+
+Fluid_shape read_shape(const Json_fields& shape) {
+  shape.require_known({"type", "center", "radius", "mode", "amplitude", "triangles", "from", "to",
+                       "wave_length", "file", "level", "height"}); // "type" may be misspelt
+  const std::string type =
+      shape.choice("type", {"ball", "box", "cylinder", "file", "pool", "surroundings"});
+  if (type == "ball")
+    return read_ball(shape);
+  if (type == "box")
+    return read_box(shape);
+  if (type == "cylinder")
+    return read_cylinder(shape);
+  if (type == "file")
+    return read_file(shape);
+  if (type == "pool")
+    return read_pool(shape);
+  shape.require_known({"type"});
+  return Surroundings();
 }
 
 /// A vector of three numbers, or three expressions.
-std::string read_velocity(Json_fields& liquid) {
+std::optional<Expression> read_velocity(const Json_fields& liquid) {
+  static const std::string form = "three expressions in x, y and z like '-y,x,0'";
+  static const std::vector<std::string> variables = {"x", "y", "z"};
   if (!liquid.has("velocity"))
-    return "0,0,0";
+    return std::nullopt;
   if (liquid.any("velocity").is_string())
-    return liquid.text("velocity");
-  std::string result;
+    return liquid.expression("velocity", variables, 3, form);
+  std::string text;
   for (double v : liquid.numbers<3>("velocity"))
-    result += (result.empty() ? "" : ",") + Json(v).dump();
-  return result;
+    text += (text.empty() ? "" : ",") + Json(v).dump();
+  return Expression(text, variables, "velocity of " + liquid.name(), form);
 }
 
 /// Where a liquid or gas is, and its label.
-template <class Filling> void read_filling(Json_fields& json, std::size_t index, Filling& filling) {
-  bool is_surroundings = false;
-  filling.shape = read_shape(json, is_surroundings);
+template <class Filling>
+void read_filling(const Json_fields& json, std::size_t index, Filling& filling) {
+  filling.shape = read_shape(json.object("shape"));
+  const bool is_surroundings = std::holds_alternative<Surroundings>(filling.shape);
+  if (is_surroundings && json.has("label"))
+    json.refuse("label", "surroundings have the label 0; leave it out");
   filling.label = is_surroundings ? 0 : int(json.count("label", index + 1));
   if (!is_surroundings && filling.label == 0)
     json.refuse("label", "0 is what is around all others: use the shape surroundings");
 }
 
-Scene_liquid read_liquid(Json_fields liquid, std::size_t index) {
+Scene_liquid read_liquid(const Json_fields& liquid, std::size_t index) {
+  liquid.require_known({"shape", "label", "density", "viscosity", "velocity"});
   Scene_liquid result;
   read_filling(liquid, index, result);
   result.density = liquid.positive("density");
-  result.viscosity = liquid.number("viscosity", 0);
-  if (result.viscosity < 0)
-    liquid.refuse("viscosity", "0 or more is needed");
+  result.viscosity = liquid.not_negative("viscosity", 0);
   result.velocity = read_velocity(liquid);
-  liquid.close();
   return result;
 }
 
-Scene_gas read_gas(Json_fields gas, std::size_t index) {
+Scene_gas read_gas(const Json_fields& gas, std::size_t index) {
+  gas.require_known({"shape", "label", "pressure", "exponent"});
   Scene_gas result;
   read_filling(gas, index, result);
-  result.pressure = gas.number("pressure");
-  if (result.pressure < 0)
-    gas.refuse("pressure", "0 or more is needed");
-  result.exponent = gas.number("exponent", 1.4);
-  if (result.exponent < 0)
-    gas.refuse("exponent", "0 or more is needed");
-  gas.close();
+  gas.any("pressure");
+  result.pressure = gas.not_negative("pressure", 0);
+  result.exponent = gas.not_negative("exponent", 1.4);
   return result;
 }
 
-Scene_source read_source(Json_fields source) {
+Scene_source read_source(const Json_fields& source) {
+  source.require_known({"center", "radius", "rate"});
   const Scene_source result = {source.numbers<3>("center"), source.positive("radius"),
                                source.number("rate")};
-  source.close();
+  if (result.rate == 0)
+    source.refuse("rate", "with 0 the source has no effect; leave it out");
   return result;
 }
 
-bool read_side(Json_fields& solid) {
-  const std::string liquid = solid.text("liquid", "outside");
-  if (liquid != "inside" && liquid != "outside")
-    solid.refuse("liquid", "use inside or outside");
-  return liquid == "inside";
+bool read_side(const Json_fields& solid) {
+  return solid.has("liquid") && solid.choice("liquid", {"inside", "outside"}) == "inside";
 }
 
-Scene_solid read_solid(Json_fields solid) {
-  Scene_solid result;
+std::array<double, 3> read_direction(const Json_fields& solid, const char* field) {
+  const std::array<double, 3> result = solid.numbers<3>(field);
+  if (result == std::array<double, 3>())
+    solid.refuse(field, "it has no direction");
+  return result;
+}
+
+/// The fields of a solid that its type alone has.
+void read_body(const Json_fields& solid, Scene_solid& result) {
+  const auto require_known = [&](std::vector<std::string> fields) {
+    for (const char* field :
+         {"type", "contact_angle", "sticks", "separates", "velocity", "angular_velocity"})
+      fields.push_back(field);
+    solid.require_known(fields);
+  };
+  require_known({"point", "normal", "box", "open", "center", "radius", "axis", "file", "liquid"});
   using Kind = Scene_solid::Kind;
-  const std::string type = solid.text("type");
+  const std::string type = solid.choice("type", {"plane", "tank", "ball", "cylinder", "mesh"});
   if (type == "plane") {
+    require_known({"point", "normal"});
     result.kind = Kind::plane;
     result.point = solid.numbers<3>("point");
-    result.direction = solid.numbers<3>("normal");
+    result.direction = read_direction(solid, "normal");
   } else if (type == "tank") {
+    require_known({"box", "open"});
     result.kind = Kind::tank;
     result.box = solid.numbers<6>("box");
     result.is_open = solid.flag("open", false);
   } else if (type == "ball") {
+    require_known({"center", "radius", "liquid"});
     result.kind = Kind::ball;
     result.point = solid.numbers<3>("center");
     result.radius = solid.positive("radius");
     result.contains_liquid = read_side(solid);
   } else if (type == "cylinder") {
+    require_known({"point", "axis", "radius", "liquid"});
     result.kind = Kind::cylinder;
     result.point = solid.numbers<3>("point");
-    result.direction = solid.numbers<3>("axis");
+    result.direction = read_direction(solid, "axis");
     result.radius = solid.positive("radius");
     result.contains_liquid = read_side(solid);
-  } else if (type == "mesh") {
+  } else {
+    require_known({"file", "liquid"});
     result.kind = Kind::mesh;
     result.file = solid.text("file");
     result.contains_liquid = read_side(solid);
-  } else {
-    solid.refuse("type", "use plane, tank, ball, cylinder or mesh");
   }
+}
+
+Scene_solid read_solid(const Json_fields& solid) {
+  Scene_solid result;
+  read_body(solid, result);
   result.contact_angle = solid.number("contact_angle", 90);
   if (!(result.contact_angle >= 0 && result.contact_angle <= 180))
     solid.refuse("contact_angle", "0 to 180 degrees are possible");
@@ -175,44 +230,68 @@ Scene_solid read_solid(Json_fields solid) {
     result.velocity = solid.numbers<3>("velocity");
   if (solid.has("angular_velocity"))
     result.angular_velocity = solid.numbers<3>("angular_velocity");
-  solid.close();
   return result;
 }
 
-std::vector<Fluid_scene::Tension> read_tensions(Json_fields& scene) {
+std::vector<Fluid_scene::Tension> read_tensions(const Json_fields& scene) {
   if (!scene.has("surface_tension"))
     return {};
   if (scene.any("surface_tension").is_number())
-    return {{{0, 1}, scene.number("surface_tension")}};
+    return {{{0, 1}, scene.not_negative("surface_tension", 0)}};
   std::vector<Fluid_scene::Tension> result;
-  for (Json_fields tension : scene.objects("surface_tension")) {
+  for (const Json_fields& tension : scene.objects("surface_tension")) {
+    tension.require_known({"labels", "value"});
     const auto labels = tension.numbers<2>("labels");
     for (double label : labels)
       if (label != std::floor(label) || !(std::abs(label) <= std::numeric_limits<int>::max()))
         tension.refuse("labels", "whole numbers are needed");
-    result.push_back({{int(labels[0]), int(labels[1])}, tension.number("value")});
-    tension.close();
+    tension.any("value");
+    result.push_back({{int(labels[0]), int(labels[1])}, tension.not_negative("value", 0)});
   }
   return result;
 }
 
-Scene_probe read_probe(Json_fields probe) {
+Scene_probe read_probe(const Json_fields& probe) {
+  const bool has_mode = probe.has("mode");
+  if (has_mode && probe.has("height_at"))
+    probe.refuse("height_at", "a probe has a mode or a height; make two probes");
+  if (has_mode)
+    probe.require_known({"name", "mode", "center"});
+  else
+    probe.require_known({"name", "height_at", "mode", "center"});
   Scene_probe result;
   result.name = probe.text("name");
-  if (probe.has("mode")) {
-    result.mode = probe.count("mode", 0);
+  if (has_mode) {
+    result.mode = read_mode(probe);
     result.center = probe.numbers<3>("center");
   } else {
+    if (probe.has("center"))
+      probe.refuse("center", "it has no effect without the field 'mode'");
     result.place = probe.numbers<2>("height_at");
   }
-  probe.close();
   return result;
+}
+
+void read_relaxation(const Json_fields& scene, Fluid_scene& result) {
+  result.relaxation_step = 0;
+  result.relaxation_steps = 0;
+  if (!scene.has("relaxation"))
+    return;
+  const Json_fields relaxation = scene.object("relaxation");
+  relaxation.require_known({"time_step", "steps"});
+  result.relaxation_step = relaxation.positive("time_step");
+  result.relaxation_steps = relaxation.count("steps", 100);
+  if (result.relaxation_steps == 0)
+    relaxation.refuse("steps", "with 0 the relaxation has no effect; leave it out");
 }
 
 } // namespace
 
 Fluid_scene read_scene(const Json& json) {
-  Json_fields scene(json, "the scene");
+  const Json_fields scene(json, "the scene");
+  scene.require_known({"title", "domain", "edge", "liquids", "gases", "sources", "surface_tension",
+                       "gravity", "solids", "probes", "time_step", "cfl", "end", "implicitness",
+                       "interface_tolerance", "adaptation_interval", "relaxation"});
   Fluid_scene result;
   result.json = json;
   result.title = scene.text("title", "");
@@ -222,32 +301,15 @@ Fluid_scene read_scene(const Json& json) {
       scene.refuse("domain", "three least coordinates and three larger ones are needed");
   result.edge = scene.positive("edge");
   std::size_t index = 0;
-  for (Json_fields& liquid : scene.objects("liquids"))
+  for (const Json_fields& liquid : scene.objects("liquids"))
     result.liquids.push_back(read_liquid(liquid, index++));
   if (result.liquids.empty())
     scene.refuse("liquids", "one at least is needed");
-  for (const Scene_liquid& a : result.liquids)
-    for (const Scene_liquid& b : result.liquids)
-      if (a.label == b.label && (a.density != b.density || a.viscosity != b.viscosity))
-        scene.refuse("liquids",
-                     "those of one label are one liquid, with one density and viscosity");
-  for (Json_fields& gas : scene.objects("gases"))
+  for (const Json_fields& gas : scene.objects("gases"))
     result.gases.push_back(read_gas(gas, index++));
-  for (const Scene_gas& gas : result.gases) {
-    for (const Scene_liquid& liquid : result.liquids)
-      if (gas.label == liquid.label)
-        scene.refuse("gases", "a label is a liquid or a gas");
-    for (const Scene_gas& other : result.gases)
-      if (gas.label == other.label &&
-          (gas.pressure != other.pressure || gas.exponent != other.exponent))
-        scene.refuse("gases", "those of one label are one gas, with one pressure and exponent");
-  }
   for (const Json_fields& source : scene.objects("sources"))
     result.sources.push_back(read_source(source));
   result.tensions = read_tensions(scene);
-  for (const auto& tension : result.tensions)
-    if (tension.value < 0)
-      scene.refuse("surface_tension", "0 or more is needed");
   if (scene.has("gravity"))
     result.gravity = scene.numbers<3>("gravity");
   for (const Json_fields& solid : scene.objects("solids"))
@@ -255,28 +317,15 @@ Fluid_scene read_scene(const Json& json) {
   for (const Json_fields& probe : scene.objects("probes"))
     result.probes.push_back(read_probe(probe));
   result.time_step = scene.positive("time_step");
-  result.cfl = scene.number("cfl", 0);
-  if (result.cfl < 0)
-    scene.refuse("cfl", "0 or more is needed");
+  result.cfl = scene.not_negative("cfl", 0);
   result.end = scene.positive("end");
   result.implicitness = scene.number("implicitness", .5);
   if (!(result.implicitness >= .5 && result.implicitness <= 1))
     scene.refuse("implicitness", "0.5 to 1 is possible");
-  result.interface_tolerance = scene.number("interface_tolerance", .04);
-  if (result.interface_tolerance < 0)
-    scene.refuse("interface_tolerance", "0 or more is needed");
+  result.interface_tolerance = scene.not_negative("interface_tolerance", .04);
   result.adaptation_interval = scene.count("adaptation_interval", 4);
-  result.relaxation_step = 0;
-  result.relaxation_steps = 0;
-  if (scene.has("relaxation")) {
-    Json_fields relaxation = scene.object("relaxation");
-    result.relaxation_step = relaxation.positive("time_step");
-    result.relaxation_steps = relaxation.count("steps", 100);
-    relaxation.close();
-  } else {
-    scene.text("relaxation", ""); // a known field
-  }
-  scene.close();
+  read_relaxation(scene, result);
+  require_consistent(result, scene);
   return result;
 }
 
@@ -296,16 +345,16 @@ Fluid_scene find_scene(const std::string& name) {
       text = scene.json;
   if (text.empty()) {
     std::ifstream in(name, std::ios::binary);
-    if (!in)
-      throw Input_error("there is no file and no scene '" + name +
-                        "'; dsc fluid --list names all scenes");
+    if (!in) {
+      std::vector<std::string> names;
+      for (const Named_scene& scene : named_scenes())
+        names.push_back(scene.name);
+      throw Input_error("there is no file and no scene '" + name + "'" +
+                        advice_on_name(name, names, "scenes"));
+    }
     text.assign(std::istreambuf_iterator<char>(in), {});
   }
-  try {
-    return read_scene(Json::parse(text));
-  } catch (const Json::exception& error) {
-    throw Input_error(name + " cannot be read as JSON: " + error.what());
-  }
+  return read_scene(parse_json(text, name));
 }
 
 std::vector<std::array<std::string, 2>> scene_names() {

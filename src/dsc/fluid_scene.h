@@ -5,6 +5,7 @@
 #ifndef DSC_FLUID_SCENE_H
 #define DSC_FLUID_SCENE_H
 
+#include "expression.h"
 #include "options.h"
 #include "report_json.h"
 
@@ -53,7 +54,7 @@ struct File_shape
 struct Pool_shape
 {
   double level;
-  std::string height; ///< empty for the level
+  std::optional<Expression> height; ///< the level if not set
 };
 
 /// All that no other liquid fills, with label 0.
@@ -69,7 +70,7 @@ struct Scene_liquid
   int label;
   Fluid_shape shape;
   double density, viscosity;
-  std::string velocity; ///< three expressions in x, y and z
+  std::optional<Expression> velocity; ///< three values of x, y and z; at rest if not set
 };
 
 /// A gas, see `Gas`.
@@ -144,7 +145,7 @@ struct Fluid_scene
 /// What fills labels, liquids first.
 std::vector<std::pair<int, const Fluid_shape*>> shapes_of(const Fluid_scene& scene);
 
-/// \throws Usage_error if a field is unknown, missing or out of its range
+/// \throws Usage_error if a field is unknown, missing, out of its range or without effect
 Fluid_scene read_scene(const Json& json);
 
 /// Of a file, or of the name of a scene that the program has.

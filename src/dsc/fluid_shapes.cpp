@@ -164,4 +164,37 @@ Surface surface_of(const Cylinder_shape& shape, double edge) {
   return surface;
 }
 
+namespace {
+
+double distance(const std::array<double, 3>& p, const std::array<double, 3>& q) {
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+bool is_about(const Cylinder_shape& column, const std::array<double, 3>& place) {
+  const Surface_point p(place[0], place[1], place[2]),
+      from(column.from[0], column.from[1], column.from[2]),
+      to(column.to[0], column.to[1], column.to[2]);
+  const double part = (p - from) * (to - from) / (to - from).squared_length();
+  return part > 0 && part < 1 &&
+         (p - from - part * (to - from)).squared_length() <
+             std::pow(column.radius * (1 + std::abs(column.amplitude)), 2);
+}
+
+} // namespace
+
+bool is_about(const Fluid_shape& shape, const std::array<double, 3>& p) {
+  if (const auto* ball = std::get_if<Ball_shape>(&shape))
+    return distance(p, ball->center) < ball->radius * (1 + std::abs(ball->amplitude));
+  if (const auto* file = std::get_if<File_shape>(&shape))
+    return distance(p, file->ball.center) < file->ball.radius;
+  if (const auto* block = std::get_if<Box_shape>(&shape))
+    return p[0] > block->from[0] && p[0] < block->to[0] && p[1] > block->from[1] &&
+           p[1] < block->to[1] && p[2] > block->from[2] && p[2] < block->to[2];
+  if (const auto* column = std::get_if<Cylinder_shape>(&shape))
+    return is_about(*column, p);
+  if (const auto* pool = std::get_if<Pool_shape>(&shape))
+    return p[2] < pool->level;
+  return true;
+}
+
 } // namespace dsc

@@ -8,6 +8,7 @@
 #include "fluid_scene.h"
 #include "surface.h"
 
+#include <array>
 #include <cstddef>
 
 namespace dsc {
@@ -21,6 +22,9 @@ std::size_t number_of_parts(double parts);
 Surface surface_of(const Ball_shape& ball, double edge);
 Surface surface_of(const Box_shape& shape, double edge);
 Surface surface_of(const Cylinder_shape& shape, double edge);
+
+/// Whether a place is in a shape, or may be.
+bool is_about(const Fluid_shape& shape, const std::array<double, 3>& p);
 
 } // namespace dsc
 

@@ -6,8 +6,8 @@
 
 #include "errors.h"
 #include "fluid_shapes.h"
+#include "label_components.h"
 #include "surface.h"
-#include "velocity_expressions.h"
 
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/IO/labelled_surface_3.h>
@@ -20,9 +20,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <deque>
 #include <filesystem>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -39,6 +39,17 @@ std::string place_of(const std::string& file, const std::string& folder) {
   const std::filesystem::path path(file);
   return path.is_absolute() || folder.empty() ? file
                                               : (std::filesystem::path(folder) / path).string();
+}
+
+std::array<double, 3> middle_of(const Complex& complex, Complex::Cell_handle c) {
+  const Point p = CGAL::centroid(complex.position(c->vertex(0)), complex.position(c->vertex(1)),
+                                 complex.position(c->vertex(2)), complex.position(c->vertex(3)));
+  return {p.x(), p.y(), p.z()};
+}
+
+bool is_in_source(const Scene_source& source, const std::array<double, 3>& p) {
+  const auto& c = source.center;
+  return std::hypot(p[0] - c[0], p[1] - c[1], p[2] - c[2]) < source.radius;
 }
 
 Complex complex_of_surfaces(const Fluid_scene& scene, const std::string& folder) {
@@ -109,38 +120,12 @@ Complex complex_of_pool(const Fluid_scene& scene, int label, const Pool_shape& p
       }
   Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
       points, std::move(tetrahedra), labels, parameters::improve(false));
-  if (!pool.height.empty()) {
-    const Velocity_expressions height("0,0," + pool.height, 3);
+  if (pool.height)
     CGAL::deform_interface(complex, [&](Complex::Vertex_handle v) {
       const Point p = complex.position(v);
-      return Complex::Point(p.x(), p.y(), height.at({p.x(), p.y(), p.z()}, 0)[2]);
+      return Complex::Point(p.x(), p.y(), *pool.height->at({p.x(), p.y()}));
     });
-  }
   return complex;
-}
-
-/// Whether a place is in a shape, or may be.
-bool is_about(const Fluid_shape& shape, const Point& p) {
-  if (const auto* ball = std::get_if<Ball_shape>(&shape))
-    return std::hypot(p.x() - ball->center[0], p.y() - ball->center[1], p.z() - ball->center[2]) <
-           ball->radius * (1 + std::abs(ball->amplitude));
-  if (const auto* file = std::get_if<File_shape>(&shape))
-    return std::hypot(p.x() - file->ball.center[0], p.y() - file->ball.center[1],
-                      p.z() - file->ball.center[2]) < file->ball.radius;
-  if (const auto* block = std::get_if<Box_shape>(&shape))
-    return p.x() > block->from[0] && p.x() < block->to[0] && p.y() > block->from[1] &&
-           p.y() < block->to[1] && p.z() > block->from[2] && p.z() < block->to[2];
-  if (const auto* column = std::get_if<Cylinder_shape>(&shape)) {
-    const Point from(column->from[0], column->from[1], column->from[2]),
-        to(column->to[0], column->to[1], column->to[2]);
-    const double part = (p - from) * (to - from) / (to - from).squared_length();
-    return part > 0 && part < 1 &&
-           (p - from - part * (to - from)).squared_length() <
-               std::pow(column->radius * (1 + std::abs(column->amplitude)), 2);
-  }
-  if (const auto* pool = std::get_if<Pool_shape>(&shape))
-    return p.z() < pool->level;
-  return true;
 }
 
 /// By the labels of places: pools beside others.
@@ -154,7 +139,7 @@ Complex complex_of_places(const Fluid_scene& scene) {
     const auto* column = std::get_if<Cylinder_shape>(&shape);
     if (const auto* pool = std::get_if<Pool_shape>(&shape)) {
       require_inside(scene, *pool);
-      if (!pool->height.empty())
+      if (pool->height)
         throw Input_error("the pool of a scene with other shapes is flat; leave its height out");
     }
     if (std::holds_alternative<File_shape>(shape) || (column && column->amplitude != 0) ||
@@ -163,15 +148,23 @@ Complex complex_of_places(const Fluid_scene& scene) {
                         "the edges of the scene, but no modes, amplitudes, numbers of triangles or "
                         "shapes of files");
   }
-  const auto label_at = [&](const Point& p) {
+  const auto label_at = [&](const std::array<double, 3>& p) {
     int result = 0;
     for (const auto& [label, shape] : shapes)
       if (!std::holds_alternative<Surroundings>(*shape) && is_about(*shape, p))
         result = label;
     return result;
   };
-  return CGAL::make_deformable_simplicial_complex_3<Complex>(box(scene.domain), scene.edge,
-                                                             label_at);
+  auto result = CGAL::make_deformable_simplicial_complex_3<Complex>(
+      box(scene.domain), scene.edge, [&](const Point& p) {
+        return label_at({p.x(), p.y(), p.z()});
+      });
+  std::map<int, std::string> names;
+  for (const auto& filling : shapes)
+    if (filling.first != 0)
+      names[filling.first] = "label " + std::to_string(filling.first) + " of the scene";
+  require_resolved(scene.domain, scene.edge, label_at, numbers_of_components(result), names);
+  return result;
 }
 
 template <class Solid> void add_solid(Fluid& fluid, const Scene_solid& given, const Solid& solid) {
@@ -189,6 +182,22 @@ template <class Solid> void add_solid(Fluid& fluid, const Scene_solid& given, co
 }
 
 } // namespace
+
+void require_files(const Fluid_scene& scene, const std::string& folder) {
+  std::vector<std::string> files;
+  for (const auto& filling : shapes_of(scene))
+    if (const auto* shape = std::get_if<File_shape>(filling.second))
+      files.push_back(shape->file);
+  for (const Scene_solid& solid : scene.solids)
+    if (solid.kind == Scene_solid::Kind::mesh)
+      files.push_back(solid.file);
+  if (files.empty() && !folder.empty())
+    throw Usage_error("--data has no effect, as the scene names no files; leave it out");
+  for (const std::string& file : files)
+    if (const std::string place = place_of(file, folder); !std::filesystem::exists(place))
+      throw Input_error("there is no file '" + place +
+                        "', which the scene names; give its folder by --data");
+}
 
 Complex start_of_scene(const Fluid_scene& scene, const std::string& folder) {
   const Pool_shape* pool = nullptr;
@@ -223,8 +232,7 @@ std::unique_ptr<Fluid> fluid_of_scene(const Fluid_scene& scene, const std::strin
     fluid.set_sources([sources = scene.sources](const Fluid::Point& p, double) {
       double rate = 0;
       for (const Scene_source& source : sources)
-        if (std::hypot(p.x() - source.center[0], p.y() - source.center[1],
-                       p.z() - source.center[2]) < source.radius)
+        if (is_in_source(source, {p.x(), p.y(), p.z()}))
           rate += source.rate;
       return rate;
     });
@@ -262,6 +270,55 @@ std::unique_ptr<Fluid> fluid_of_scene(const Fluid_scene& scene, const std::strin
   return result;
 }
 
+namespace {
+
+/// That every liquid and gas has cells of its own: where shapes of one label overlap, those of the
+/// last one.
+void require_cells_of_all(const Fluid_scene& scene, const Complex& complex) {
+  const auto shapes = shapes_of(scene);
+  std::vector<std::size_t> cells(shapes.size(), 0);
+  for (const auto c : complex.cells()) {
+    const auto middle = middle_of(complex, c);
+    for (std::size_t i = shapes.size(); i-- > 0;)
+      if (shapes[i].first == c->label() && is_about(*shapes[i].second, middle)) {
+        ++cells[i];
+        break;
+      }
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (cells[i] == 0) {
+      const bool is_liquid = i < scene.liquids.size();
+      throw Input_error((is_liquid ? "liquids[" + std::to_string(i)
+                                   : "gases[" + std::to_string(i - scene.liquids.size())) +
+                        "] of the scene fills nothing: others cover it, or it is outside the "
+                        "domain; move it, or leave it out");
+    }
+}
+
+void require_liquid_at_sources(const Fluid_scene& scene, const Complex& complex) {
+  const auto is_liquid = [&](int label) {
+    return std::any_of(scene.liquids.begin(), scene.liquids.end(),
+                       [&](const Scene_liquid& liquid) { return liquid.label == label; });
+  };
+  std::vector<bool> meets_liquid(scene.sources.size(), false);
+  for (const auto c : complex.cells())
+    if (is_liquid(c->label()))
+      for (std::size_t i = 0; i < scene.sources.size(); ++i)
+        if (!meets_liquid[i])
+          meets_liquid[i] = is_in_source(scene.sources[i], middle_of(complex, c));
+  for (std::size_t i = 0; i < scene.sources.size(); ++i)
+    if (!meets_liquid[i])
+      throw Input_error("sources[" + std::to_string(i) +
+                        "] of the scene meets no liquid; move it, or choose a larger radius");
+}
+
+} // namespace
+
+void require_effect(const Fluid_scene& scene, const Complex& complex) {
+  require_cells_of_all(scene, complex);
+  require_liquid_at_sources(scene, complex);
+}
+
 void require_outside_of_solids(const Fluid_scene& scene, const Fluid& fluid) {
   static constexpr double rounding = 1e-6; // edges
   if (fluid.depth_in_solids() > rounding * scene.edge)
@@ -276,16 +333,11 @@ void set_velocities(const Fluid_scene& scene, Fluid& fluid) {
   for (const auto c : complex.cells()) {
     std::vector<std::size_t>& of_part = cells[c->component()];
     of_part.resize(scene.liquids.size(), 0);
-    const Point middle =
-        CGAL::centroid(complex.position(c->vertex(0)), complex.position(c->vertex(1)),
-                       complex.position(c->vertex(2)), complex.position(c->vertex(3)));
+    const auto middle = middle_of(complex, c);
     for (std::size_t i = 0; i < scene.liquids.size(); ++i)
       of_part[i] +=
           scene.liquids[i].label == c->label() && is_about(scene.liquids[i].shape, middle);
   }
-  std::deque<Velocity_expressions> velocities; // not to be moved
-  for (const Scene_liquid& liquid : scene.liquids)
-    velocities.emplace_back(liquid.velocity, 3);
   std::map<Complex::Vertex_handle, std::size_t> liquid_of;
   for (const auto c : complex.cells()) {
     const std::vector<std::size_t>& of_part = cells[c->component()];
@@ -296,10 +348,10 @@ void set_velocities(const Fluid_scene& scene, Fluid& fluid) {
   }
   fluid.set_velocities([&](Complex::Vertex_handle v) {
     const auto found = liquid_of.find(v);
-    if (found == liquid_of.end())
+    if (found == liquid_of.end() || !scene.liquids[found->second].velocity)
       return Fluid::Vector(0, 0, 0);
     const Point p = complex.position(v);
-    const auto u = velocities[found->second].at({p.x(), p.y(), p.z()}, 0);
+    const double* u = scene.liquids[found->second].velocity->at({p.x(), p.y(), p.z()});
     return Fluid::Vector(u[0], u[1], u[2]);
   });
 }

@@ -17,9 +17,15 @@ namespace dsc {
 
 using Fluid = CGAL::Incompressible_fluid_3<Tracked_complex_3::Complex>;
 
+/// \throws Input_error if a file is missing; Usage_error if there is a folder, but no file
+void require_files(const Fluid_scene& scene, const std::string& folder);
+
 /// The liquids of a scene where they begin. Files that it names are in a folder.
 /// \throws Input_error if they cannot be built, as they overlap, or a file cannot be read
 Tracked_complex_3::Complex start_of_scene(const Fluid_scene& scene, const std::string& folder);
+
+/// \throws Input_error if a liquid or gas fills nothing, or a source meets no liquid
+void require_effect(const Fluid_scene& scene, const Tracked_complex_3::Complex& complex);
 
 /// With the solids of the scene. \throws Input_error if a file cannot be read
 std::unique_ptr<Fluid> fluid_of_scene(const Fluid_scene& scene, const std::string& folder,

@@ -4,49 +4,26 @@
 
 #include "inequalities.h"
 
-#include "errors.h"
-
-#include <CGAL/number_utils.h>
-
-#include <muParser.h>
-
-#include <deque>
+#include <cstddef>
 
 namespace dsc {
 
-struct Inequalities::Parsers
-{
-  std::array<double, 3> variables = {};
-  std::deque<mu::Parser> parsers; // which stay where they are
-};
-
-Inequalities::Inequalities(const std::vector<std::string>& expressions)
-    : m_parsers(std::make_shared<Parsers>()) {
-  static const std::array<const char*, 3> names = {"x", "y", "z"};
-  for (const std::string& expression : expressions) {
-    int number = 0;
-    try {
-      mu::Parser& parser = m_parsers->parsers.emplace_back();
-      for (std::size_t i = 0; i < names.size(); ++i)
-        parser.DefineVar(names[i], &m_parsers->variables[i]);
-      parser.DefineConst("pi", CGAL_PI);
-      parser.SetExpr(expression);
-      parser.Eval(number);
-    } catch (const mu::Parser::exception_type& error) {
-      throw Usage_error("'" + expression + "' cannot be read: " + error.GetMsg() +
-                        "; write an inequality in x, y and z like 'x^2+y^2+z^2<1'");
-    }
-    if (number != 1)
-      throw Usage_error("'" + expression +
-                        "' has commas: write several inequalities as several "
-                        "INPUTs, or with && and || between them");
+Inequalities::Inequalities(const std::vector<std::string>& expressions) {
+  for (const std::string& text : expressions) {
+    const Expression& expression =
+        m_expressions.emplace_back(text, std::vector<std::string>{"x", "y", "z"}, "the inequality",
+                                   "an inequality in x, y and z like 'x^2+y^2+z^2<1'");
+    if (expression.size() != 1)
+      expression.refuse("has commas; write several inequalities as several INPUTs, or with && and "
+                        "|| between them");
+    if (expression.is_constant())
+      expression.refuse("is the same everywhere");
   }
 }
 
 int Inequalities::label_at(const std::array<double, 3>& p) const {
-  m_parsers->variables = p;
-  for (std::size_t i = m_parsers->parsers.size(); i > 0; --i)
-    if (m_parsers->parsers[i - 1].Eval() != 0)
+  for (std::size_t i = m_expressions.size(); i > 0; --i)
+    if (*m_expressions[i - 1].at({p[0], p[1], p[2]}) != 0)
       return static_cast<int>(i);
   return 0;
 }

@@ -5,27 +5,28 @@
 #ifndef DSC_INEQUALITIES_H
 #define DSC_INEQUALITIES_H
 
+#include "expression.h"
+
 #include <array>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace dsc {
 
-/// Regions written down: each an inequality in x, y and z like 'x^2+y^2+z^2<1', or several with &&
+/// Regions, each given by an inequality in x, y and z like 'x^2+y^2+z^2<1', or by several with &&
 /// and || between them. Copies share the parsers.
 class Inequalities
 {
 public:
-  /// \throws Usage_error if one cannot be read, with what is wrong
+  /// \throws Usage_error if one cannot be read, or is constant
   explicit Inequalities(const std::vector<std::string>& expressions);
 
-  /// The number, from 1, of the last one that holds; 0 if none does.
+  /// The number, from 1, of the last one that holds; 0 if none does. Comparisons with an undefined
+  /// value, like sqrt(x) of a negative x, do not hold. \throws Input_error if a value is not finite
   int label_at(const std::array<double, 3>& p) const;
 
 private:
-  struct Parsers;
-  std::shared_ptr<Parsers> m_parsers;
+  std::vector<Expression> m_expressions;
 };
 
 } // namespace dsc

@@ -5,7 +5,9 @@
 #include "json_fields.h"
 
 #include "errors.h"
+#include "nearest_name.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -21,36 +23,45 @@ void Json_fields::refuse(const std::string& field, const std::string& why) const
   throw Usage_error(m_name + ", field '" + field + "': " + why);
 }
 
-bool Json_fields::has(const std::string& field) const { return m_json->contains(field); }
+void Json_fields::require_known(const std::vector<std::string>& fields) const {
+  for (const auto& [field, value] : m_json->items())
+    if (std::find(fields.begin(), fields.end(), field) == fields.end())
+      throw Usage_error(m_name + " has the unknown field '" + field + "'" +
+                        advice_on_name(field, fields, "known fields"));
+}
 
-const Json& Json_fields::any(const std::string& field) {
-  m_known.insert(field);
+const Json& Json_fields::any(const std::string& field) const {
   if (!has(field))
     throw Usage_error(m_name + " has no field '" + field + "', which it needs");
   return m_json->at(field);
 }
 
-double Json_fields::number(const std::string& field) {
+double Json_fields::number(const std::string& field) const {
   const Json& json = any(field);
   if (!json.is_number() || !std::isfinite(json.get<double>()))
-    refuse(field, "a number is needed");
+    refuse(field, json.is_string() ? "a number is needed, without quotes" : "a number is needed");
   return json.get<double>();
 }
 
-double Json_fields::number(const std::string& field, double otherwise) {
-  m_known.insert(field);
+double Json_fields::number(const std::string& field, double otherwise) const {
   return has(field) ? number(field) : otherwise;
 }
 
-double Json_fields::positive(const std::string& field) {
+double Json_fields::positive(const std::string& field) const {
   const double result = number(field);
   if (!(result > 0))
     refuse(field, "a positive number is needed");
   return result;
 }
 
-std::size_t Json_fields::count(const std::string& field, std::size_t otherwise) {
-  m_known.insert(field);
+double Json_fields::not_negative(const std::string& field, double otherwise) const {
+  const double result = number(field, otherwise);
+  if (!(result >= 0))
+    refuse(field, "0 or more is needed");
+  return result;
+}
+
+std::size_t Json_fields::count(const std::string& field, std::size_t otherwise) const {
   if (!has(field))
     return otherwise;
   static constexpr std::size_t most = 1000000000;
@@ -60,8 +71,7 @@ std::size_t Json_fields::count(const std::string& field, std::size_t otherwise) 
   return json.get<std::size_t>();
 }
 
-bool Json_fields::flag(const std::string& field, bool otherwise) {
-  m_known.insert(field);
+bool Json_fields::flag(const std::string& field, bool otherwise) const {
   if (!has(field))
     return otherwise;
   if (!any(field).is_boolean())
@@ -69,19 +79,36 @@ bool Json_fields::flag(const std::string& field, bool otherwise) {
   return any(field).get<bool>();
 }
 
-std::string Json_fields::text(const std::string& field) {
+std::string Json_fields::text(const std::string& field) const {
   const Json& json = any(field);
   if (!json.is_string())
     refuse(field, "a text in quotes is needed");
   return json.get<std::string>();
 }
 
-std::string Json_fields::text(const std::string& field, const std::string& otherwise) {
-  m_known.insert(field);
+std::string Json_fields::text(const std::string& field, const std::string& otherwise) const {
   return has(field) ? text(field) : otherwise;
 }
 
-void Json_fields::read_numbers(const std::string& field, std::size_t n, double* result) {
+std::string Json_fields::choice(const std::string& field,
+                                const std::vector<std::string>& words) const {
+  const std::string result = text(field);
+  if (std::find(words.begin(), words.end(), result) == words.end())
+    refuse(field, "'" + result + "' is not known" + advice_on_name(result, words, "known words"));
+  return result;
+}
+
+Expression Json_fields::expression(const std::string& field,
+                                   const std::vector<std::string>& variables, int size,
+                                   const std::string& form) const {
+  const Expression result(text(field), variables, field + " of " + m_name, form);
+  if (result.size() != size)
+    result.refuse("has " + std::to_string(result.size()) + " components instead of " +
+                  std::to_string(size));
+  return result;
+}
+
+void Json_fields::read_numbers(const std::string& field, std::size_t n, double* result) const {
   const Json& json = any(field);
   bool fits = json.is_array() && json.size() == n;
   for (std::size_t i = 0; fits && i < n; ++i) {
@@ -93,8 +120,7 @@ void Json_fields::read_numbers(const std::string& field, std::size_t n, double* 
     refuse(field, "a list of " + std::to_string(n) + " numbers is needed");
 }
 
-std::vector<Json_fields> Json_fields::objects(const std::string& field) {
-  m_known.insert(field);
+std::vector<Json_fields> Json_fields::objects(const std::string& field) const {
   std::vector<Json_fields> result;
   if (!has(field))
     return result;
@@ -106,19 +132,8 @@ std::vector<Json_fields> Json_fields::objects(const std::string& field) {
   return result;
 }
 
-Json_fields Json_fields::object(const std::string& field) {
+Json_fields Json_fields::object(const std::string& field) const {
   return {any(field), field + " of " + m_name};
-}
-
-void Json_fields::close() const {
-  for (const auto& [field, value] : m_json->items())
-    if (m_known.count(field) == 0) {
-      std::string known;
-      for (const std::string& name : m_known)
-        known += (known.empty() ? "" : ", ") + name;
-      throw Usage_error(m_name + " has the field '" + field + "', which nobody knows; fields are " +
-                        known);
-    }
 }
 
 } // namespace dsc

@@ -58,6 +58,8 @@ std::unique_ptr<Tracked_complex> start(Run_options& options, Run_position& posit
                       "interface with dsc convert, and start from that");
   position = run->position;
   const std::string changes = continue_steps(run->step, options.given, options.step);
+  if (complex->dimension() == 2 && options.given.count("--axis") > 0)
+    throw Usage_error("--axis has no meaning in the plane; leave it out");
   if (!options.quiet && !changes.empty())
     print_changes(position, changes);
   return complex;

@@ -6,6 +6,8 @@
 
 #include "continue_steps.h"
 #include "errors.h"
+#include "files.h"
+#include "inequalities.h"
 #include "option_values.h"
 #include "velocity_expressions.h"
 
@@ -220,6 +222,10 @@ void Run_commands::require_dimension(const Run_options& options, bool is_planar)
   for (const char* name : {"--segments", "--plane"})
     if (!is_planar && is_given(name))
       throw Usage_error(std::string(name) + " has a meaning in the plane only; leave it out");
+  const std::string format = options.start.inputs.empty() ? "" : extension(options.start.inputs[0]);
+  for (const char* name : {"--segments", "--domain"})
+    if ((format == "pgm" || format == "png") && is_given(name))
+      throw Usage_error(std::string(name) + " has no effect on an image of pixels; leave it out");
   if (!is_planar && *m_rotate && !is_given("--axis"))
     throw Usage_error("--axis is required; see dsc rotate --help");
 }
@@ -245,6 +251,7 @@ void Run_commands::require_kind(const Run_options& options, bool is_planar) cons
     for (const std::string& input : options.start.inputs)
       if (input_kind(input) != kind)
         throw Usage_error(input + " is no inequality and cannot be mixed with them");
+    const Inequalities check(options.start.inputs);
     if (!is_given("--domain") && !*m_enright && !*m_vortex)
       throw Usage_error("inequalities need a box to hold in; give its least and its largest "
                         "coordinates by --domain");
@@ -271,14 +278,18 @@ Run_options Run_commands::options() const {
     options.domain = parse_domain(m_domain, is_planar ? 2 : 3);
   if (options.given.count("--aggressiveness") > 0)
     options.step.aggressiveness = parse_aggressiveness(m_aggressiveness);
-  if (is_new)
+  if (is_new) {
     require_options(options.step.motion, options.given);
+    require_effect_of_options(options.step, options.given);
+  }
 
   const bool has_ball = (*m_enright || *m_vortex) && !is_planar;
   if (is_new && !has_input && !has_ball && !is_planar)
     throw Usage_error("there is no INPUT; name at least one surface, or a checkpoint by --resume");
   if (!has_input && m_fits)
     throw Usage_error("--fit has nothing to fit; name at least one INPUT");
+  if (m_is_planar && (has_input || !is_new))
+    throw Usage_error("--plane has no effect with an INPUT or --resume; leave it out");
   if (!has_input && options.start.repairs)
     throw Usage_error("--repair has nothing to repair; name at least one INPUT");
   for (const std::string& input : options.start.inputs)

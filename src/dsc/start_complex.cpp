@@ -6,6 +6,7 @@
 
 #include "errors.h"
 #include "inequalities.h"
+#include "label_components.h"
 #include "labelled_tetrahedra.h"
 #include "start_curves.h"
 #include "surface.h"
@@ -18,6 +19,7 @@
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,6 +50,12 @@ std::unique_ptr<Tracked_complex> track_inequalities(const Run_start& start,
   if (complex.interface_facets().empty())
     throw Input_error("no inequality has a border in the domain; choose another --domain, or "
                       "shorter edges by --edge");
+  std::map<int, std::string> names;
+  for (std::size_t i = 0; i < start.inputs.size(); ++i)
+    names[int(i) + 1] = "the inequality '" + start.inputs[i] + "'";
+  require_resolved(
+      d, edge, [&](const std::array<double, 3>& p) { return inequalities.label_at(p); },
+      numbers_of_components(complex), names);
   return track(std::move(complex));
 }
 

@@ -4,53 +4,25 @@
 
 #include "surface_expressions.h"
 
-#include "errors.h"
-
-#include <CGAL/number_utils.h>
-
-#include <muParser.h>
-
-#include <cstddef>
-
 namespace dsc {
 
-struct Surface_expressions::Parser
-{
-  std::array<double, 5> variables = {};
-  mu::Parser parser;
-};
-
 Surface_expressions::Surface_expressions(const std::string& expressions)
-    : m_parser(std::make_shared<Parser>()) {
-  static const std::array<const char*, 5> names = {"u", "v", "x", "y", "z"};
-  static const std::string form =
-      "; write torus, ellipsoid, three expressions in u and v, or three in x, y and z";
-  int number = 0;
-  bool is_of_chart = false;
-  try {
-    mu::Parser& parser = m_parser->parser;
-    for (std::size_t i = 0; i < names.size(); ++i)
-      parser.DefineVar(names[i], &m_parser->variables[i]);
-    parser.DefineConst("pi", CGAL_PI);
-    parser.SetExpr(expressions);
-    parser.Eval(number);
-    for (const auto& [name, place] : parser.GetUsedVar())
-      (name == "u" || name == "v" ? is_of_chart : m_is_of_sphere) = true;
-  } catch (const mu::Parser::exception_type& error) {
-    throw Usage_error("--surface '" + expressions + "' cannot be read: " + error.GetMsg() + form);
-  }
-  if (number != 3)
-    throw Usage_error("--surface '" + expressions + "' has " + std::to_string(number) +
-                      " coordinates" + form);
-  if (is_of_chart == m_is_of_sphere)
-    throw Usage_error("--surface '" + expressions +
-                      (is_of_chart ? "' has variables of both kinds" : "' is a point") + form);
+    : m_expression(expressions, {"u", "v", "x", "y", "z"}, "--surface",
+                   "torus, ellipsoid, three expressions in u and v, or three in x, y and z") {
+  if (m_expression.size() != 3)
+    m_expression.refuse("has " + std::to_string(m_expression.size()) + " coordinates");
+  const bool is_of_chart = m_expression.depends_on("u") || m_expression.depends_on("v");
+  m_is_of_sphere =
+      m_expression.depends_on("x") || m_expression.depends_on("y") || m_expression.depends_on("z");
+  if (is_of_chart && m_is_of_sphere)
+    m_expression.refuse("has variables of both kinds");
+  if (!is_of_chart && !m_is_of_sphere)
+    m_expression.refuse("is a point");
 }
 
 std::array<double, 3> Surface_expressions::at(const std::array<double, 5>& variables) const {
-  m_parser->variables = variables;
-  int number;
-  const double* values = m_parser->parser.Eval(number);
+  const auto& [u, v, x, y, z] = variables;
+  const double* values = m_expression.at({u, v, x, y, z});
   return {values[0], values[1], values[2]};
 }
 

@@ -5,13 +5,14 @@
 #ifndef DSC_SURFACE_EXPRESSIONS_H
 #define DSC_SURFACE_EXPRESSIONS_H
 
+#include "expression.h"
+
 #include <array>
-#include <memory>
 #include <string>
 
 namespace dsc {
 
-/// A surface written down: three expressions, with commas between them, in u and v, the coordinates
+/// A surface given by three expressions, with commas between them, in u and v, the coordinates
 /// of a chart, or in x, y and z, those of the unit sphere. Copies share the parser.
 class Surface_expressions
 {
@@ -29,11 +30,9 @@ public:
   }
 
 private:
-  struct Parser;
-
   std::array<double, 3> at(const std::array<double, 5>& variables) const;
 
-  std::shared_ptr<Parser> m_parser;
+  Expression m_expression;
   bool m_is_of_sphere = false;
 };
 

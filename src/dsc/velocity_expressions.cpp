@@ -4,53 +4,37 @@
 
 #include "velocity_expressions.h"
 
-#include "errors.h"
-
-#include <CGAL/number_utils.h>
-
-#include <muParser.h>
-
 #include <algorithm>
+#include <vector>
 
 namespace dsc {
+namespace {
 
-struct Velocity_expressions::Parser
-{
-  std::array<double, 4> variables = {};
-  mu::Parser parser;
-};
-
-Velocity_expressions::Velocity_expressions(const std::string& expressions, int dimension)
-    : m_parser(std::make_unique<Parser>()) {
-  const std::string form = dimension == 2
-                               ? "two expressions in x, y and t like '-y,sin(pi*t)'"
-                               : "three expressions in x, y, z and t like '-y,x,sin(pi*t)'";
-  static const std::array<const char*, 4> names = {"x", "y", "z", "t"};
-  int number = 0;
-  try {
-    mu::Parser& parser = m_parser->parser;
-    for (std::size_t i = 0; i < names.size(); ++i)
-      parser.DefineVar(names[i], &m_parser->variables[i]);
-    parser.DefineConst("pi", CGAL_PI);
-    parser.SetExpr(expressions);
-    parser.Eval(number);
-  } catch (const mu::Parser::exception_type& error) {
-    throw Usage_error("--velocity '" + expressions + "' cannot be read: " + error.GetMsg() +
-                      "; write " + form);
-  }
-  if (number != dimension)
-    throw Usage_error("--velocity '" + expressions + "' has " + std::to_string(number) +
-                      " components; write " + form);
+std::string form(int dimension) {
+  return dimension == 2 ? "two expressions in x, y and t like '-y,sin(pi*t)'"
+                        : "three expressions in x, y, z and t like '-y,x,sin(pi*t)'";
 }
 
-Velocity_expressions::~Velocity_expressions() = default;
+std::vector<std::string> variables(int dimension) {
+  if (dimension == 2)
+    return {"x", "y", "t"};
+  return {"x", "y", "z", "t"};
+}
+
+} // namespace
+
+Velocity_expressions::Velocity_expressions(const std::string& expressions, int dimension)
+    : m_expression(expressions, variables(dimension), "--velocity", form(dimension)) {
+  if (m_expression.size() != dimension)
+    m_expression.refuse("has " + std::to_string(m_expression.size()) + " components");
+}
 
 std::array<double, 3> Velocity_expressions::at(const std::array<double, 3>& p, double t) const {
-  m_parser->variables = {p[0], p[1], p[2], t};
-  int number;
-  const double* values = m_parser->parser.Eval(number);
+  const bool is_planar = m_expression.size() == 2;
+  const double* values =
+      is_planar ? m_expression.at({p[0], p[1], t}) : m_expression.at({p[0], p[1], p[2], t});
   std::array<double, 3> result = {};
-  std::copy_n(values, number, result.begin());
+  std::copy_n(values, m_expression.size(), result.begin());
   return result;
 }
 

@@ -242,3 +242,148 @@ TEST_F(Fluids, wrong_scenes_are_refused_by_name) {
   write("other.dsc", "nothing");
   EXPECT_NE(run("fluid --resume " + path("other.dsc").string()).exit_code, 0);
 }
+
+TEST_F(Fluids, misspelt_fields_get_advice) {
+  Json json = scene();
+  json["gravitiy"] = json["gravity"];
+  json.erase("gravity");
+  json.erase("end");
+  expect_refusal(json, "did you mean 'gravity'?");
+  json = scene();
+  json["liquids"][0]["shape"]["type"] = "bal";
+  expect_refusal(json, "did you mean 'ball'?");
+  json = scene();
+  json["liquids"][0]["shape"] = Json::parse(R"({"tpye": "ball"})");
+  expect_refusal(json, "did you mean 'type'?");
+  json = scene();
+  json["solids"][0]["type"] = "plain";
+  expect_refusal(json, "did you mean 'plane'?");
+  json = scene();
+  json["solids"][0]["contactangle"] = 60;
+  expect_refusal(json, "did you mean 'contact_angle'?");
+  json = scene();
+  json["probes"][1] = Json::parse(R"({"name": "a", "hight_at": [0, 0]})");
+  expect_refusal(json, "did you mean 'height_at'?");
+  json = scene();
+  json["edge"] = "0.6";
+  expect_refusal(json, "without quotes");
+  EXPECT_NE(run("fluid dropelt").err.find("did you mean 'droplet'?"), std::string::npos);
+}
+
+TEST_F(Fluids, fields_are_there_once_in_json_without_comments) {
+  const std::string text = scene().dump();
+  const auto expect = [&](const std::string& file, const std::string& message) {
+    write("text.json", file);
+    const Outcome outcome = run("fluid " + path("text.json").string());
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+  };
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string result = text;
+    const std::size_t place = result.find(from);
+    EXPECT_NE(place, std::string::npos) << from;
+    return result.replace(place, from.size(), to);
+  };
+  expect(changed("\"density\":1", "\"density\":1,\"density\":2"),
+         "'liquids[0].density' is there twice");
+  expect(changed("\"end\"", "\"edge\":1,\"end\""), "'edge' is there twice");
+  expect(text + "{}", "end of input");
+  expect(changed("{", "{ // comment\n"), "no comments");
+  expect(changed("\"end\":0.4", "\"end\":1e999"), "1e999");
+  expect(changed("\"end\":0.4", "\"end\":NaN"), "JSON");
+}
+
+TEST_F(Fluids, what_has_no_effect_is_refused) {
+  const auto expect = [&](const std::string& patch, const std::string& message) {
+    SCOPED_TRACE(patch);
+    Json json = scene();
+    json.merge_patch(Json::parse(patch));
+    expect_refusal(json, message);
+  };
+  const auto expect_shape = [&](const std::string& shape, const std::string& message) {
+    SCOPED_TRACE(shape);
+    Json json = scene();
+    json["liquids"][0]["shape"] = Json::parse(shape);
+    expect_refusal(json, message);
+  };
+  expect_shape(R"({"type": "ball", "center": [0, 0, 0], "radius": 1, "mode": 2})", "'amplitude'");
+  expect_shape(R"({"type": "ball", "center": [0, 0, 0], "radius": 1, "amplitude": 0.1})", "'mode'");
+  expect_shape(R"({"type": "ball", "center": [0, 0, 0], "radius": 1, "level": 1})", "'level'");
+  expect_shape(R"({"type": "cylinder", "from": [0, 0, 0], "to": [0, 0, 1], "radius": 1,
+                   "wave_length": 1})",
+               "'amplitude'");
+  expect_shape(R"({"type": "pool", "level": 0, "height": "z"})", "'z'");
+  expect(R"({"probes": [{"name": "a", "height_at": [0, 0]}, {"name": "a", "height_at": [1, 0]}]})",
+         "the name 'a'");
+  expect(R"({"probes": [{"name": "a", "height_at": [9, 0]}]})", "outside the domain");
+  expect(R"({"probes": [{"name": "a", "height_at": [0, 0], "center": [0, 0, 0]}]})", "'center'");
+  expect(R"({"surface_tension": [{"labels": [0, 3], "value": 1}]})", "the label 3");
+  expect(R"({"surface_tension": [{"labels": [1, 1], "value": 1}]})", "two different labels");
+  expect(R"({"surface_tension": [{"labels": [0, 1], "value": 1}, {"labels": [1, 0], "value": 1}]})",
+         "0 and 1 are there twice");
+  expect(R"({"sources": [{"center": [2, 0, 0], "radius": 0.5, "rate": 1}]})", "meets no liquid");
+  expect(R"({"sources": [{"center": [9, 0, 0], "radius": 0.5, "rate": 1}]})", "meets no liquid");
+  expect(R"({"sources": [{"center": [0, 0, 0], "radius": 0.5, "rate": 0}]})", "no effect");
+  expect(R"({"solids": [{"type": "plane", "point": [0, 0, -3], "normal": [0, 0, 1]}]})",
+         "solids[0] has no effect");
+  expect(R"({"solids": [{"type": "plane", "point": [0, 0, -1], "normal": [0, 0, 0]}]})",
+         "no direction");
+  expect(R"({"solids": [{"type": "ball", "center": [9, 0, 0], "radius": 1}]})",
+         "solids[0] has no effect");
+  expect(R"({"solids": [{"type": "tank", "box": [-3, -3, -3, 3, 3, 2], "open": true}]})",
+         "solids[0] has no effect");
+  expect(R"({"surface_tension": 0, "solids": [{"type": "plane", "point": [0, 0, -1.1],
+             "normal": [0, 0, 1], "contact_angle": 60}]})",
+         "contact_angle");
+  expect(R"({"relaxation": {"time_step": 0.1, "steps": 0}})", "no effect");
+  Json json = scene();
+  json["liquids"][0]["velocity"] = "x=1,0,0";
+  expect_refusal(json, "velocity of liquids[0] of the scene 'x=1,0,0'");
+  json["liquids"][0]["velocity"] = "0,t,0";
+  expect_refusal(json, "'t'");
+  json["liquids"][0]["velocity"] = "0,sqrt(x),0";
+  expect_refusal(json, "nan at x = -");
+  json = scene();
+  json["liquids"].push_back(json["liquids"][0]);
+  json["liquids"][1]["shape"] = Json::parse(R"({"type": "surroundings"})");
+  json["liquids"][1]["label"] = 2;
+  expect_refusal(json, "'label'");
+}
+
+// Beside a pool, shapes are cut out of tetrahedra.
+TEST_F(Fluids, liquids_that_others_cover_are_refused) {
+  Json json = Json::parse(R"json({
+    "domain": [0, 0, 0, 1, 1, 1], "edge": 0.2,
+    "liquids": [{"shape": {"type": "pool", "level": 0.3}, "density": 1},
+                {"shape": {"type": "ball", "center": [0.5, 0.5, 0.7], "radius": 0.2},
+                 "density": 2}],
+    "gravity": [0, 0, -1], "time_step": 0.01, "end": 0.01
+  })json");
+  const Outcome outcome = run("fluid " + write_scene(json));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  json["liquids"][1]["shape"]["radius"] = .001;
+  expect_refusal(json, "label 2 of the scene fills nothing");
+  json["liquids"][1]["shape"]["radius"] = .2;
+  json["liquids"].push_back(json["liquids"][1]);
+  json["liquids"][2]["label"] = 3;
+  json["liquids"][2]["shape"]["radius"] = .25;
+  expect_refusal(json, "label 2 of the scene fills nothing");
+  json["liquids"][2]["label"] = 2;
+  expect_refusal(json, "liquids[1] of the scene fills nothing");
+}
+
+TEST_F(Fluids, options_without_effect_are_refused) {
+  const std::string file = write_scene(scene());
+  const auto expect = [&](const std::string& arguments, const std::string& message) {
+    const Outcome outcome = run("fluid " + arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+  };
+  expect(file + " --data .", "--data");
+  expect("droplet --data .", "--data");
+  expect(file + " --every 2", "--output");
+  expect("--print droplet --steps 3", "--steps");
+  expect("--list droplet", "SCENE");
+  ASSERT_EQ(run("fluid " + file + " --steps 1 --output out").exit_code, 0);
+  expect("--resume out/checkpoint.dsc --end 0.05", "--end");
+}

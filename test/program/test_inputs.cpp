@@ -146,4 +146,40 @@ TEST_F(Inputs, that_make_no_sense_are_refused) {
   expect_refusal(path("empty.inr").string(), 1, "no label but 0");
 }
 
+TEST_F(Inputs, that_are_misspelt_get_advice) {
+  const std::string box = " --domain=-1,-1,-1,1,1,1";
+  expect_refusal("'x^2+y^2+Z^2<1'" + box, 2, "did you mean 'z'?");
+  expect_refusal("'sqr(x)<1'" + box, 2, "did you mean 'sqrt'?");
+  expect_refusal("'x=1<2'" + box, 2, "'=='");
+  expect_refusal("'1<2'" + box, 2, "the same everywhere");
+  expect_refusal("'x<0.5' --domian=-1,-1,-1,1,1,1", 2, "did you mean '--domain'?");
+  for (const auto& [arguments, text] :
+       {std::pair("advct x.off", "did you mean 'advect'?"),
+        std::pair("fluid droplet --stesp 3", "did you mean '--steps'?"),
+        std::pair("advect x.off --velocity 'x=-y,y=x,z=0'", "'=='"),
+        std::pair("advect x.wkt --velocity z,0", "'z'"),
+        std::pair("cut-locus --point 0,0 --surface 'u,v,w'", "'w'")}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+  }
+}
+
+// Either all that inequalities say is in the mesh, or it is told what is not.
+TEST_F(Inputs, of_inequalities_are_resolved) {
+  const std::string box = " --domain=-1,-1,-1,1,1,1 --edge ";
+  const std::string balls = "'(x-.5)^2+y^2+z^2<.1||(x+.5)^2+y^2+z^2<.1'";
+  EXPECT_GT(volumes(balls + box + ".2").at(1), 0);
+  expect_refusal("'abs(z)<.005&&x^2+y^2<.5'" + box + ".1", 1, "connected components");
+  expect_refusal("'x^2+y^2+z^2<.5' '(x-.01)^2+y^2+z^2<.0001'" + box + ".2", 1,
+                 "(x-.01)^2+y^2+z^2<.0001");
+  expect_refusal("'x^2+y^2+z^2<.1' 'x^2+y^2+z^2<.5'" + box + ".2", 1, "covered");
+  expect_refusal("'.2<x<.23&&y^2+z^2<.5'" + box + ".2", 1, "choose shorter ones");
+  // Sharp rims and a cone, whose points are only touched, are as they are.
+  EXPECT_GT(volumes("'(x-.4)^2+y^2+z^2<.5&&(x+.4)^2+y^2+z^2<.5'" + box + ".1").at(1), 0);
+  EXPECT_GT(volumes("'x^2+y^2<z^2<.25'" + box + ".1").at(1), 0);
+  const auto chain = volumes("'-.5<x<.5&&-.5<y<=.5&&.5>z>-.5'" + box + ".1");
+  EXPECT_NEAR(chain.at(1), 1, .02);
+}
+
 } // namespace

@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fluid_scene_checks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace dsc {
+namespace {
+
+std::string numbered(const char* list, std::size_t i) {
+  return std::string(list) + "[" + std::to_string(i) + "]";
+}
+
+void require_one_phase_per_label(const Fluid_scene& scene, const Json_fields& json) {
+  for (const Scene_liquid& a : scene.liquids)
+    for (const Scene_liquid& b : scene.liquids)
+      if (a.label == b.label && (a.density != b.density || a.viscosity != b.viscosity))
+        json.refuse("liquids", "those of one label are one liquid, with one density and viscosity");
+  for (const Scene_gas& gas : scene.gases) {
+    for (const Scene_liquid& liquid : scene.liquids)
+      if (gas.label == liquid.label)
+        json.refuse("gases", "a label is a liquid or a gas");
+    for (const Scene_gas& other : scene.gases)
+      if (gas.label == other.label &&
+          (gas.pressure != other.pressure || gas.exponent != other.exponent))
+        json.refuse("gases", "those of one label are one gas, with one pressure and exponent");
+  }
+  std::size_t surroundings = 0;
+  for (const auto& filling : shapes_of(scene))
+    surroundings += std::holds_alternative<Surroundings>(*filling.second);
+  if (surroundings > 1)
+    json.refuse("liquids", "the surroundings are there twice; leave one of them out");
+}
+
+void require_pairs_of_labels(const Fluid_scene& scene, const Json_fields& json) {
+  std::set<int> labels = {0};
+  for (const auto& filling : shapes_of(scene))
+    labels.insert(filling.first);
+  std::set<std::pair<int, int>> known;
+  for (const auto& tension : scene.tensions) {
+    const auto [a, b] = std::minmax(tension.labels[0], tension.labels[1]);
+    for (int label : {a, b})
+      if (labels.count(label) == 0)
+        json.refuse("surface_tension",
+                    "no liquid and no gas has the label " + std::to_string(label));
+    const std::string pair = std::to_string(a) + " and " + std::to_string(b);
+    if (a == b)
+      json.refuse("surface_tension", "two different labels are needed, not " + pair);
+    if (!known.emplace(a, b).second)
+      json.refuse("surface_tension", "the labels " + pair + " are there twice");
+  }
+}
+
+void require_probes(const Fluid_scene& scene, const Json_fields& json) {
+  std::set<std::string> names;
+  for (const Scene_probe& probe : scene.probes) {
+    if (!names.insert(probe.name).second)
+      json.refuse("probes", "two have the name '" + probe.name + "'");
+    for (std::size_t i = 0; probe.place && i < 2; ++i)
+      if (!(scene.domain[i] <= (*probe.place)[i] && (*probe.place)[i] <= scene.domain[i + 3]))
+        json.refuse("probes", "'" + probe.name + "' is outside the domain");
+  }
+}
+
+using Vector = std::array<double, 3>;
+
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// The least and the largest distance of a point from a box.
+std::pair<double, double> distances(const Vector& p, const std::array<double, 6>& box) {
+  Vector nearest, farthest;
+  for (std::size_t i = 0; i < 3; ++i) {
+    nearest[i] = std::max({box[i] - p[i], p[i] - box[i + 3], 0.});
+    farthest[i] = std::max(std::abs(box[i] - p[i]), std::abs(box[i + 3] - p[i]));
+  }
+  return {std::sqrt(dot(nearest, nearest)), std::sqrt(dot(farthest, farthest))};
+}
+
+/// Whether the domain is wholly in front of a plane.
+bool is_in_front(const Scene_solid& plane, const std::array<double, 6>& box) {
+  double least = 0; // signed distance, times the length of the normal
+  for (std::size_t i = 0; i < 3; ++i)
+    least += plane.direction[i] * ((plane.direction[i] > 0 ? box[i] : box[i + 3]) - plane.point[i]);
+  return least > 0;
+}
+
+/// Whether the walls of a tank are all outside the domain.
+bool is_around(const Scene_solid& tank, const std::array<double, 6>& box) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (box[i] <= tank.box[i] || (box[i + 3] >= tank.box[i + 3] && !(i == 2 && tank.is_open)))
+      return false;
+  return true;
+}
+
+/// Whether no liquid can ever arrive at a solid, wherever it goes in the domain. A solid that moves
+/// may come into the domain; of cylinders and meshes it is not decided.
+bool is_out_of_reach(const Scene_solid& solid, const std::array<double, 6>& domain) {
+  if (solid.velocity != Vector() || solid.angular_velocity != Vector())
+    return false;
+  const auto [least, largest] = distances(solid.point, domain);
+  switch (solid.kind) {
+  case Scene_solid::Kind::plane:
+    return is_in_front(solid, domain);
+  case Scene_solid::Kind::tank:
+    return is_around(solid, domain);
+  case Scene_solid::Kind::ball:
+    return solid.contains_liquid ? largest < solid.radius : least > solid.radius;
+  case Scene_solid::Kind::cylinder:
+  case Scene_solid::Kind::mesh:
+    break;
+  }
+  return false;
+}
+
+void require_effect_of_solids(const Fluid_scene& scene, const Json_fields& json) {
+  const bool has_tension = std::any_of(scene.tensions.begin(), scene.tensions.end(),
+                                       [](const auto& tension) { return tension.value > 0; });
+  for (std::size_t i = 0; i < scene.solids.size(); ++i) {
+    if (is_out_of_reach(scene.solids[i], scene.domain))
+      json.refuse("solids", numbered("solids", i) +
+                                " has no effect, as it is outside the domain; leave it out");
+    static constexpr double usual = 90;
+    if (!has_tension && scene.solids[i].contact_angle != usual)
+      json.refuse("solids", "the contact_angle of " + numbered("solids", i) +
+                                " has no effect without surface_tension");
+  }
+}
+
+void require_effect_of_sources(const Fluid_scene& scene, const Json_fields& json) {
+  for (std::size_t i = 0; i < scene.sources.size(); ++i)
+    if (distances(scene.sources[i].center, scene.domain).first >= scene.sources[i].radius)
+      json.refuse("sources",
+                  numbered("sources", i) + " meets no liquid, as it is outside the domain");
+}
+
+} // namespace
+
+void require_consistent(const Fluid_scene& scene, const Json_fields& json) {
+  require_one_phase_per_label(scene, json);
+  require_pairs_of_labels(scene, json);
+  require_probes(scene, json);
+  require_effect_of_solids(scene, json);
+  require_effect_of_sources(scene, json);
+}
+
+} // namespace dsc

@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_FLUID_SCENE_CHECKS_H
+#define DSC_FLUID_SCENE_CHECKS_H
+
+#include "fluid_scene.h"
+#include "json_fields.h"
+
+namespace dsc {
+
+/// Checks what the fields of a scene mean together: labels, pairs of labels, names, and what has no
+/// effect wherever liquids go. \param json the scene, for messages. \throws Usage_error
+void require_consistent(const Fluid_scene& scene, const Json_fields& json);
+
+} // namespace dsc
+
+#endif // DSC_FLUID_SCENE_CHECKS_H
