@@ -94,15 +94,15 @@ public:
     bool is_in_solid = false;
     std::size_t solids = 0, others = 0;
     while (m_scanner.next()) {
-      if (is("facet")) {
-        read_facet();
-      } else if (is("solid") || is("endsolid")) {
+      if (is("solid") || is("endsolid")) {
         is_in_solid = is("solid");
         solids += is_in_solid;
         skip_name();
+      } else if (solids == 0) {
+        m_scanner.fail("the file does not begin with solid; is it an STL file?");
+      } else if (is("facet")) {
+        read_facet();
       } else {
-        if (solids == 0)
-          m_scanner.fail("the file does not begin with solid; is it an STL file?");
         ++others;
         m_scanner.skip_line();
       }
