@@ -7,6 +7,7 @@
 #include "errors.h"
 #include "unused.h"
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/number_of_word.h>
 
@@ -170,8 +171,10 @@ private:
     std::vector<char> buffer(1 << 20);
     std::uint64_t result = 0;
     int n = 0;
-    while ((n = gzread(m_file.get(), buffer.data(), static_cast<unsigned>(buffer.size()))) > 0)
+    while ((n = gzread(m_file.get(), buffer.data(), static_cast<unsigned>(buffer.size()))) > 0) {
+      CGAL::Deformable_simplicial_complexes::Progress_scope::check();
       result += static_cast<std::uint64_t>(n);
+    }
     if (n < 0)
       fail("has compressed data that are damaged or end too early; copy it again");
     return result;

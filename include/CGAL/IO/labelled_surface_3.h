@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/read_polygons.h>
@@ -65,6 +66,7 @@ template <class Point> struct Point_sink
   }
 
   void point(double x, double y, double z) {
+    Progress_scope::check();
     if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
       file.fail("a coordinate of point " + std::to_string(points.size()) +
                 " is not a finite number; correct it");
@@ -100,6 +102,7 @@ template <class Point> struct Triangle_sink
   void unused(const std::string&, std::size_t) {}
 
   void polygon(const std::vector<std::size_t>& corners) {
+    Progress_scope::check();
     points_of_polygon.clear();
     for (const std::size_t corner : corners) {
       if (corner >= surface.points.size())
@@ -220,6 +223,7 @@ read_labelled_surface(const std::string& path, int label = 1,
   const internal::Surface_format format = internal::surface_format(path);
   require(format != internal::Surface_format::none,
           "this is no format for surfaces; choose a file .off, .obj, .ply or .stl");
+  const Deformable_simplicial_complexes::Progress_phase phase("reading a surface");
   std::ifstream in = internal::open_input(path, internal::lower_case_extension(path));
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);

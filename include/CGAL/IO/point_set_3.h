@@ -5,6 +5,7 @@
 #ifndef CGAL_IO_POINT_SET_3_H
 #define CGAL_IO_POINT_SET_3_H
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/Ply_reader.h>
@@ -51,6 +52,7 @@ struct Point_set_sink
   void expect_points(std::size_t) {} // a file may lie
 
   void point(double x, double y, double z) {
+    Progress_scope::check();
     if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
       file.fail("a coordinate of point " + std::to_string(points.size()) +
                 " is not a finite number; correct it");
@@ -162,6 +164,7 @@ read_point_set(const std::string& path,
   namespace internal = Deformable_simplicial_complexes::internal;
   using Deformable_simplicial_complexes::File_error;
   const std::string extension = internal::lower_case_extension(path);
+  const Deformable_simplicial_complexes::Progress_phase phase("reading points");
   std::ifstream in = internal::open_input(path, extension);
   internal::File_scanner scanner(in, path);
   internal::Point_set_sink sink{scanner, unused, {}};

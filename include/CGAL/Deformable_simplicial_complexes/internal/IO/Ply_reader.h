@@ -163,6 +163,8 @@ private:
         read_property();
       else if (m_scanner.word() == "end_header")
         break;
+      else if (m_scanner.word() != "comment" && m_scanner.word() != "obj_info")
+        m_scanner.fail(in_quotes(m_scanner.word()) + " is no word of a PLY header; correct it");
     }
     m_scanner.skip_line();
     check_elements();

@@ -114,9 +114,10 @@ template <class Sink> void read_off(File_scanner& scanner, Sink& sink) {
     sink.polygon(corners);
     polygons_with_more += skip_rest(is_binary ? integer() : 0);
   }
-  sink.unused(!header.has_texture ? "colors of points"
-              : !header.has_color ? "texture coordinates of points"
-                                  : "colors and texture coordinates of points",
+  sink.unused(header.has_color && header.has_texture ? "colors and texture coordinates of points"
+              : header.has_color                     ? "colors of points"
+              : header.has_texture                   ? "texture coordinates of points"
+                                                     : "points with further numbers",
               points_with_more);
   sink.unused("colors of polygons", polygons_with_more);
   if (is_binary) {
