@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "errors.h"
 #include "interrupt.h"
+#include "unused.h"
 
 #include <CGAL/assertions.h>
 
@@ -36,6 +37,9 @@ bool flush_output() {
   return std::cout.good() && std::ferror(stdout) == 0;
 }
 
+bool is_quiet(const dsc::Info_options&) { return false; }
+template <class Command> bool is_quiet(const Command& command) { return command.quiet; }
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -44,6 +48,8 @@ int main(int argc, char** argv) {
   CGAL::set_warning_handler(print_nothing);
   try {
     const std::optional<dsc::Options> options = dsc::parse_command_line(argc, argv);
+    if (options && std::visit([](const auto& command) { return is_quiet(command); }, *options))
+      dsc::keep_silent_about_unused();
     const int code =
         options ? std::visit([](const auto& command) { return dsc::execute(command); }, *options)
                 : 0;

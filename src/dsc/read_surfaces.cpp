@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "surface.h"
+#include "unused.h"
 
 #include <CGAL/IO/labelled_surface_3.h>
 
@@ -10,9 +11,12 @@ namespace dsc {
 
 std::vector<Surface> read_surfaces(const std::vector<std::string>& paths) {
   std::vector<Surface> surfaces;
-  for (const std::string& path : paths)
+  for (const std::string& path : paths) {
+    Unused_content unused;
     surfaces.push_back(CGAL::IO::read_labelled_surface<Surface_point>(
-        path, static_cast<int>(surfaces.size()) + 1));
+        path, static_cast<int>(surfaces.size()) + 1, &unused));
+    print_unused(path, unused);
+  }
   return surfaces;
 }
 

@@ -9,6 +9,7 @@
 #include "progress_line.h"
 #include "report_json.h"
 #include "tracked_complex_3.h"
+#include "unused.h"
 
 #include <CGAL/IO/PVD_series.h>
 #include <CGAL/IO/VTU_3.h>
@@ -127,7 +128,9 @@ int execute(const Reconstruct_options& options) {
   if (!options.folder.empty())
     folder.emplace(options.folder);
 
-  const std::vector<Point_and_normal_3> points = CGAL::IO::read_point_set(options.input);
+  Unused_content unused;
+  const std::vector<Point_and_normal_3> points = CGAL::IO::read_point_set(options.input, &unused);
+  print_unused(options.input, unused);
   const auto begin = Clock::now();
   Progress_line progress(options.steps, options.quiet);
   const auto observe = [&](const Complex& complex, std::size_t step) {

@@ -70,14 +70,16 @@ Surface sphere(const Ball& ball, std::size_t triangles) {
 void fit(std::vector<Surface>& surfaces, const Ball& ball) {
   CGAL::Bbox_3 box;
   for (const Surface& surface : surfaces)
-    for (const Surface_point& p : surface.points)
-      box += p.bbox();
+    for (const auto& triangle : surface.triangles)
+      for (const std::size_t corner : triangle)
+        box += surface.points[corner].bbox();
   const Surface_point middle = CGAL::midpoint(Surface_point(box.xmin(), box.ymin(), box.zmin()),
                                               Surface_point(box.xmax(), box.ymax(), box.zmax()));
   double farthest = 0;
   for (const Surface& surface : surfaces)
-    for (const Surface_point& p : surface.points)
-      farthest = std::max(farthest, length(p - middle));
+    for (const auto& triangle : surface.triangles)
+      for (const std::size_t corner : triangle)
+        farthest = std::max(farthest, length(surface.points[corner] - middle));
   for (Surface& surface : surfaces)
     for (Surface_point& p : surface.points)
       p = center(ball) + ball.radius * ((p - middle) / farthest);

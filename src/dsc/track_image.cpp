@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "check_image.h"
 #include "errors.h"
 #include "start_complex.h"
 #include "tracked_complex_3.h"
@@ -17,6 +18,7 @@ namespace dsc {
 std::unique_ptr<Tracked_complex> track_image(const std::string& path, double edge,
                                              const std::optional<std::array<double, 6>>& domain) {
   namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+  check_image(path);
   CGAL::Image_3 image;
   if (!image.read(path))
     throw Input_error(path + " cannot be read as an image of voxels");

@@ -7,10 +7,14 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/read_polygons.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/triangulated_polygon.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/File_scanner.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/open_input.h>
 #include <CGAL/extract_interface_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -47,13 +51,14 @@ inline Surface_format surface_format(const std::string& path) {
                                : Surface_format::none;
 }
 
-// Takes the points of a file and counts what its polygons become.
+// Takes the points of a file, counts what its polygons become, and notes what is not used.
 template <class Point> struct Point_sink
 {
-  const std::string& path;
+  const File_scanner& file;
   std::size_t most_points; // that the file has space for
+  Unused_content* not_used;
   std::vector<Point> points;
-  std::size_t number_of_polygons = 0, number_of_triangles = 0;
+  std::size_t number_of_polygons = 0, number_of_triangles = 0, number_of_normals = 0;
 
   void expect_points(std::size_t n) {
     if (points.empty())
@@ -61,24 +66,32 @@ template <class Point> struct Point_sink
   }
 
   void point(double x, double y, double z) {
+    Progress_scope::check();
     if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
-      throw File_error(path + ": a coordinate of point " + std::to_string(points.size()) +
-                           " is not a finite number; correct it",
-                       path);
+      file.fail("a coordinate of point " + std::to_string(points.size()) +
+                " is not a finite number; correct it");
     points.emplace_back(x, y, z);
   }
-  void normal(double, double, double) {}
+
+  void normal(double, double, double) { ++number_of_normals; }
 
   void polygon(const std::vector<std::size_t>& corners) {
+    if (corners.size() < 3)
+      return unused("polygons with less than three corners", 1);
     ++number_of_polygons;
-    number_of_triangles += corners.size() < 3 ? 0 : corners.size() - 2;
+    number_of_triangles += corners.size() - 2;
+  }
+
+  void unused(const std::string& kind, std::size_t number) {
+    if (not_used)
+      not_used->add(kind, number);
   }
 };
 
 // Takes the triangles of polygons, whose points are known.
 template <class Point> struct Triangle_sink
 {
-  const std::string& path;
+  const File_scanner& file;
   Labelled_surface_3<Point>& surface;
   std::vector<Point> points_of_polygon;
   std::size_t number_of_polygons = 0;
@@ -86,8 +99,10 @@ template <class Point> struct Triangle_sink
   void expect_points(std::size_t) {}
   void point(double, double, double) {}
   void normal(double, double, double) {}
+  void unused(const std::string&, std::size_t) {}
 
   void polygon(const std::vector<std::size_t>& corners) {
+    Progress_scope::check();
     points_of_polygon.clear();
     for (const std::size_t corner : corners) {
       if (corner >= surface.points.size())
@@ -95,7 +110,7 @@ template <class Point> struct Triangle_sink
       points_of_polygon.push_back(surface.points[corner]);
     }
     const auto triangles = triangulated_polygon(points_of_polygon);
-    if (triangles.empty())
+    if (triangles.empty() && corners.size() >= 3)
       fail("cannot be triangulated; replace it by triangles");
     for (const auto& triangle : triangles)
       surface.triangles.push_back(
@@ -104,9 +119,19 @@ template <class Point> struct Triangle_sink
   }
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw File_error(path + ": polygon " + std::to_string(number_of_polygons) + " " + what, path);
+    file.fail("polygon " + std::to_string(number_of_polygons) + " " + what);
   }
 };
+
+// Returns the number of points that are corners of no triangle.
+template <class Point>
+std::size_t number_of_unused_points(const Labelled_surface_3<Point>& surface) {
+  std::vector<bool> is_used(surface.points.size());
+  for (const auto& triangle : surface.triangles)
+    for (const std::size_t corner : triangle)
+      is_used[corner] = true;
+  return static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), false));
+}
 
 // Makes points with the same coordinates one, in the order in which they come first.
 template <class Point> void merge_equal_points(Labelled_surface_3<Point>& surface) {
@@ -168,20 +193,28 @@ constrained Delaunay triangulation of what is seen of them along their normals. 
 triangles share no points, points with the same coordinates become one. What the surface looks like
 is not checked: `make_deformable_simplicial_complex_3()` does that.
 
+Everything else in a file is noted in `unused`: colors, normals, texture coordinates, materials,
+groups, names of solids, lines, other elements, points that no polygon has, polygons with less than
+three corners. Facet normals of STL files are redundant and not noted.
+
 \tparam Point is a point type of a \cgal kernel.
 
 \param path is the name of the file.
 \param label is the label of the solid that the surface bounds.
+\param unused takes the content of the file that is not used, if it is not null.
 
 \throws Deformable_simplicial_complexes::File_error if the file cannot be opened or understood, has
-no polygons, has a coordinate that is not finite, or has a polygon that refers to a point that is
-not there or cannot be triangulated, as it meets itself.
+no polygons or more elements than it announces, describes a part of the surface without polygons,
+has a coordinate that is not finite, or has a polygon that refers to a point that is not there or
+cannot be triangulated, as it meets itself.
 
 Linear in the size of the file, for STL n log n. Memory is never taken for more points and triangles
 than there are, however many the file announces.
 */
 template <class Point = Exact_predicates_inexact_constructions_kernel::Point_3>
-Labelled_surface_3<Point> read_labelled_surface(const std::string& path, int label = 1) {
+Labelled_surface_3<Point>
+read_labelled_surface(const std::string& path, int label = 1,
+                      Deformable_simplicial_complexes::Unused_content* unused = nullptr) {
   namespace internal = Deformable_simplicial_complexes::internal;
   const auto require = [&](bool condition, const char* message) {
     if (!condition)
@@ -190,25 +223,32 @@ Labelled_surface_3<Point> read_labelled_surface(const std::string& path, int lab
   const internal::Surface_format format = internal::surface_format(path);
   require(format != internal::Surface_format::none,
           "this is no format for surfaces; choose a file .off, .obj, .ply or .stl");
+  const Deformable_simplicial_complexes::Progress_phase phase("reading a surface");
+  std::ifstream in = internal::open_input(path, internal::lower_case_extension(path));
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
-  std::ifstream in(path, std::ios::binary);
-  require(!error && in.good(), "cannot open the file; check that it exists and may be read");
+  require(!error, "cannot read the file; check that it may be read");
 
   // Polygons may come before their points: first all of these, then all of those.
   constexpr std::size_t least_bytes_of_point = 3;
+  internal::File_scanner first_scanner(in, path), second_scanner(in, path);
   internal::Point_sink<Point> points{
-      path, static_cast<std::size_t>(size) / least_bytes_of_point, {}};
-  internal::read_polygons(in, format, path, points);
+      first_scanner, static_cast<std::size_t>(size) / least_bytes_of_point, unused, {}};
+  internal::read_polygons(in, format, first_scanner, points);
+  points.unused("normals of points", points.number_of_normals);
   require(points.number_of_polygons != 0, "there are no polygons; choose a surface that has some");
   Labelled_surface_3<Point> surface;
   surface.label = label;
   surface.points.swap(points.points);
   surface.triangles.reserve(points.number_of_triangles);
-  internal::Triangle_sink<Point> triangles{path, surface, {}};
-  internal::read_polygons(in, format, path, triangles);
+  in.clear();
+  in.seekg(0);
+  internal::Triangle_sink<Point> triangles{second_scanner, surface, {}};
+  internal::read_polygons(in, format, second_scanner, triangles);
   if (format == internal::Surface_format::stl)
     internal::merge_equal_points(surface);
+  else if (unused)
+    unused->add("points that no polygon has", internal::number_of_unused_points(surface));
   return surface;
 }
 

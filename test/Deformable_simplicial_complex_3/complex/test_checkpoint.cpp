@@ -141,7 +141,7 @@ TEST(Checkpoint, foreign_files_are_refused) {
   write_bytes(folder / "text.dsc", std::string(1000, 'x'));
   EXPECT_TRUE(contains(complaint(folder / "text.dsc"), "is not a checkpoint"));
   write_bytes(folder / "empty.dsc", "");
-  EXPECT_TRUE(contains(complaint(folder / "empty.dsc"), "is not a checkpoint"));
+  EXPECT_TRUE(contains(complaint(folder / "empty.dsc"), "is empty"));
 }
 
 // Sizes beyond the end of the file must be refused before memory is taken for them, also where

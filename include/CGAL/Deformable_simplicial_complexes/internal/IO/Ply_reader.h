@@ -11,8 +11,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -54,6 +56,7 @@ struct Ply_property
   const Ply_type* size_type; // of a list, null otherwise
   const Ply_type* type;
   Meaning meaning;
+  std::string name;
 };
 
 struct Ply_element
@@ -61,6 +64,7 @@ struct Ply_element
   enum Kind { point, polygon, other };
 
   Kind kind;
+  std::string name;
   std::size_t number;
   std::vector<Ply_property> properties;
 
@@ -70,7 +74,26 @@ struct Ply_element
         return true;
     return false;
   }
+
+  bool has_normal() const {
+    return has(Ply_property::nx) && has(Ply_property::ny) && has(Ply_property::nz);
+  }
 };
+
+// Returns the content of a property of points or polygons, in the plural.
+inline std::string ply_content(const std::string& name, Ply_element::Kind kind) {
+  const std::string owners = kind == Ply_element::point ? " of points" : " of polygons";
+  for (const char* color : {"red", "green", "blue", "alpha"})
+    if (name == color || name == std::string("diffuse_") + color)
+      return "colors" + owners;
+  for (const char* coordinate : {"s", "t", "u", "v", "texture_u", "texture_v", "texcoord"})
+    if (name == coordinate)
+      return "texture coordinates" + owners;
+  for (const char* coordinate : {"nx", "ny", "nz"})
+    if (name == coordinate)
+      return "normals" + owners;
+  return "values " + in_quotes(name) + owners;
+}
 
 // Reads a PLY file, as text or binary. All types of numbers are known, and elements and properties
 // other than points and polygons are skipped.
@@ -86,8 +109,6 @@ public:
     for (const Ply_element& element : m_elements) {
       if (element.kind == Ply_element::point)
         sink.expect_points(element.number);
-      const bool has_normal = element.has(Ply_property::nx) && element.has(Ply_property::ny) &&
-                              element.has(Ply_property::nz);
       // Elements that have no properties take no place in the file.
       const std::size_t number = element.properties.empty() ? 0 : element.number;
       for (std::size_t i = 0; i < number; ++i) {
@@ -100,12 +121,16 @@ public:
             skip(property);
         if (element.kind == Ply_element::point) {
           sink.point(coordinates[0], coordinates[1], coordinates[2]);
-          if (has_normal)
+          if (element.has_normal())
             sink.normal(coordinates[3], coordinates[4], coordinates[5]);
         } else if (element.kind == Ply_element::polygon)
           sink.polygon(corners);
+        if (m_encoding == Encoding::text && m_scanner.words_left() > 0)
+          m_scanner.fail("this line has more numbers than an element " + in_quotes(element.name) +
+                         " has properties; correct it");
       }
     }
+    report_unused(sink);
   }
 
 private:
@@ -138,6 +163,8 @@ private:
         read_property();
       else if (m_scanner.word() == "end_header")
         break;
+      else if (m_scanner.word() != "comment" && m_scanner.word() != "obj_info")
+        m_scanner.fail(in_quotes(m_scanner.word()) + " is no word of a PLY header; correct it");
     }
     m_scanner.skip_line();
     check_elements();
@@ -158,7 +185,11 @@ private:
     const Ply_element::Kind kind = name == "vertex" || name == "vertices" ? Ply_element::point
                                    : name == "face" || name == "faces"    ? Ply_element::polygon
                                                                           : Ply_element::other;
-    m_elements.push_back({kind, m_scanner.number<std::size_t>(), {}});
+    std::string element(name);
+    if (element == "tristrips" || element == "range_grid")
+      m_scanner.fail("the element " + in_quotes(element) +
+                     " describes a surface without polygons; write all of it as polygons");
+    m_elements.push_back({kind, std::move(element), m_scanner.number<std::size_t>(), {}});
   }
 
   void read_property() {
@@ -181,7 +212,7 @@ private:
     if (element.kind == Ply_element::polygon && is_list &&
         (name == "vertex_indices" || name == "vertex_index"))
       meaning = Ply_property::corners;
-    element.properties.push_back({size_type, number_type, meaning});
+    element.properties.push_back({size_type, number_type, meaning, std::string(name)});
   }
 
   void check_elements() const {
@@ -211,6 +242,29 @@ private:
   void skip(const Ply_property& property) {
     for (std::size_t n = property.size_type ? index(*property.size_type) : 1; n > 0; --n)
       property.type->read(m_scanner, m_encoding);
+  }
+
+  // Names everything that was not handed over, and what comes after the last element.
+  template <class Sink> void report_unused(Sink& sink) {
+    for (const Ply_element& element : m_elements) {
+      std::set<std::string> contents;
+      for (const Ply_property& property : element.properties)
+        if (element.kind != Ply_element::other &&
+            (property.meaning == Ply_property::nothing ||
+             (Ply_property::nx <= property.meaning && property.meaning <= Ply_property::nz &&
+              !element.has_normal())))
+          contents.insert(ply_content(property.name, element.kind));
+      if (element.kind == Ply_element::other)
+        contents.insert("elements " + in_quotes(element.name));
+      for (const std::string& content : contents)
+        sink.unused(content, element.number);
+    }
+    if (m_encoding != Encoding::text)
+      return sink.unused("bytes after the last element", m_scanner.skip_all_bytes());
+    if (m_scanner.next() && !m_scanner.is_keyword())
+      m_scanner.fail("there are more numbers than the header announces; correct the header");
+    m_scanner.back();
+    sink.unused("lines after the last element", m_scanner.skip_all_lines());
   }
 
   File_scanner& m_scanner;

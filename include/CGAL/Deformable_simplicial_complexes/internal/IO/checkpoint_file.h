@@ -9,6 +9,7 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/open_input.h>
 
 #include <CGAL/assertions.h>
 
@@ -167,9 +168,7 @@ void write_checkpoint_file(const std::string& path, const State<d>& state,
 // The dimension that a file tells in its first bytes; 0 if it is no checkpoint.
 inline int checkpoint_file_dimension(const std::string& path) {
   std::string bytes(checkpoint_magic_size, '\0');
-  std::ifstream in(path, std::ios::binary);
-  if (!in)
-    throw File_error("cannot open " + path + ": check that it exists and may be read", path);
+  std::ifstream in = open_input(path, ".dsc");
   in.read(&bytes[0], std::streamsize(bytes.size()));
   return bytes == checkpoint_magic<2>() ? 2 : bytes == checkpoint_magic<3>() ? 3 : 0;
 }

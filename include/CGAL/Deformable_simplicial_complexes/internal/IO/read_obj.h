@@ -11,7 +11,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <map>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,8 +20,42 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Hands the points and the polygons of an OBJ file to a sink; see read_polygons.h. Everything else
-// in it is skipped.
+// How a statement of an OBJ file is treated that is neither a point nor a polygon.
+struct Obj_statement
+{
+  std::string_view keyword;
+  const char* content; // what is not used; null if the statement describes a surface
+};
+
+// Returns null for statements that are unknown.
+inline const Obj_statement* find_obj_statement(std::string_view keyword) {
+  static constexpr Obj_statement statements[] = {{"vt", "texture coordinates"},
+                                                 {"vn", "normals"},
+                                                 {"vp", "points of parameters"},
+                                                 {"g", "groups"},
+                                                 {"o", "objects"},
+                                                 {"s", "smoothing groups"},
+                                                 {"mg", "merging groups"},
+                                                 {"usemtl", "materials of polygons"},
+                                                 {"mtllib", "files of materials"},
+                                                 {"usemap", "textures of polygons"},
+                                                 {"maplib", "files of textures"},
+                                                 {"p", "points as elements"},
+                                                 {"l", "lines"},
+                                                 {"curv", "curves"},
+                                                 {"curv2", "curves"},
+                                                 {"surf", nullptr},
+                                                 {"bzp", nullptr},
+                                                 {"bsp", nullptr},
+                                                 {"cdp", nullptr},
+                                                 {"call", nullptr}};
+  for (const Obj_statement& statement : statements)
+    if (statement.keyword == keyword)
+      return &statement;
+  return nullptr;
+}
+
+// Hands the points and the polygons of an OBJ file to a sink; see read_polygons.h.
 template <class Sink> void read_obj(File_scanner& scanner, Sink& sink) {
   std::int64_t number_of_points = 0;
   // The first of the indices of a corner, as in 7/3/5: from 1, or back from the last point.
@@ -32,22 +67,42 @@ template <class Sink> void read_obj(File_scanner& scanner, Sink& sink) {
     return static_cast<std::size_t>(*index > 0 ? *index - 1 : number_of_points + *index);
   };
 
+  std::size_t weights = 0, colors = 0;
+  std::map<std::string, std::size_t> unused;
   std::vector<std::size_t> corners;
+  scanner.continue_lines_at('\\');
   while (scanner.next()) {
-    if (scanner.word() == "v") {
+    const std::string_view keyword = scanner.word();
+    if (keyword == "v") {
       const double x = scanner.template number<double>(), y = scanner.template number<double>(),
                    z = scanner.template number<double>();
       sink.point(x, y, z);
       ++number_of_points;
-    } else if (scanner.word() == "f") {
+      weights += scanner.words_left() == 1;
+      colors += scanner.words_left() > 1;
+    } else if (keyword == "f" || keyword == "fo") {
       corners.clear();
       while (scanner.next_on_line())
         corners.push_back(index_of_corner());
       sink.polygon(corners);
-    } else if (!scanner.is_keyword())
-      scanner.fail(in_quotes(scanner.word()) + " is not expected; is it an OBJ file?");
+    } else if (!scanner.is_keyword()) {
+      scanner.fail(in_quotes(keyword) + " is not expected; is it an OBJ file?");
+    } else if (const Obj_statement* const statement = find_obj_statement(keyword)) {
+      if (!statement->content)
+        scanner.fail(in_quotes(keyword) + " describes a surface without polygons, or in another "
+                                          "file; write all of it as polygons");
+      ++unused[statement->content];
+    } else {
+      constexpr std::size_t most_kinds = 40; // that a message may name
+      ++unused[unused.size() < most_kinds ? "statements " + in_quotes(keyword)
+                                          : "other statements"];
+    }
     scanner.skip_line();
   }
+  sink.unused("weights of points", weights);
+  sink.unused("colors of points", colors);
+  for (const auto& [content, number] : unused)
+    sink.unused(content, number);
 }
 
 } // namespace internal

@@ -12,7 +12,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/text/File_scanner.h>
 
 #include <istream>
-#include <string>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -22,17 +21,15 @@ enum class Surface_format { none, off, obj, ply, stl };
 
 // Goes through a file of that format and hands to `sink`, in the order of the file, what it finds:
 // - `expect_points(n)`: as many points should follow, if the number is told; it may be wrong;
-// - `point(x, y, z)`: a point;
+// - `point(x, y, z)`: a point, perhaps with coordinates that are not finite;
 // - `normal(x, y, z)`: that of the last point, if the file tells it;
 // - `polygon(corners)`: places of points as a `std::vector<std::size_t>`, which may come before the
-//   points or be wrong.
+//   points or be wrong;
+// - `unused(kind, number)`: the content that is not handed over, at the end.
 // Nothing is stored but the polygon. Throws File_error with the line if the file has another form.
-// pre: the format is not none, and `in` can go back to its begin
+// pre: the format is not none, and `scanner` is at the beginning of `in`, which is that of the file
 template <class Sink>
-void read_polygons(std::istream& in, Surface_format format, const std::string& path, Sink& sink) {
-  in.clear();
-  in.seekg(0);
-  File_scanner scanner(in, path);
+void read_polygons(std::istream& in, Surface_format format, File_scanner& scanner, Sink& sink) {
   switch (format) {
   case Surface_format::off:
     return read_off(scanner, sink);
@@ -41,7 +38,8 @@ void read_polygons(std::istream& in, Surface_format format, const std::string& p
   case Surface_format::ply:
     return Ply_reader(scanner).read(sink);
   case Surface_format::stl:
-    return is_binary_stl(in) ? read_binary_stl(scanner, sink) : read_text_stl(scanner, sink);
+    return is_binary_stl(in, scanner.path()) ? read_binary_stl(scanner, sink)
+                                             : Stl_text_reader<Sink>(scanner, sink).read();
   case Surface_format::none:
     break;
   }

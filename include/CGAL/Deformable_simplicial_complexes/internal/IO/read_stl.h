@@ -5,14 +5,17 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_STL_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_STL_H
 
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/File_scanner.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <ios>
 #include <istream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CGAL {
@@ -20,30 +23,52 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // A binary STL file is a header of 80 bytes, the number of triangles in four, and 50 for each.
-constexpr std::size_t stl_header_size = 80;
+constexpr std::size_t stl_header_size = 80, stl_triangle_size = 50;
 
-// Whether the file has as many bytes as it says. Text has not: four characters are a number of
-// triangles that take gigabytes.
-inline bool is_binary_stl(std::istream& in) {
-  char begin[stl_header_size + 4];
-  const bool has_header = static_cast<bool>(in.read(begin, sizeof(begin)));
+// Returns whether an STL file is binary: it has as many bytes as it says, or bytes that are in no
+// text. Four characters are a number of triangles that take gigabytes. Many headers begin with
+// "solid", as text does.
+//
+// Throws File_error if a binary file is truncated, or has more triangles than it says.
+inline bool is_binary_stl(std::istream& in, const std::string& path) {
+  std::string begin(stl_header_size + sizeof(std::uint32_t), '\0');
+  in.read(&begin[0], static_cast<std::streamsize>(begin.size()));
+  const auto begin_size = static_cast<std::size_t>(in.gcount());
   in.clear();
   in.seekg(0, std::ios::end);
   const auto size = static_cast<std::uint64_t>(in.tellg());
   in.seekg(0);
-  return has_header &&
-         size >= sizeof(begin) +
-                     50 * std::uint64_t{little_endian<std::uint32_t>(begin + stl_header_size)};
+  if (begin_size < begin.size())
+    return false;
+  const std::uint64_t n = little_endian<std::uint32_t>(begin.data() + stl_header_size);
+  const std::uint64_t announced = begin.size() + stl_triangle_size * n;
+  const auto fail = [&](const std::string& what) {
+    throw File_error(path + ": the file announces " + std::to_string(n) + " triangles and " + what,
+                     path);
+  };
+  if (size >= announced) {
+    const std::uint64_t rest = size - announced;
+    if (rest > 0 && rest % stl_triangle_size == 0)
+      fail("has bytes for " + std::to_string(n + rest / stl_triangle_size) +
+           "; correct the number in the header");
+    return true;
+  }
+  if (begin.find('\0') == begin.npos)
+    return false;
+  fail("lacks the last " + std::to_string(announced - size) +
+       " bytes of them; is it an STL file, and whole?");
+  return true;
 }
 
 // Both hand the triangles and their corners to a sink; see read_polygons.h. Triangles share no
-// points.
+// points. Their normals follow from their corners.
 
 template <class Sink> void read_binary_stl(File_scanner& scanner, Sink& sink) {
   const auto real = [&] { return double{scanner.template number<float>(Encoding::little_endian)}; };
   scanner.skip_bytes(stl_header_size);
   const std::size_t n = scanner.template number<std::uint32_t>(Encoding::little_endian);
   sink.expect_points(3 * n);
+  std::size_t attributes = 0;
   std::vector<std::size_t> corners;
   for (std::size_t i = 0; i < n; ++i) {
     scanner.skip_bytes(3 * sizeof(float)); // the normal
@@ -51,42 +76,85 @@ template <class Sink> void read_binary_stl(File_scanner& scanner, Sink& sink) {
       const double x = real(), y = real(), z = real();
       sink.point(x, y, z);
     }
-    scanner.skip_bytes(sizeof(std::uint16_t)); // attributes
+    attributes += scanner.template number<std::uint16_t>(Encoding::little_endian) != 0;
     corners = {3 * i, 3 * i + 1, 3 * i + 2};
     sink.polygon(corners);
   }
+  sink.unused("attributes of triangles", attributes);
+  sink.unused("bytes after the last triangle", scanner.skip_all_bytes());
 }
 
-// Words that mean nothing, such as the names of solids, are skipped.
-template <class Sink> void read_text_stl(File_scanner& scanner, Sink& sink) {
-  std::size_t number_of_points = 0;
-  std::vector<std::size_t> corners;
-  const auto read_facet = [&] {
-    corners.clear();
-    while (scanner.next() && scanner.word() != "endfacet")
-      if (scanner.word() == "vertex") {
-        const double x = scanner.template number<double>(), y = scanner.template number<double>(),
-                     z = scanner.template number<double>();
-        sink.point(x, y, z);
-        corners.push_back(number_of_points++);
+// Keywords may be in any case.
+template <class Sink> class Stl_text_reader
+{
+public:
+  Stl_text_reader(File_scanner& scanner, Sink& sink) : m_scanner(scanner), m_sink(sink) {}
+
+  void read() {
+    bool is_in_solid = false;
+    std::size_t solids = 0, others = 0;
+    while (m_scanner.next()) {
+      if (is("solid") || is("endsolid")) {
+        is_in_solid = is("solid");
+        solids += is_in_solid;
+        skip_name();
+      } else if (solids == 0) {
+        m_scanner.fail("the file does not begin with solid; is it an STL file?");
+      } else if (is("facet")) {
+        read_facet();
+      } else {
+        ++others;
+        m_scanner.skip_line();
       }
-    if (corners.size() != 3)
-      scanner.fail("a facet has " + std::to_string(corners.size()) +
-                   " vertices; cut it into triangles");
-    sink.polygon(corners);
-  };
+    }
+    if (is_in_solid || solids == 0)
+      m_scanner.fail("the solid does not end; is it an STL file, and whole?");
+    m_sink.unused("names of solids", solids > 1 ? solids : 0);
+    m_sink.unused("lines that are no part of a facet", others);
+  }
 
-  bool is_whole = false;
-  while (scanner.next())
-    if (scanner.word() == "facet")
-      read_facet();
-    else if (scanner.word() == "solid")
-      is_whole = false;
-    else if (scanner.word() == "endsolid")
-      is_whole = true;
-  if (!is_whole)
-    scanner.fail("the solid does not end; is it an STL file, and whole?");
-}
+private:
+  // Returns whether the word is this one; it is in lower case.
+  bool is(std::string_view expected) const {
+    const std::string_view word = m_scanner.word();
+    return std::equal(word.begin(), word.end(), expected.begin(), expected.end(),
+                      [](char a, char b) { return a == b || a == b - 'a' + 'A'; });
+  }
+
+  // Goes behind the name of a solid, which ends with the line or before a facet.
+  void skip_name() {
+    while (m_scanner.next_on_line())
+      if (is("facet") && m_scanner.next_on_line() && is("normal"))
+        return read_facet();
+  }
+
+  void read_facet() {
+    const std::size_t line = m_scanner.line_number();
+    m_corners.clear();
+    bool is_whole = false;
+    while (!is_whole && m_scanner.next()) {
+      is_whole = is("endfacet");
+      if (is("vertex")) {
+        const double x = m_scanner.template number<double>(),
+                     y = m_scanner.template number<double>(),
+                     z = m_scanner.template number<double>();
+        m_sink.point(x, y, z);
+        m_corners.push_back(m_number_of_points++);
+      }
+    }
+    if (!is_whole)
+      m_scanner.fail("this facet does not end; is the file truncated?", line);
+    if (m_corners.size() != 3)
+      m_scanner.fail("a facet has " + std::to_string(m_corners.size()) +
+                     " vertices; cut it into triangles");
+    m_sink.polygon(m_corners);
+  }
+
+  File_scanner& m_scanner;
+  Sink& m_sink;
+  std::size_t m_number_of_points = 0;
+  std::vector<std::size_t> m_corners;
+};
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes

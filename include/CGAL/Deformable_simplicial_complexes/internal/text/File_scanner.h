@@ -28,7 +28,8 @@ namespace internal {
 enum class Encoding { text, little_endian, big_endian };
 
 // The words of a text file, without comments, and the lines they are on; also the numbers in binary
-// form that come after a line.
+// form that come after a line. A byte order mark is skipped. All lines end as the first one does:
+// with a line feed, perhaps after a carriage return, or with a carriage return alone.
 class File_scanner
 {
 public:
@@ -39,19 +40,21 @@ public:
   bool next() {
     while (!next_on_line()) {
       m_begin = m_end = 0;
-      if (!std::getline(m_in, m_line)) {
+      if (!read_line(m_line)) {
         m_line.clear();
         return false;
       }
-      ++m_line_number;
-      m_line.erase((std::min)(m_line.find('#'), m_line.size()));
+      for (std::string more; ends_with_continuation_mark() && read_line(more);)
+        m_line += more;
     }
     return true;
   }
 
+  // Lets lines that end with this character go on in the next line.
+  void continue_lines_at(char mark) { m_continuation_mark = mark; }
+
   // The same, but does not leave the line.
   bool next_on_line() {
-    constexpr char white_space[] = " \t\r\v\f";
     m_begin = (std::min)(m_line.find_first_not_of(white_space, m_end), m_line.size());
     m_end = (std::min)(m_line.find_first_of(white_space, m_begin), m_line.size());
     return m_begin < m_end;
@@ -67,6 +70,18 @@ public:
 
   // Goes back to before the word.
   void back() { m_end = m_begin; }
+
+  // Cuts the word: what comes after its first `n` characters is the next word.
+  void cut_word(std::size_t n) { m_end = m_begin + n; }
+
+  // Returns the number of words between the present one and the end of the line.
+  std::size_t words_left() const {
+    std::size_t n = 0;
+    for (std::size_t begin = m_end;
+         (begin = m_line.find_first_not_of(white_space, begin)) != std::string::npos; ++n)
+      begin = (std::min)(m_line.find_first_of(white_space, begin), m_line.size());
+    return n;
+  }
 
   // Goes to the end of the line.
   void skip_line() { m_begin = m_end = m_line.size(); }
@@ -88,7 +103,7 @@ public:
       fail("a number is missing at the end of the file; is the file truncated?");
     const std::optional<Number> number = number_of_word<Number>(word());
     if (!number)
-      fail(in_quotes(word()) + " should be a number; correct it");
+      fail(in_quotes(word()) + ' ' + why_no_number<Number>(word()));
     return *number;
   }
 
@@ -97,6 +112,7 @@ public:
   template <class Number> Number number(Encoding encoding) {
     if (encoding == Encoding::text)
       return number<Number>();
+    m_is_in_binary_data = true;
     char bytes[sizeof(Number)];
     if (!m_in.read(bytes, sizeof(bytes)))
       fail("a number is missing at the end of the file; is the file truncated?");
@@ -108,20 +124,83 @@ public:
   // Skips bytes in binary form.
   void skip_bytes(std::size_t n) { m_in.ignore(static_cast<std::streamsize>(n)); }
 
+  // Skips all bytes to the end of the file; returns their number, zero if all are white space.
+  std::size_t skip_all_bytes() {
+    std::size_t n = 0;
+    bool is_blank = true;
+    for (char c; m_in.get(c); ++n)
+      is_blank = is_blank && std::string_view(white_space).find(c) != std::string_view::npos;
+    return is_blank ? 0 : n;
+  }
+
+  // Skips all lines to the end of the file; returns the number of those that have words.
+  // pre: the line has been read to its end
+  std::size_t skip_all_lines() {
+    std::size_t n = 0;
+    for (; next(); ++n)
+      skip_line();
+    return n;
+  }
+
+  const std::string& path() const { return m_path; }
+
   std::size_t line_number() const { return m_line_number; }
 
   [[noreturn]] void fail(const std::string& what) const { fail(what, m_line_number); }
 
   [[noreturn]] void fail(const std::string& what, std::size_t line_number) const {
-    throw File_error(m_path + ", line " + std::to_string(line_number) + ": " + what, m_path);
+    const std::string place =
+        m_is_in_binary_data ? ", binary data: " : ", line " + std::to_string(line_number) + ": ";
+    throw File_error(m_path + place + what, m_path);
   }
 
 private:
+  static constexpr char white_space[] = " \t\r\n\v\f";
+
+  // Reads the next line of the file, without its comment.
+  bool read_line(std::string& line) {
+    if (m_line_number == 0 ? !read_first_line(line) : !std::getline(m_in, line, m_line_end))
+      return false;
+    ++m_line_number;
+    line.erase((std::min)(line.find('#'), line.size()));
+    return true;
+  }
+
+  // The same for the first line, which tells how lines end.
+  bool read_first_line(std::string& line) {
+    line.clear();
+    char c = 0;
+    while (m_in.get(c) && c != '\n' && c != '\r')
+      line += c;
+    if (m_in && c == '\r') {
+      if (m_in.peek() == '\n')
+        m_in.get();
+      else
+        m_line_end = '\r';
+    }
+    const bool is_there = m_in || !line.empty();
+    remove_byte_order_mark(line);
+    return is_there;
+  }
+
+  // Replaces the mark by white space.
+  bool ends_with_continuation_mark() {
+    const std::size_t last = m_line.find_last_not_of(white_space);
+    if (m_continuation_mark == 0 || last == std::string::npos ||
+        m_line[last] != m_continuation_mark)
+      return false;
+    m_line[last] = ' ';
+    return true;
+  }
+
   std::istream& m_in;
   std::string m_path;
   std::string m_line;
   std::size_t m_begin = 0, m_end = 0; // of the word in the line
   std::size_t m_line_number = 0;
+  char m_line_end = '\n';
+  char m_continuation_mark = 0; // none
+  bool m_is_in_binary_data = false;
 };
 
 } // namespace internal

@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TEXT_FILES_H
 
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/open_input.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -91,16 +92,16 @@ template <class Write> void replace_file_by_stream(const std::string& path, Writ
   });
 }
 
-// The whole file. Takes no more memory than the file has bytes.
+// Returns the whole file without a byte order mark. Takes no more memory than the file has bytes.
+// Throws File_error as open_input() does.
 inline std::string file_contents(const std::string& path) {
+  std::ifstream in = open_input(path, lower_case_extension(path));
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
-  std::ifstream in(path, std::ios::binary);
-  if (error || !in)
-    throw File_error("cannot open " + path + ": check that it exists and may be read", path);
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  if (!in.read(&bytes[0], static_cast<std::streamsize>(size)))
+  std::string bytes(error ? 0 : static_cast<std::size_t>(size), '\0');
+  if (error || !in.read(&bytes[0], static_cast<std::streamsize>(size)))
     throw File_error("cannot read " + path + " to its end", path);
+  remove_byte_order_mark(bytes);
   return bytes;
 }
 

@@ -5,9 +5,12 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TEXT_NUMBER_OF_WORD_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TEXT_NUMBER_OF_WORD_H
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <type_traits>
@@ -34,6 +37,38 @@ template <class Number> std::optional<Number> number_of_word(std::string_view wo
       return static_cast<Number>(wide);
   }
   return std::nullopt;
+}
+
+// Returns why a word is no number of a type, and what to do, as the end of a message.
+template <class Number> std::string why_no_number(std::string_view word) {
+  if (const std::optional<double> real = number_of_word<double>(word)) {
+    if constexpr (std::is_integral<Number>::value) {
+      using Limits = std::numeric_limits<Number>;
+      if (*real != std::trunc(*real))
+        return "should be an integer; correct it";
+      if (*real < static_cast<double>((Limits::min)()) ||
+          *real > static_cast<double>((Limits::max)()))
+        return "should be an integer from " + std::to_string((Limits::min)()) + " to " +
+               std::to_string((Limits::max)()) + "; correct it";
+      return "should be an integer without point and exponent; correct it";
+    }
+    return "is too large for a number of 32 bits; correct it";
+  }
+  if (word.find(',') != word.npos)
+    return "has a comma; write points in numbers and blanks between them";
+  if (word.find("0x") != word.npos || word.find("0X") != word.npos)
+    return "is hexadecimal; write a decimal number";
+  std::string with_e(word);
+  std::replace(with_e.begin(), with_e.end(), 'd', 'e');
+  std::replace(with_e.begin(), with_e.end(), 'D', 'e');
+  if (number_of_word<double>(with_e))
+    return "has an exponent of Fortran; write e in place of d";
+  double number = 0;
+  const std::from_chars_result result =
+      std::from_chars(word.data(), word.data() + word.size(), number);
+  if (result.ec == std::errc::result_out_of_range && result.ptr == word.data() + word.size())
+    return "is too large; write numbers of less than 1.8e308";
+  return "should be a number; correct it";
 }
 
 } // namespace internal

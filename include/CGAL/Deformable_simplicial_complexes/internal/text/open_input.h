@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TEXT_OPEN_INPUT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TEXT_OPEN_INPUT_H
+
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <ios>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The bytes that some editors write before text in UTF-8.
+inline constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
+// Removes the byte order mark from the beginning of a file.
+inline void remove_byte_order_mark(std::string& text) {
+  if (text.compare(0, byte_order_mark.size(), byte_order_mark) == 0)
+    text.erase(0, byte_order_mark.size());
+}
+
+// The first bytes of a format, the extensions of its files, and a message for other files.
+struct File_signature
+{
+  std::string_view bytes;
+  std::string_view extension; // empty for formats that no reader knows
+  const char* message;
+};
+
+// Returns the format that these first bytes of a file belong to; null if it is unknown.
+inline const File_signature* find_signature(std::string_view begin) {
+  static constexpr File_signature signatures[] = {
+      {"\x1f\x8b", "", "is compressed with gzip; decompress it with gunzip"},
+      {"BZh", "", "is compressed with bzip2; decompress it with bunzip2"},
+      {"\xfd"
+       "7zXZ",
+       "", "is compressed with xz; decompress it with unxz"},
+      {"\x28\xb5\x2f\xfd", "", "is compressed with zstd; decompress it with unzstd"},
+      {"PK\x03\x04", "", "is a zip archive; unpack it"},
+      {"\xff\xfe", "", "is text in UTF-16; save it in UTF-8"},
+      {"\xfe\xff", "", "is text in UTF-16; save it in UTF-8"},
+      {"$MeshFormat", "", "is a Gmsh mesh; let Gmsh write another format, such as .mesh"},
+      {"# vtk DataFile", "", "is a legacy VTK file; write it as .vtu"},
+      {"\x89HDF", "", "is an HDF5 file; write another format"},
+      {"glTF", "", "is a binary glTF file; write a surface as .ply or .obj"},
+      {"ply\n", ".ply", "is a PLY file; rename it to .ply"},
+      {"ply\r", ".ply", "is a PLY file; rename it to .ply"},
+      {"OFF", ".off", "is an OFF file; rename it to .off"},
+      {"solid ", ".stl", "is an STL file; rename it to .stl"},
+      {"MeshVersionFormatted", ".mesh", "is a MEDIT mesh; rename it to .mesh"},
+      {"<VTKFile", ".vtu", "is a VTK XML file; rename it to .vtu if it is an unstructured grid"},
+      {"#INRIMAGE-4", ".inr", "is an INR image; rename it to .inr"},
+      {"\x89PNG", ".png", "is a PNG image; rename it to .png"}};
+  for (const File_signature& signature : signatures)
+    if (begin.compare(0, signature.bytes.size(), signature.bytes) == 0)
+      return &signature;
+  return nullptr;
+}
+
+// Opens a file, whose format has an extension such as ".off".
+//
+// Throws File_error if there is no regular file that can be read, if it is empty, or if its first
+// bytes are those of another format. A byte order mark is not skipped.
+inline std::ifstream open_input(const std::string& path, std::string_view extension) {
+  const auto fail = [&](const std::string& what) { throw File_error(path + " " + what, path); };
+  const auto cannot_open = [&](const char* what) {
+    throw File_error("cannot open " + path + ": " + what, path);
+  };
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found)
+    cannot_open("it does not exist; check the name");
+  if (std::filesystem::is_directory(status))
+    cannot_open("it is a folder; name a file in it");
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    cannot_open("it is not a regular file; copy its content into one");
+  std::ifstream in(path, std::ios::binary);
+  if (!in)
+    cannot_open("check that it may be read");
+
+  constexpr std::size_t longest_signature = 32;
+  std::string begin(longest_signature, '\0');
+  in.read(&begin[0], static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(in.gcount()));
+  if (begin.empty())
+    fail("is empty; write it again");
+  remove_byte_order_mark(begin);
+  const File_signature* const signature = find_signature(begin);
+  if (signature && (signature->extension.empty() || signature->extension != extension))
+    fail(signature->message);
+  in.clear();
+  in.seekg(0);
+  return in;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TEXT_OPEN_INPUT_H

@@ -1,0 +1,192 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "check_image.h"
+
+#include "errors.h"
+#include "unused.h"
+
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/number_of_word.h>
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+namespace internal = CGAL::Deformable_simplicial_complexes::internal;
+
+/// An INR image: lines KEY=VALUE, one with ##}, and the numbers of the voxels.
+class Inr_file
+{
+public:
+  explicit Inr_file(const std::string& path)
+      : m_path(path), m_file(gzopen(path.c_str(), "rb"), gzclose) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error))
+      fail("is a folder; name a file in it");
+    if (m_file == nullptr)
+      throw Input_error("cannot open " + path + ": check that it exists and may be read");
+    read_header();
+  }
+
+  /// Throws Input_error if the header is wrong or there are not as many bytes as it announces.
+  void check() {
+    std::uint64_t announced = bytes_of_voxel();
+    for (const char* key : {"XDIM", "YDIM", "ZDIM"})
+      announced *= dimension(key);
+    if (take("VDIM").value_or("1") != "1")
+      fail("has more than one number for each voxel (VDIM); write one, the label");
+    for (const char* key : {"VX", "VY", "VZ"})
+      if (!(number(key, "1") > 0))
+        fail("has voxels whose size " + std::string(key) + " is not positive; correct the header");
+    for (const char* key : {"TX", "TY", "TZ"})
+      number(key, "0");
+    for (const char* key : {"RX", "RY", "RZ"})
+      if (number(key, "0") != 0)
+        fail("is rotated (" + std::string(key) + "); write it without a rotation");
+    const std::uint64_t size = count_bytes();
+    if (size < announced)
+      fail("lacks " + std::to_string(announced - size) + " of the " + std::to_string(announced) +
+           " bytes that its header announces; is it truncated?");
+    Unused_content unused;
+    for (const auto& [key, value] : m_values)
+      unused.add("header lines " + internal::in_quotes(key));
+    unused.add("bytes after the last voxel", size - announced);
+    print_unused(m_path, unused);
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& what) const { throw Input_error(m_path + " " + what); }
+
+  /// Without its end.
+  std::optional<std::string> line() {
+    std::string result;
+    constexpr std::size_t longest = 4096; // in a file that is no image, there may be no end
+    while (result.size() < longest) {
+      const int c = gzgetc(m_file.get());
+      if (c < 0)
+        return std::nullopt;
+      if (c == '\n')
+        return result;
+      result += static_cast<char>(c);
+    }
+    return std::nullopt;
+  }
+
+  void read_header() {
+    const std::string magic = "#INRIMAGE-4#{";
+    const std::optional<std::string> first = line();
+    if (first == magic + '\r')
+      fail("has line ends of Windows, so its voxels are damaged, too; copy it as a binary file");
+    if (first != magic)
+      fail("does not begin with " + magic +
+           "; is it an INR image, as other files cannot be "
+           "compressed?");
+    bool has_values = true;
+    for (std::optional<std::string> text; (text = line());) {
+      if (text->compare(0, 3, "##}") == 0)
+        return;
+      has_values = has_values && !text->empty() && text->front() != '#';
+      const std::size_t mark = text->find('=');
+      if (has_values && mark == std::string::npos)
+        fail("has the header line " + internal::in_quotes(*text) + " without '='; correct it");
+      if (has_values)
+        m_values[text->substr(0, mark)] = text->substr(mark + 1);
+    }
+    fail("has a header without the line ##} at its end; is it truncated?");
+  }
+
+  /// The value of a key, which is forgotten.
+  std::optional<std::string> take(const std::string& key) {
+    const auto found = m_values.find(key);
+    if (found == m_values.end())
+      return std::nullopt;
+    std::string value = found->second;
+    m_values.erase(found);
+    return value;
+  }
+
+  std::string need(const std::string& key) {
+    const std::optional<std::string> value = take(key);
+    if (!value)
+      fail("has no " + key + " in its header; add it");
+    return *value;
+  }
+
+  double number(const std::string& key, const std::string& otherwise) {
+    const std::string text = take(key).value_or(otherwise);
+    const std::optional<double> value = internal::number_of_word<double>(text);
+    if (!value)
+      fail("has " + key + '=' + text + " in its header, which " +
+           internal::why_no_number<double>(text));
+    return *value;
+  }
+
+  std::uint64_t dimension(const std::string& key) {
+    constexpr std::uint64_t largest = 1 << 20; // so that the number of bytes fits 64 bits
+    const std::string text = need(key);
+    const auto value = internal::number_of_word<std::uint64_t>(text);
+    if (!value || *value == 0 || *value > largest)
+      fail("has " + key + '=' + text + " in its header; write a number from 1 to 1048576");
+    return *value;
+  }
+
+  std::uint64_t bytes_of_voxel() {
+    const std::string type = need("TYPE"), size = need("PIXSIZE"), order = need("CPU");
+    const auto begins_with = [](const std::string& text, const std::string& begin) {
+      return text.compare(0, begin.size(), begin) == 0;
+    };
+    const bool is_real = begins_with(type, "float");
+    if (!is_real && !begins_with(type, "signed fixed") && !begins_with(type, "unsigned fixed"))
+      fail("has voxels of the unknown type " + internal::in_quotes(type) +
+           "; write unsigned fixed, signed fixed or float");
+    if (order != "decm" && order != "alpha" && order != "pc" && order != "sun" && order != "sgi")
+      fail("has the unknown order of bytes CPU=" + order + "; write decm or sun");
+    const std::array<std::uint64_t, 3> sizes = is_real ? std::array<std::uint64_t, 3>{32, 64, 64}
+                                                       : std::array<std::uint64_t, 3>{8, 16, 32};
+    for (const std::uint64_t bits : sizes)
+      if (begins_with(size, std::to_string(bits) + " bits"))
+        return bits / 8;
+    fail("has voxels of the size " + internal::in_quotes(size) + "; write " +
+         (is_real ? "32 bits or 64 bits" : "8 bits, 16 bits or 32 bits"));
+  }
+
+  /// Behind the header.
+  std::uint64_t count_bytes() {
+    std::vector<char> buffer(1 << 20);
+    std::uint64_t result = 0;
+    int n = 0;
+    while ((n = gzread(m_file.get(), buffer.data(), static_cast<unsigned>(buffer.size()))) > 0) {
+      CGAL::Deformable_simplicial_complexes::Progress_scope::check();
+      result += static_cast<std::uint64_t>(n);
+    }
+    if (n < 0)
+      fail("has compressed data that are damaged or end too early; copy it again");
+    return result;
+  }
+
+  std::string m_path;
+  std::unique_ptr<gzFile_s, int (*)(gzFile)> m_file;
+  std::map<std::string, std::string> m_values;
+};
+
+} // namespace
+
+void check_image(const std::string& path) { Inr_file(path).check(); }
+
+} // namespace dsc

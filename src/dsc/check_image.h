@@ -1,0 +1,18 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_CHECK_IMAGE_H
+#define DSC_CHECK_IMAGE_H
+
+#include <string>
+
+namespace dsc {
+
+/// Finds out whether an image of voxels (.inr, .inr.gz) can be read, and prints what is not used of
+/// it. \throws Input_error, which names the cause, if it cannot
+void check_image(const std::string& path);
+
+} // namespace dsc
+
+#endif // DSC_CHECK_IMAGE_H
