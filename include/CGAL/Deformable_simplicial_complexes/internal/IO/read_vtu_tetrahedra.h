@@ -5,13 +5,19 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_VTU_TETRAHEDRA_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_VTU_TETRAHEDRA_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/Vtu_document.h>
+#include <CGAL/Deformable_simplicial_complexes/Mesh_arrays.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/Vtu_reader.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/vtk_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/vtu_cells.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/vtu_labels.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,100 +31,75 @@ struct Vtu_tetrahedra
   std::vector<double> coordinates; // three for each point
   std::vector<std::array<std::size_t, 4>> tetrahedra;
   std::vector<int> labels;
+  Mesh_arrays arrays; // on points and tetrahedra
+  Unused_content unused;
 };
 
-// What VTK calls a type of cells.
-inline std::string vtk_cell_name(double type) {
-  static constexpr std::pair<int, const char*> names[] = {{1, "vertex"},
-                                                          {2, "poly-vertex"},
-                                                          {3, "line"},
-                                                          {4, "poly-line"},
-                                                          {5, "triangle"},
-                                                          {6, "triangle strip"},
-                                                          {7, "polygon"},
-                                                          {8, "pixel"},
-                                                          {9, "quad"},
-                                                          {11, "voxel"},
-                                                          {12, "hexahedron"},
-                                                          {13, "wedge"},
-                                                          {14, "pyramid"},
-                                                          {15, "pentagonal prism"},
-                                                          {16, "hexagonal prism"},
-                                                          {21, "quadratic edge"},
-                                                          {22, "quadratic triangle"},
-                                                          {23, "quadratic quad"},
-                                                          {24, "quadratic tetrahedron"},
-                                                          {25, "quadratic hexahedron"},
-                                                          {26, "quadratic wedge"},
-                                                          {27, "quadratic pyramid"},
-                                                          {42, "polyhedron"},
-                                                          {71, "Lagrange tetrahedron"},
-                                                          {78, "Bezier tetrahedron"}};
-  for (const auto& [number, name] : names)
-    if (type == number)
-      return std::string("a ") + name;
-  return "of an unknown type";
-}
-
-inline void check_vtu_cells(const Vtu_reader& reader, std::size_t number_of_cells) {
-  const std::vector<double> types = reader.array("Cells", "types", number_of_cells);
-  for (std::size_t i = 0; i < types.size(); ++i)
-    if (types[i] != Vtu_document::tetrahedron)
-      reader.fail("cell " + std::to_string(i) + " is " + vtk_cell_name(types[i]) +
-                  " and no tetrahedron; cut it into tetrahedra or leave it out");
-  const std::vector<double> offsets = reader.array("Cells", "offsets", number_of_cells);
-  for (std::size_t i = 0; i < offsets.size(); ++i)
-    if (offsets[i] != 4 * (static_cast<double>(i) + 1))
-      reader.fail("cell " + std::to_string(i) +
-                  " does not have four vertices; correct the array 'offsets'");
-}
-
-// From the first array that there is, as other programs call it.
-inline std::vector<int> read_vtu_labels(const Vtu_reader& reader, std::size_t number_of_cells) {
-  for (const char* name : {"label", "medit:ref", "gmsh:physical", "MaterialIDs"})
-    if (reader.has_array("CellData", name)) {
-      std::vector<int> labels;
-      for (const double label : reader.array("CellData", name, number_of_cells)) {
-        using Limits = std::numeric_limits<int>;
-        if (!(Limits::min() <= label && label <= Limits::max()) || label != std::trunc(label))
-          reader.fail("the label of cell " + std::to_string(labels.size()) +
-                      " is no integer of 32 bits; correct the array '" + name + "'");
-        labels.push_back(static_cast<int>(label));
-      }
-      return labels;
+// The arrays of numbers on points or cells; others are unused.
+inline std::vector<Mesh_array> read_vtu_arrays(const Vtu_reader& reader, const std::string& section,
+                                               std::size_t size, Unused_content& unused) {
+  std::vector<Mesh_array> result;
+  for (Mesh_array& array : reader.announced_arrays(section)) {
+    Progress_scope::check();
+    if (find_vtk_number_type(array.type) == nullptr) {
+      unused.add("array of no numbers (" + in_quotes(array.name) + ')');
+      continue;
     }
-  return std::vector<int>(number_of_cells, 1);
+    array.values = reader.array(section, array.name, size, array.components);
+    result.push_back(std::move(array));
+  }
+  return result;
+}
+
+// Removes arrays of integers that `double` cannot hold.
+inline void remove_inexact_arrays(std::vector<Mesh_array>& arrays, Unused_content& unused) {
+  static constexpr double limit = 9007199254740992.; // 2^53
+  const auto is_inexact = [&](const Mesh_array& array) {
+    const bool result =
+        array.is_integer() && !std::all_of(array.values.begin(), array.values.end(),
+                                           [](double x) { return -limit < x && x < limit; });
+    if (result)
+      unused.add("array of integers with more than 53 bits (" + in_quotes(array.name) + ')');
+    return result;
+  };
+  arrays.erase(std::remove_if(arrays.begin(), arrays.end(), is_inexact), arrays.end());
 }
 
 // Throws File_error if the file is not as described for `IO::read_VTU()`.
-inline Vtu_tetrahedra read_vtu_tetrahedra(const std::string& path) {
+inline Vtu_tetrahedra read_vtu_tetrahedra(const std::string& path, const std::string& label_array) {
+  const Progress_phase phase("reading tetrahedra");
   const Vtu_reader reader(path);
   const std::size_t number_of_points = reader.number_of_points();
   const std::size_t number_of_cells = reader.number_of_cells();
   if (number_of_cells == 0)
     reader.fail("there are no cells; choose a mesh that has tetrahedra");
-  check_vtu_cells(reader, number_of_cells);
-
   Vtu_tetrahedra result;
+  const std::vector<std::size_t> cells = vtu_tetrahedra(reader, number_of_cells, result.unused);
   result.coordinates = reader.array("Points", "", number_of_points, 3);
   for (std::size_t i = 0; i < result.coordinates.size(); ++i)
     if (!std::isfinite(result.coordinates[i]))
       reader.fail("a coordinate of point " + std::to_string(i / 3) +
                   " is not a finite number; correct it");
+  result.tetrahedra = read_vtu_corners(reader, cells, number_of_cells, number_of_points);
 
-  const std::vector<double> indices = reader.array("Cells", "connectivity", number_of_cells, 4);
-  result.tetrahedra.reserve(number_of_cells);
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    const double index = indices[i];
-    if (!(0 <= index && index < static_cast<double>(number_of_points)) ||
-        index != std::trunc(index))
-      reader.fail("cell " + std::to_string(i / 4) +
-                  " has a vertex that does not exist; correct the array 'connectivity'");
-    if (i % 4 == 0)
-      result.tetrahedra.emplace_back();
-    result.tetrahedra.back()[i % 4] = static_cast<std::size_t>(index);
+  std::vector<Mesh_array>& on_cells = result.arrays.cells;
+  result.arrays.points = read_vtu_arrays(reader, "PointData", number_of_points, result.unused);
+  on_cells = read_vtu_arrays(reader, "CellData", number_of_cells, result.unused);
+  if (cells.size() < number_of_cells)
+    for (Mesh_array& array : on_cells)
+      array = array.selected(cells);
+  result.unused.add("arrays of the grid as a whole", reader.number_of_global_arrays());
+
+  const Vtu_label_choice choice(reader, on_cells);
+  const std::size_t chosen = choice.find(label_array, result.unused);
+  result.labels = choice.labels(chosen, cells);
+  if (chosen != Vtu_label_choice::none) {
+    const auto array = on_cells.begin() + static_cast<std::ptrdiff_t>(chosen);
+    result.arrays.labels = {array->name, array->type, 1, {}};
+    on_cells.erase(array);
   }
-  result.labels = read_vtu_labels(reader, number_of_cells);
+  remove_inexact_arrays(result.arrays.points, result.unused);
+  remove_inexact_arrays(on_cells, result.unused);
   return result;
 }
 
