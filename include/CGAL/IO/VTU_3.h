@@ -8,8 +8,8 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Mesh_arrays.h>
 #include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/read_vtu_tetrahedra.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/write_vtu.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/grids/read_vtu_tetrahedra.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/grids/write_vtu.h>
 
 #include <array>
 #include <cstddef>

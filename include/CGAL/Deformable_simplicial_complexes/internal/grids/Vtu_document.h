@@ -2,11 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTU_DOCUMENT_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTU_DOCUMENT_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_VTU_DOCUMENT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_VTU_DOCUMENT_H
 
 #include <CGAL/Deformable_simplicial_complexes/Mesh_arrays.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/vtk_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/grids/vtk_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
 
 #include <cstddef>
@@ -116,4 +116,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTU_DOCUMENT_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_VTU_DOCUMENT_H

@@ -2,12 +2,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTU_CELLS_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTU_CELLS_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_VTU_CELLS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_VTU_CELLS_H
 
 #include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/Vtu_document.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/Vtu_reader.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/grids/Vtu_document.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/grids/Vtu_reader.h>
 
 #include <array>
 #include <cmath>
@@ -128,4 +128,4 @@ read_vtu_corners(const Vtu_reader& reader, const std::vector<std::size_t>& cells
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTU_CELLS_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_VTU_CELLS_H

@@ -2,16 +2,16 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_VTU_TETRAHEDRA_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_VTU_TETRAHEDRA_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_READ_VTU_TETRAHEDRA_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_READ_VTU_TETRAHEDRA_H
 
 #include <CGAL/Deformable_simplicial_complexes/Mesh_arrays.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/Vtu_reader.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/vtk_numbers.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/vtu_cells.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/vtu_labels.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/grids/Vtu_reader.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/grids/vtk_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/grids/vtu_cells.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/grids/vtu_labels.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 
 #include <algorithm>
@@ -107,4 +107,4 @@ inline Vtu_tetrahedra read_vtu_tetrahedra(const std::string& path, const std::st
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_VTU_TETRAHEDRA_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_READ_VTU_TETRAHEDRA_H

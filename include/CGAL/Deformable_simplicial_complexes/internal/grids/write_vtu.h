@@ -2,11 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_WRITE_VTU_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_WRITE_VTU_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_WRITE_VTU_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_WRITE_VTU_H
 
 #include <CGAL/Deformable_simplicial_complexes/Mesh_arrays.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/Vtu_document.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/grids/Vtu_document.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Extracted_facets.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Vertex_numbering.h>
@@ -151,4 +151,4 @@ template <class Complex> void write_facets_vtu(const std::string& path, const Co
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_WRITE_VTU_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_WRITE_VTU_H
