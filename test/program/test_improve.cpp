@@ -476,9 +476,7 @@ TEST_F(Improve, carries_arrays) {
   for (std::size_t i = 0; i < heat.size(); ++i) // a linear function stays
     EXPECT_NEAR(heat[i], 2 * points[3 * i] + 1, 1e-9);
 
-  const Mesh before = layers();
-  const auto expect_integrals = [&](const std::vector<double>& volume,
-                                    const std::vector<double>& density) {
+  const auto integral = [](const std::vector<double>& volume, const std::vector<double>& density) {
     double sum = 0;
     for (std::size_t i = 0; i < volume.size(); ++i)
       sum += volume[i] * density.at(i);
@@ -488,8 +486,8 @@ TEST_F(Improve, carries_arrays) {
   write("before.vtu", grid_with_fields());
   expect_success("improve before.vtu -o before.vtu --labels material --threshold 1e-9");
   const std::string same = contents(path("before.vtu"));
-  EXPECT_NEAR(expect_integrals(volumes(file), array_of(file, "density")),
-              expect_integrals(volumes(same), array_of(same, "density")), 1e-9);
+  EXPECT_NEAR(integral(volumes(file), array_of(file, "density")),
+              integral(volumes(same), array_of(same, "density")), 1e-9);
   const std::vector<double> parts = array_of(file, "part"), volume = volumes(file);
   double first = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -601,8 +599,6 @@ TEST_F(Improve, keeps_entities) {
 // An inner surface between cells of one label, as of a crack or a membrane.
 TEST_F(Improve, keeps_inner_surfaces) {
   Mesh mesh = layers();
-  std::string text = medit(mesh);
-  text.erase(text.find("End\n"));
   std::fill(mesh.labels.begin(), mesh.labels.end(), 1);
   std::string one = medit(mesh);
   one.erase(one.find("End\n"));
