@@ -61,6 +61,9 @@ public:
   std::size_t number_of_points() const { return number(m_piece, "NumberOfPoints"); }
   std::size_t number_of_cells() const { return number(m_piece, "NumberOfCells"); }
 
+  // Of the file: no grid has more numbers than that, unless arrays share data.
+  std::size_t number_of_bytes() const { return (std::max)(m_bytes.size(), m_xml.size()); }
+
   // The arrays of a section, as they are announced: without their numbers, each name once.
   std::vector<Mesh_array> announced_arrays(const std::string& section) const {
     std::vector<Mesh_array> result;

@@ -39,6 +39,7 @@ struct Vtu_tetrahedra
 inline std::vector<Mesh_array> read_vtu_arrays(const Vtu_reader& reader, const std::string& section,
                                                std::size_t size, Unused_content& unused) {
   std::vector<Mesh_array> result;
+  std::size_t numbers = 0;
   for (Mesh_array& array : reader.announced_arrays(section)) {
     Progress_scope::check();
     if (find_vtk_number_type(array.type) == nullptr) {
@@ -46,6 +47,9 @@ inline std::vector<Mesh_array> read_vtu_arrays(const Vtu_reader& reader, const s
       continue;
     }
     array.values = reader.array(section, array.name, size, array.components);
+    numbers += array.values.size();
+    if (numbers > reader.number_of_bytes())
+      reader.fail("arrays of the section " + section + " share their data; write the grid again");
     result.push_back(std::move(array));
   }
   return result;

@@ -29,11 +29,11 @@ class Vtu_label_choice
 public:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  // An empty name stands for the first array with one of the known names.
   Vtu_label_choice(const Vtu_reader& reader, const std::vector<Mesh_array>& arrays)
       : m_reader(reader), m_arrays(arrays) {}
 
-  // The index of the array; `none` if all labels are 1.
+  // The index of the array of this name; an empty name stands for the first of those that are
+  // known, "none" for no array. `none` if all labels are 1.
   std::size_t find(const std::string& name, Unused_content& unused) const {
     if (name == "none")
       return none;
