@@ -95,6 +95,8 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
           "checkpoint (.dsc) or a mesh (.mesh, .vtu)")
       ->required();
 
+  add_labels_option(*info, info_options.labels);
+
   Run_commands run_commands(app);
 
   Convert_options convert_options;
@@ -125,6 +127,7 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
       ->add_option("-o,--output", improve_options.output,
                    "File for the improved tetrahedra (.mesh, .vtu); may be INPUT")
       ->required();
+  add_labels_option(*improve, improve_options.labels);
   improve->add_flag("--aggressive", improve_options.aggressive,
                     "Take minutes instead of seconds for better tetrahedra");
   improve->add_option("--threshold", threshold,
@@ -257,6 +260,7 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   if (*info) {
     require_extension(info_options.file, {"off", "obj", "ply", "stl", "wkt", "poly", "pgm", "png",
                                           "dsc", "mesh", "vtu"});
+    require_file_with_arrays(info_options.file, info_options.labels);
     return info_options;
   }
   if (*convert) {
@@ -269,6 +273,7 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   if (*improve) {
     require_extension(improve_options.input, {"mesh", "vtu"});
     require_extension(improve_options.output, {"mesh", "vtu"});
+    require_file_with_arrays(improve_options.input, improve_options.labels);
     if (improve->count("--threshold") > 0)
       improve_options.threshold = parse_threshold(threshold);
     return improve_options;

@@ -48,9 +48,14 @@ void require_writable(const std::string& path) {
   fs::remove(probe, error);
 }
 
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return canonical(a) == canonical(b) || fs::equivalent(a, b, error);
+}
+
 void require_place_of_report(const std::string& path, const std::vector<std::string>& files) {
   for (const std::string& file : files)
-    if (!file.empty() && canonical(path) == canonical(file))
+    if (!file.empty() && is_same_file(path, file))
       throw Usage_error("--report would replace '" + path +
                         "'; choose another name for the report");
   require_writable(path);

@@ -17,6 +17,9 @@ std::string extension(const std::string& path);
 /// alone. \throws Input_error if a regular file cannot be created at `path`.
 void require_writable(const std::string& path);
 
+/// Returns whether two paths name one file, which need not exist.
+bool is_same_file(const std::string& a, const std::string& b);
+
 /// Finds out before a long computation whether its report can be written. \throws Usage_error if it
 /// would replace one of the files of that computation; empty names stand for none. \throws
 /// Input_error as require_writable() does

@@ -6,12 +6,15 @@
 #include "errors.h"
 #include "files.h"
 #include "interrupt.h"
+#include "mesh_content.h"
 #include "report_json.h"
 #include "tracked_complex_3.h"
+#include "unused.h"
 
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace dsc {
 namespace {
@@ -40,6 +43,23 @@ void print_summary(const Statistics& before, const Statistics& after, double sec
               after.max_angle, seconds);
 }
 
+/// What OUT can hold of the content of the input. The rest is told, or refused where OUT replaces
+/// the input.
+Mesh_content content_to_carry(const Improve_options& options, Labelled_tetrahedra mesh,
+                              const Tracked_complex_3::Complex& complex) {
+  if (extension(options.output) == "vtu")
+    mesh.leave_out_entities();
+  else
+    mesh.leave_out_arrays();
+  Unused_content unused = mesh.unused;
+  Mesh_content content = content_of(std::move(mesh), complex, unused);
+  if (!unused.empty() && is_same_file(options.input, options.output))
+    throw Input_error("'" + options.output + "' would lose what cannot be carried over: " +
+                      unused.text() + "; choose another file for the output");
+  print_unused(options.input, unused);
+  return content;
+}
+
 } // namespace
 
 int execute(const Improve_options& options) {
@@ -49,12 +69,14 @@ int execute(const Improve_options& options) {
   require_writable(options.output);
 
   std::optional<Interruptible> interruptible(std::in_place, options.quiet);
-  const auto complex = Tracked_complex_3::from_mesh(options.input);
+  Labelled_tetrahedra mesh = read_tetrahedra(options.input, options.labels);
+  const auto complex = Tracked_complex_3::from_mesh(options.input, mesh);
+  Mesh_content content = content_to_carry(options, std::move(mesh), complex->complex);
   const Statistics before = complex->statistics();
-  const Improvement_outcome outcome = complex->improve(options);
+  const Improvement_outcome outcome = complex->improve(options, content);
   const Statistics after = complex->statistics();
   interruptible.reset();
-  complex->write(options.output);
+  complex->write(options.output, content);
   if (!options.report.empty())
     write_json(options.report, {{"input", options.input},
                                 {"parameters", parameters_json(options)},

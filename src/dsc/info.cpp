@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "files.h"
 #include "interrupt.h"
+#include "labelled_tetrahedra.h"
 #include "run_position.h"
 #include "tracked_complex_3.h"
 
@@ -67,7 +68,8 @@ int execute(const Info_options& options) {
                 << '\n';
     print(complex->statistics());
   } else if (format == "mesh" || format == "vtu") {
-    print(Tracked_complex_3::from_mesh(options.file)->statistics());
+    const Labelled_tetrahedra mesh = read_tetrahedra(options.file, options.labels);
+    print(Tracked_complex_3::from_mesh(options.file, mesh)->statistics());
   } else if (dimension_of(start) == 2) {
     print(track_figure(start, std::nullopt)->statistics());
   } else {

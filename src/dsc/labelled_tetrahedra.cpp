@@ -9,39 +9,139 @@
 #include <CGAL/IO/MEDIT_3.h>
 #include <CGAL/IO/VTU_3.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace dsc {
 namespace {
 
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+/// Removes the items that are no more, and gives the others new indices.
+/// \param new_indices of the items; `none` for those that go
+template <class Item>
+void remove_items(std::vector<Item>& items, const std::vector<std::size_t>& new_indices) {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (new_indices[i] != none)
+      items[n++] = items[i];
+  items.resize(n);
+}
+
+/// Follows items to their new indices; returns how many are no more.
+std::size_t renumber(std::vector<std::size_t>& indices,
+                     const std::vector<std::size_t>& new_indices) {
+  const std::size_t before = indices.size();
+  for (std::size_t& i : indices)
+    i = new_indices[i];
+  indices.erase(std::remove(indices.begin(), indices.end(), none), indices.end());
+  return before - indices.size();
+}
+
+/// Follows vertices of simplices to their new indices, removes simplices with vertices that are no
+/// more, and returns the new indices of the simplices.
+template <std::size_t n>
+std::vector<std::size_t> renumber(std::vector<Mesh_entities::Simplex<n>>& simplices,
+                                  const std::vector<std::size_t>& new_vertices) {
+  std::vector<std::size_t> result(simplices.size(), none);
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < simplices.size(); ++i) {
+    bool is_there = true;
+    for (std::size_t& v : simplices[i].vertices)
+      is_there = (v = new_vertices[v]) != none && is_there;
+    if (is_there)
+      result[i] = number++;
+  }
+  remove_items(simplices, result);
+  return result;
+}
+
+void renumber(Mesh_entities& entities, const std::vector<std::size_t>& new_vertices,
+              Unused_content& unused) {
+  if (!entities.vertex_references.empty())
+    remove_items(entities.vertex_references, new_vertices);
+  const std::size_t edges = entities.edges.size(), triangles = entities.triangles.size();
+  const auto new_edges = renumber(entities.edges, new_vertices);
+  const auto new_triangles = renumber(entities.triangles, new_vertices);
+  unused.add("edges of no tetrahedron", edges - entities.edges.size());
+  unused.add("triangles of no tetrahedron", triangles - entities.triangles.size());
+  unused.add("corners of no tetrahedron", renumber(entities.corners, new_vertices));
+  unused.add("required vertices of no tetrahedron",
+             renumber(entities.required_vertices, new_vertices));
+  renumber(entities.ridges, new_edges);
+  renumber(entities.required_edges, new_edges);
+  renumber(entities.required_triangles, new_triangles);
+}
+
 // Other programs write points of lines and surfaces, or those that they once had a use for.
 void remove_unused_points(Labelled_tetrahedra& mesh) {
-  constexpr std::size_t unused = std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> new_indices(mesh.points.size(), unused);
+  std::vector<std::size_t> new_indices(mesh.points.size(), none), rows;
   for (const auto& tetrahedron : mesh.tetrahedra)
     for (const std::size_t index : tetrahedron)
       new_indices[index] = 0;
-  std::size_t n = 0;
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
-    if (new_indices[i] != unused) {
-      mesh.points[n] = mesh.points[i];
-      new_indices[i] = n++;
+    if (new_indices[i] != none) {
+      new_indices[i] = rows.size();
+      rows.push_back(i);
     }
-  mesh.points.resize(n);
+  if (rows.size() == mesh.points.size())
+    return;
+  mesh.unused.add("points of no tetrahedron", mesh.points.size() - rows.size());
+  remove_items(mesh.points, new_indices);
   for (auto& tetrahedron : mesh.tetrahedra)
     for (std::size_t& index : tetrahedron)
       index = new_indices[index];
+  for (Mesh_array& array : mesh.arrays.points)
+    array = array.selected(rows);
+  renumber(mesh.entities, new_indices, mesh.unused);
+}
+
+/// Values at vertices that other programs keep in a file beside a mesh.
+void look_for_solutions(const std::string& path, Unused_content& unused) {
+  for (const char* extension : {".sol", ".solb"}) {
+    const auto solutions = std::filesystem::path(path).replace_extension(extension);
+    std::error_code error;
+    if (std::filesystem::is_regular_file(solutions, error))
+      unused.add("file of solutions (" + solutions.filename().string() + ')');
+  }
 }
 
 } // namespace
 
-Labelled_tetrahedra read_tetrahedra(const std::string& path) {
+void Labelled_tetrahedra::leave_out_arrays() {
+  for (const Mesh_array& array : arrays.points)
+    unused.add("array on points (" + array.name + ')');
+  for (const Mesh_array& array : arrays.cells)
+    unused.add("array on cells (" + array.name + ')');
+  arrays.points.clear();
+  arrays.cells.clear();
+}
+
+void Labelled_tetrahedra::leave_out_entities() {
+  unused.add("references of vertices", entities.vertex_references.size());
+  unused.add("triangles", entities.triangles.size());
+  unused.add("edges", entities.edges.size());
+  unused.add("corners", entities.corners.size());
+  unused.add("required vertices", entities.required_vertices.size());
+  unused.add("ridges", entities.ridges.size());
+  unused.add("required edges", entities.required_edges.size());
+  unused.add("required triangles", entities.required_triangles.size());
+  entities = Mesh_entities();
+}
+
+Labelled_tetrahedra read_tetrahedra(const std::string& path, const std::string& label_array) {
   Labelled_tetrahedra mesh;
-  if (extension(path) == "vtu")
-    CGAL::IO::read_VTU(path, mesh.points, mesh.tetrahedra, mesh.labels);
-  else
-    CGAL::IO::read_MEDIT(path, mesh.points, mesh.tetrahedra, mesh.labels);
+  if (extension(path) == "vtu") {
+    CGAL::IO::read_VTU(path, mesh.points, mesh.tetrahedra, mesh.labels, label_array, &mesh.arrays,
+                       &mesh.unused);
+  } else {
+    CGAL::IO::read_MEDIT(path, mesh.points, mesh.tetrahedra, mesh.labels, &mesh.entities,
+                         &mesh.unused);
+    look_for_solutions(path, mesh.unused);
+  }
   remove_unused_points(mesh);
   return mesh;
 }

@@ -102,6 +102,8 @@ struct Run_start
   std::size_t segments = 0;        ///< of all curves together, at least; 0 keeps them as they are
   Figure figure = Figure::none;    ///< without any input in the plane
   bool repairs = false;            ///< surfaces that bound no solid
+  std::string labels; ///< name of the array of a .vtu file that holds them, `none` for label 1
+                      ///< everywhere; empty for the one with a name that is known
   double edge = 0; ///< about how long interface edges are to be, of images and inequalities; 0 for
                    ///< the default of each
 };
@@ -138,6 +140,7 @@ struct Run_options
 struct Info_options
 {
   std::string file;
+  std::string labels; ///< as in `Run_start`
 };
 
 /// What `dsc convert` is asked to do.
@@ -154,6 +157,7 @@ struct Improve_options
 {
   std::string input;  ///< labelled tetrahedra
   std::string output; ///< may be the input
+  std::string labels; ///< as in `Run_start`
   bool aggressive = false;
   std::optional<double> threshold; ///< of the quality, in (0, 1]; that of the library if not set
   std::string report;              ///< file; empty for none

@@ -38,6 +38,18 @@ unsigned number_of_cores() { // 0 if unknown
 
 } // namespace
 
+CLI::Option* add_labels_option(CLI::App& command, std::string& labels) {
+  return command.add_option(
+      "--labels", labels,
+      "Name of the cell array of a .vtu file that holds the labels, or 'none' for label 1 "
+      "everywhere; label, medit:ref, gmsh:physical or MaterialIDs if not given");
+}
+
+void require_file_with_arrays(const std::string& path, const std::string& labels) {
+  if (!labels.empty() && extension(path) != "vtu")
+    throw Usage_error("--labels has a meaning for .vtu files only; leave it out");
+}
+
 Run_commands::Run_commands(CLI::App& app) {
   m_options.threads = number_of_cores();
   m_rotate = add_command(app, "rotate", "Turn the interface about the domain's centre");
@@ -120,6 +132,7 @@ CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
                    "About how long interface edges are to be, of inequalities and images of "
                    "voxels; a fortieth of the domain, or 2.5 voxels, if not given")
       ->excludes(resume);
+  add_labels_option(*command, m_options.start.labels)->excludes(resume);
   command
       ->add_flag("--repair", m_options.start.repairs,
                  "Make surfaces bound solids that do not: merge points, close holes, remove "
@@ -238,6 +251,9 @@ void Run_commands::require_kind(const Run_options& options, bool is_planar) cons
   if (is_given("--edge") && !(has_edge && !is_planar))
     throw Usage_error("--edge has a meaning for inequalities and images of voxels only; leave it "
                       "out");
+  if (is_given("--labels"))
+    require_file_with_arrays(options.start.inputs.empty() ? "" : options.start.inputs.front(),
+                             options.start.labels);
   if (is_planar || kind == Input_kind::surfaces) {
     for (const std::string& input : options.start.inputs)
       if (input_kind(input) != Input_kind::surfaces)

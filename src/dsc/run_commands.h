@@ -14,6 +14,13 @@
 
 namespace dsc {
 
+/// Adds the option that tells which array of a .vtu file holds the labels.
+CLI::Option* add_labels_option(CLI::App& command, std::string& labels);
+
+/// Lets `--labels` be given for files that have arrays only.
+/// \throws Usage_error
+void require_file_with_arrays(const std::string& path, const std::string& labels);
+
 /// The subcommands that move an interface.
 class Run_commands
 {

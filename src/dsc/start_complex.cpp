@@ -11,6 +11,7 @@
 #include "start_curves.h"
 #include "surface.h"
 #include "tracked_complex_3.h"
+#include "unused.h"
 
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
@@ -69,17 +70,21 @@ bool has_room_around(const Complex& complex) {
   });
 }
 
-std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path, const Domain& domain) {
+std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path,
+                                                  const std::string& labels, const Domain& domain) {
   using CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error;
+  Labelled_tetrahedra mesh = read_tetrahedra(path, labels);
+  mesh.leave_out_arrays();
+  mesh.leave_out_entities();
+  print_unused(path, mesh.unused);
   if (!domain) {
     try {
-      auto complex = Tracked_complex_3::from_mesh(path);
+      auto complex = Tracked_complex_3::from_mesh(path, mesh);
       if (has_room_around(complex->complex))
         return complex;
     } catch (const Input_error&) { // of another shape than a ball, or really wrong
     }
   }
-  const Labelled_tetrahedra mesh = read_tetrahedra(path);
   const auto build = [&](const auto& np) {
     return track(CGAL::make_deformable_simplicial_complex_3<Complex>(
         mesh.points, mesh.tetrahedra, mesh.labels, CGAL::Tetgen_tetrahedralizer_3(), np));
@@ -106,7 +111,7 @@ std::unique_ptr<Tracked_complex> start_complex(const Run_options& options, Repai
   case Input_kind::image:
     return track_image(start.inputs.front(), start.edge, options.domain);
   case Input_kind::tetrahedra:
-    return track_tetrahedra(start.inputs.front(), options.domain);
+    return track_tetrahedra(start.inputs.front(), start.labels, options.domain);
   case Input_kind::surfaces:
     break;
   }

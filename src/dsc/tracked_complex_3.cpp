@@ -17,7 +17,6 @@
 #include <CGAL/IO/labelled_surface_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/extract_interface_3.h>
-#include <CGAL/improve_mesh_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/subdivide_interface_3.h>
 
@@ -27,17 +26,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 namespace dsc {
 namespace {
 
 using Complex = Tracked_complex_3::Complex;
-// At rest, angles count.
-using Complex_at_rest =
-    CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
-                                          CGAL::Default, CGAL::Biased_minimum_sine_3>;
 using Point = Complex::Approximate_point_3;
 using Vector = Complex::Approximate_vector_3;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
@@ -106,30 +100,14 @@ track_surfaces(const std::vector<Surface>& surfaces, const std::vector<std::stri
   }
 }
 
-std::unique_ptr<Tracked_complex_3> Tracked_complex_3::from_mesh(const std::string& path) {
-  const Labelled_tetrahedra mesh = read_tetrahedra(path);
+std::unique_ptr<Tracked_complex_3> Tracked_complex_3::from_mesh(const std::string& path,
+                                                                const Labelled_tetrahedra& mesh) {
   try {
     return std::make_unique<Tracked_complex_3>(CGAL::make_deformable_simplicial_complex_3<Complex>(
         mesh.points, mesh.tetrahedra, mesh.labels, parameters::improve(false)));
   } catch (const Invalid_tetrahedra_error& error) {
     throw Input_error(path + ": " + error.what() + place_of(error, mesh));
   }
-}
-
-Improvement_outcome Tracked_complex_3::improve(const Improve_options& options) {
-  const auto aggressive = parameters::aggressive(options.aggressive);
-  const auto start = Clock::now();
-  Complex_at_rest at_rest;
-  at_rest.restore(complex.state());
-  const auto report =
-      options.threshold
-          ? CGAL::improve_mesh(at_rest, aggressive.quality_threshold(*options.threshold))
-          : CGAL::improve_mesh(at_rest, aggressive);
-  auto state = at_rest.state();
-  // What was tried in vain was measured otherwise.
-  std::fill(state.failures.begin(), state.failures.end(), std::uint8_t(0));
-  complex.restore(state);
-  return {seconds_since(start), report};
 }
 
 void Tracked_complex_3::go_back() {
@@ -205,6 +183,13 @@ void Tracked_complex_3::write(const std::string& path) const {
     CGAL::IO::write_MEDIT(path, complex);
   else
     CGAL::IO::write_interface(path, complex);
+}
+
+void Tracked_complex_3::write(const std::string& path, const Mesh_content& content) const {
+  if (extension(path) == "vtu")
+    CGAL::IO::write_VTU(path, complex, content.arrays);
+  else
+    CGAL::IO::write_MEDIT(path, complex, content.entities);
 }
 
 void Tracked_complex_3::write_subdivided(const std::string& path, int subdivisions) const {

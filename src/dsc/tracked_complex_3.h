@@ -5,6 +5,7 @@
 #ifndef DSC_TRACKED_COMPLEX_3_H
 #define DSC_TRACKED_COMPLEX_3_H
 
+#include "mesh_content.h"
 #include "tracked_complex.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
@@ -26,8 +27,10 @@ public:
   Tracked_complex_3() = default;
   explicit Tracked_complex_3(Complex&& built) : complex(std::move(built)) {}
 
-  /// The labelled tetrahedra of a MEDIT or VTU file; points that none of them uses are left out.
-  static std::unique_ptr<Tracked_complex_3> from_mesh(const std::string& path);
+  /// The labelled tetrahedra of a file.
+  /// \throws Input_error if they make no complex
+  static std::unique_ptr<Tracked_complex_3> from_mesh(const std::string& path,
+                                                      const Labelled_tetrahedra& mesh);
 
   int dimension() const override { return 3; }
   double time_step(const Motion& motion) const override;
@@ -47,7 +50,13 @@ public:
   void write_checkpoint(const std::string& path, const std::string& metadata) const override;
 
   /// Improves the tetrahedra; neither the interface nor the boundary changes its shape.
-  Improvement_outcome improve(const Improve_options& options);
+  /// \param content of the vertices and cells follows: entities stay as they are, averages over
+  /// cells keep their integral, values at vertices are interpolated, and integers of cells stay
+  /// where they are
+  Improvement_outcome improve(const Improve_options& options, Mesh_content& content);
+
+  /// Writes the tetrahedra (.mesh, .vtu) with what follows them.
+  void write(const std::string& path, const Mesh_content& content) const;
 
   Complex complex;
   /// What `write_volume_vtu()` tells of vertices, if it is set.

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <iomanip>
 #include <limits>
 #include <set>
@@ -180,6 +182,15 @@ protected:
     expect_error("improve " + input + " -o " + input, 1);
     EXPECT_TRUE(contents(path(input)) == text);
   }
+
+  // The input is not replaced by a file that lacks something. `arguments` begin with its name.
+  void expect_loss_is_refused(const std::string& arguments, const std::string& what) const {
+    const std::string input = arguments.substr(0, arguments.find(' '));
+    const std::string before = contents(path(input));
+    expect_error("improve " + arguments + " -o " + input, 1);
+    EXPECT_TRUE(contents(path(input)) == before);
+    EXPECT_NE(contents(path("stderr.txt")).find(what), std::string::npos);
+  }
 };
 
 TEST_F(Improve, refuses_wrong_usage) {
@@ -316,7 +327,7 @@ TEST_F(Improve, formats_agree) {
   expect_success("improve layers.mesh -o from_mesh.mesh");
   expect_success("improve layers.mesh -o from_mesh.vtu");
   write("compressed_text.vtu",
-        vtu(layers(), "medit:ref", "compressor=\"vtkZLibDataCompressor\" header_type=\"UInt32\""));
+        vtu(layers(), "label", "compressor=\"vtkZLibDataCompressor\" header_type=\"UInt32\""));
   for (const std::string input : {"layers.vtu", "compressed_text.vtu"}) {
     expect_success("improve " + input + " -o from_vtu.mesh");
     expect_success("improve " + input + " -o from_vtu.vtu");
@@ -345,9 +356,278 @@ TEST_F(Improve, takes_meshes_as_other_programs_write_them) {
   write("foreign.mesh", text);
   write("foreign.vtu", vtu(foreign, "MaterialIDs"));
   for (const std::string input : {"foreign.mesh", "foreign.vtu"}) {
-    expect_success("improve " + input + " -o out.mesh");
+    const Outcome outcome = run("improve " + input + " -o out.mesh");
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err, "dsc: " + input + ": not used: 3 points of no tetrahedron\n");
     EXPECT_TRUE(contents(path("out.mesh")) == contents(path("expected.mesh"))) << input;
+    expect_loss_is_refused(input, "3 points of no tetrahedron");
   }
+}
+
+// Numbers of an array that the program wrote, as `double`.
+std::vector<double> array_of(const std::string& file, const std::string& name) {
+  std::vector<double> result;
+  const std::size_t element = file.find("Name=\"" + name + '"');
+  if (element == std::string::npos)
+    return result;
+  const std::size_t begin = file.rfind("type=\"", element) + 6;
+  const std::string type = file.substr(begin, file.find('"', begin) - begin);
+  const std::size_t offset = std::stoul(file.substr(file.find("offset=\"", element) + 8));
+  const char* data = file.data() + file.find("\n_") + 2 + offset;
+  std::uint64_t size;
+  std::memcpy(&size, data, 8);
+  const std::size_t width = type.find("64") != std::string::npos ? 8 : 4;
+  for (data += 8; size > 0; size -= width, data += width)
+    if (type == "Float64") {
+      double x;
+      std::memcpy(&x, data, 8);
+      result.push_back(x);
+    } else if (type == "Int32") {
+      std::int32_t x;
+      std::memcpy(&x, data, 4);
+      result.push_back(x);
+    } else if (type == "Int64") {
+      std::int64_t x;
+      std::memcpy(&x, data, 8);
+      result.push_back(double(x));
+    }
+  return result;
+}
+
+// Volumes of the tetrahedra of a grid.
+std::vector<double> volumes(const std::string& file) {
+  const std::vector<double> p = array_of(file, "points"), corners = array_of(file, "connectivity");
+  std::vector<double> result;
+  for (std::size_t i = 0; i < corners.size(); i += 4) {
+    double e[3][3];
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t k = 0; k < 3; ++k)
+        e[j][k] = p[3 * std::size_t(corners[i + j + 1]) + k] - p[3 * std::size_t(corners[i]) + k];
+    result.push_back((e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
+                      e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+                      e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0])) /
+                     6);
+  }
+  return result;
+}
+
+template <class Number>
+std::string text_array(const std::string& type, const std::string& name,
+                       const std::vector<Number>& values) {
+  std::ostringstream text;
+  text << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" format=\"ascii\">\n"
+       << std::setprecision(std::numeric_limits<double>::max_digits10);
+  for (const Number value : values)
+    text << value << '\n';
+  return text.str() + "</DataArray>\n";
+}
+
+// The layers with arrays: x at points, a density and a part of each layer at cells.
+std::string grid_with_fields(const std::string& more_of_cells = "") {
+  const Mesh mesh = layers();
+  std::vector<double> x, density;
+  std::vector<int> parts;
+  for (const auto& p : mesh.points)
+    x.push_back(2 * p[0] + 1);
+  for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
+    density.push_back(1 + 0.25 * double(i % 7));
+    parts.push_back(mesh.points[mesh.tetrahedra[i][0]][1] < 2 ? 70 : 30);
+  }
+  std::string text = vtu(mesh, "material");
+  const std::string of_cells = "<CellData>\n" + text_array("Float64", "density", density) +
+                               text_array("Int32", "part", parts) + more_of_cells;
+  text.replace(text.find("<CellData>\n"), 11,
+               "<PointData>\n" + text_array("Float64", "heat", x) + "</PointData>\n" + of_cells);
+  return text;
+}
+
+TEST_F(Improve, does_not_guess_labels) {
+  const std::string text = vtu(layers(), "material");
+  expect_refusal("material.vtu", text);
+  const std::string message = contents(path("stderr.txt"));
+  EXPECT_NE(message.find("'material' (Int32, whole numbers from 2 to 5)"), std::string::npos);
+  EXPECT_NE(message.find("--labels NAME"), std::string::npos);
+  expect_error("offset material.vtu --distance 0.1 --steps 1", 1);
+  expect_error("info material.vtu", 1);
+  expect_error("improve material.vtu -o out.mesh --labels materials", 1);
+  expect_error("improve layers.mesh -o out.mesh --labels material", 2);
+
+  expect_success("improve layers.vtu -o expected.mesh");
+  expect_success("improve material.vtu -o out.mesh --labels material");
+  EXPECT_TRUE(contents(path("out.mesh")) == contents(path("expected.mesh")));
+  expect_success("offset material.vtu --distance 0.01 --steps 1 --quiet --labels material");
+  expect_success("improve material.vtu -o one.mesh --labels none");
+  EXPECT_EQ(info("one.mesh", "interface triangles"), 0);
+  // The array keeps its name, so that the file can be improved again, and used as before.
+  expect_success("improve material.vtu -o material.vtu --labels material");
+  const std::string improved = contents(path("material.vtu"));
+  EXPECT_FALSE(array_of(improved, "material").empty());
+  EXPECT_EQ(array_of(improved, "material"), array_of(improved, "label"));
+}
+
+TEST_F(Improve, carries_arrays) {
+  write("fields.vtu", grid_with_fields());
+  expect_success("improve fields.vtu -o fields.vtu --labels material --report r.json");
+  EXPECT_GT(report("r.json").at("after").at("min_quality").get<double>(),
+            report("r.json").at("before").at("min_quality").get<double>());
+  const std::string file = contents(path("fields.vtu"));
+  const std::vector<double> points = array_of(file, "points"), heat = array_of(file, "heat");
+  ASSERT_EQ(points.size(), 3 * heat.size());
+  for (std::size_t i = 0; i < heat.size(); ++i) // a linear function stays
+    EXPECT_NEAR(heat[i], 2 * points[3 * i] + 1, 1e-9);
+
+  const auto integral = [](const std::vector<double>& volume, const std::vector<double>& density) {
+    double sum = 0;
+    for (std::size_t i = 0; i < volume.size(); ++i)
+      sum += volume[i] * density.at(i);
+    return sum;
+  };
+  // Volumes of the input by the program itself, which changes nothing here.
+  write("before.vtu", grid_with_fields());
+  expect_success("improve before.vtu -o before.vtu --labels material --threshold 1e-9");
+  const std::string same = contents(path("before.vtu"));
+  EXPECT_NEAR(integral(volumes(file), array_of(file, "density")),
+              integral(volumes(same), array_of(same, "density")), 1e-9);
+  const std::vector<double> parts = array_of(file, "part"), volume = volumes(file);
+  double first = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    EXPECT_TRUE(parts[i] == 70 || parts[i] == 30) << parts[i];
+    first += parts[i] == 70 ? volume[i] : 0;
+  }
+  EXPECT_NEAR(first, 32, 1e-9); // integers stay where they are
+  EXPECT_EQ(array_of(file, "material"), array_of(file, "label"));
+}
+
+TEST_F(Improve, replaces_no_input_by_less) {
+  std::vector<int> ids;
+  for (std::size_t i = 0; i < layers().tetrahedra.size(); ++i)
+    ids.push_back(int(i));
+  write("ids.vtu", grid_with_fields(text_array("Int32", "id", ids)));
+  expect_loss_is_refused("ids.vtu --labels material", "('id')");
+  const Outcome outcome = run("improve ids.vtu -o out.vtu --labels material");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err,
+            "dsc: ids.vtu: not used: 1 array that numbers cells, which change ('id')\n");
+  EXPECT_FALSE(array_of(contents(path("out.vtu")), "heat").empty());
+  // MEDIT files have no place for arrays.
+  write("fields.vtu", grid_with_fields());
+  EXPECT_NE(
+      run("improve fields.vtu -o out.mesh --labels material").err.find("array on points (heat)"),
+      std::string::npos);
+  write("layers.sol", "MeshVersionFormatted 2\n");
+  expect_loss_is_refused("layers.mesh", "layers.sol");
+}
+
+// Simplices of a section with their references, by the coordinates of their vertices.
+std::multiset<std::pair<std::set<std::string>, int>>
+simplices(const std::string& mesh, const std::string& section, std::size_t corners) {
+  std::istringstream in(mesh);
+  std::vector<std::string> points;
+  std::multiset<std::pair<std::set<std::string>, int>> result;
+  for (std::string line; std::getline(in, line);) {
+    std::size_t n = 0;
+    if (line == "Vertices") {
+      in >> n;
+      std::array<std::string, 4> words;
+      for (; n > 0 && in >> words[0] >> words[1] >> words[2] >> words[3]; --n)
+        points.push_back(words[0] + ' ' + words[1] + ' ' + words[2]);
+    } else if (line == section) {
+      in >> n;
+      for (; n > 0; --n) {
+        std::set<std::string> vertices;
+        int reference = 0;
+        for (std::size_t i = 0, v = 0; i < corners && in >> v; ++i)
+          vertices.insert(points.at(v - 1));
+        if (corners > 1)
+          in >> reference;
+        result.insert({vertices, reference});
+      }
+    }
+  }
+  return result;
+}
+
+// Facets and edges of tetrahedra here and there, inside, on the interface and on the boundary.
+std::string mesh_with_entities(const Mesh& mesh) {
+  std::ostringstream triangles, edges, vertices;
+  int number_of_triangles = 0, number_of_edges = 0, number_of_vertices = 0;
+  for (std::size_t i = 5; i < mesh.tetrahedra.size(); i += 23) {
+    const auto& t = mesh.tetrahedra[i];
+    ++number_of_triangles;
+    triangles << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << ' ' << i << '\n';
+    if (i % 2 == 0) {
+      ++number_of_edges;
+      edges << t[1] + 1 << ' ' << t[3] + 1 << ' ' << -int(i) << '\n';
+    } else if (i % 3 == 0) {
+      ++number_of_vertices;
+      vertices << t[2] + 1 << '\n';
+    }
+  }
+  std::string text = medit(mesh);
+  text.erase(text.find("End\n"));
+  return text + "Triangles\n" + std::to_string(number_of_triangles) + '\n' + triangles.str() +
+         "Edges\n" + std::to_string(number_of_edges) + '\n' + edges.str() + "RequiredVertices\n" +
+         std::to_string(number_of_vertices) + '\n' + vertices.str() +
+         "Corners\n2\n1\n32\nRidges\n1\n1\nRequiredEdges\n1\n2\nRequiredTriangles\n2\n1\n3\nEnd\n";
+}
+
+TEST_F(Improve, keeps_entities) {
+  const std::string text = mesh_with_entities(layers());
+  write("entities.mesh", text);
+  const double before = info("entities.mesh", "smallest quality");
+  for (const std::string options : {"", " --aggressive"}) {
+    SCOPED_TRACE(options);
+    write("a.mesh", text);
+    expect_success("improve a.mesh -o a.mesh" + options + " --report r.json");
+    const std::string file = contents(path("a.mesh"));
+    EXPECT_GT(report("r.json").at("after").at("flipped").get<int>(), 0);
+    const auto expected = simplices(text, "Triangles", 3), now = simplices(file, "Triangles", 3);
+    EXPECT_GT(expected.size(), 10u);
+    EXPECT_TRUE(std::includes(now.begin(), now.end(), expected.begin(), expected.end()));
+    EXPECT_EQ(simplices(file, "Edges", 2), simplices(text, "Edges", 2));
+    for (const char* section : {"Corners", "RequiredVertices"})
+      EXPECT_EQ(simplices(file, section, 1), simplices(text, section, 1)) << section;
+    EXPECT_EQ(file.substr(file.find("Ridges\n")), text.substr(text.find("Ridges\n")));
+    EXPECT_EQ(info("a.mesh", "label 5"), info("entities.mesh", "label 5"));
+    EXPECT_GE(info("a.mesh", "smallest quality"), before);
+  }
+  EXPECT_NE(run("improve entities.mesh -o out.vtu").err.find("2 corners"), std::string::npos);
+  EXPECT_NE(run("offset entities.mesh --distance 0.01 --steps 1").err.find("17 triangles"),
+            std::string::npos);
+}
+
+// An inner surface between cells of one label, as of a crack or a membrane.
+TEST_F(Improve, keeps_inner_surfaces) {
+  Mesh mesh = layers();
+  std::fill(mesh.labels.begin(), mesh.labels.end(), 1);
+  std::string one = medit(mesh);
+  one.erase(one.find("End\n"));
+  // The triangles between the layers, as the program lists them.
+  expect_success("improve layers.mesh -o same.mesh --threshold 1e-9");
+  const auto surface = simplices(contents(path("same.mesh")), "Triangles", 3);
+  std::ostringstream triangles;
+  for (const auto& [corners, reference] : surface) {
+    for (const std::string& corner : corners)
+      for (std::size_t i = 0; i < mesh.points.size(); ++i)
+        if (numbers(mesh.points[i]) == corner)
+          triangles << i + 1 << ' ';
+    triangles << reference << '\n';
+  }
+  write("one.mesh",
+        one + "Triangles\n" + std::to_string(surface.size()) + '\n' + triangles.str() + "End\n");
+  expect_success("improve one.mesh -o one.mesh");
+  EXPECT_EQ(simplices(contents(path("one.mesh")), "Triangles", 3), surface);
+  // As good as with two labels: nothing else is held.
+  expect_success("improve layers.mesh -o two.mesh");
+  EXPECT_EQ(info("one.mesh", "tetrahedra"), info("two.mesh", "tetrahedra"));
+}
+
+TEST_F(Improve, refuses_other_cells) {
+  std::string text = medit(layers());
+  text.erase(text.find("End\n"));
+  expect_refusal("hexahedra.mesh", text + "Hexahedra\n1\n1 2 7 6 26 27 32 31 5\nEnd\n");
+  expect_refusal("label.mesh", text + "Tetrahedra\n1\n1 2 3 4 3000000000\nEnd\n");
+  EXPECT_NE(contents(path("stderr.txt")).find("'3000000000'"), std::string::npos);
 }
 
 } // namespace

@@ -6,15 +6,16 @@
 #define CGAL_IO_MEDIT_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Mesh_entities.h>
+#include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/text/File_scanner.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/grids/Medit_reader.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/grids/medit_text.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Vertex_numbering.h>
 #include <CGAL/extract_interface_3.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <istream>
@@ -23,6 +24,7 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,40 +35,48 @@ namespace IO {
 
 writes a complex in the MEDIT text format (`.mesh`).
 
-The reference of a tetrahedron is its label. The triangles are those of the interface, with normals
-out of the larger label; their reference is a number from 1 for each pair of labels that meet, and
-comments at the head of the file tell the pairs. Vertices have the reference 0. Coordinates are user
-coordinates with 17 significant digits, from which they can be read back exactly.
+The reference of a tetrahedron is its label. The triangles are those of `entities`, then those of
+the interface that are not among them, with normals out of the larger label. Their reference is a
+number for each pair of labels that meet, from 1 or above the references of `entities`; comments at
+the head of the file tell the pairs. Coordinates are user coordinates with 17 significant digits,
+from which they can be read back exactly.
 
 \param out is the stream; failures are left in its state. Its format flags do not matter.
 \param dsc is the complex.
+\param entities are edges, triangles and references that are written, too. Points have the order of
+`dsc.vertices()`.
 
 n log n in the number of cells; takes memory for the text.
 */
 template <class Traits, class Tds, class QualityMeasure>
 void write_MEDIT(std::ostream& out,
-                 const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>& dsc) {
+                 const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>& dsc,
+                 const Deformable_simplicial_complexes::Mesh_entities& entities =
+                     Deformable_simplicial_complexes::Mesh_entities()) {
   namespace internal = Deformable_simplicial_complexes::internal;
   const internal::Vertex_numbering number(dsc.vertices());
   const auto cells = dsc.cells();
   const auto surface = extract_interface(dsc);
-  auto pairs = surface.labels;
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  std::vector<std::array<std::size_t, 3>> interface_;
+  for (const auto& t : surface.triangles)
+    interface_.push_back({number(surface.vertices[t[0]]), number(surface.vertices[t[1]]),
+                          number(surface.vertices[t[2]])});
+  const internal::Medit_triangles triangles(entities.triangles, interface_, surface.labels);
 
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(std::numeric_limits<double>::max_digits10);
   text << "MeshVersionFormatted 2\n";
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    text << "# Triangles with reference " << i + 1 << " have normals from label " << pairs[i][0]
-         << " to label " << pairs[i][1] << '\n';
+  for (std::size_t i = 0; i < triangles.pairs().size(); ++i)
+    text << "# Triangles with reference " << triangles.reference(i) << " have normals from label "
+         << triangles.pairs()[i][0] << " to label " << triangles.pairs()[i][1] << '\n';
   text << "Dimension 3\n";
 
   text << "Vertices\n" << number.vertices().size() << '\n';
-  for (const auto v : number.vertices()) {
-    const auto p = dsc.user_position(v);
-    text << p.x() << ' ' << p.y() << ' ' << p.z() << " 0\n";
+  for (std::size_t i = 0; i < number.vertices().size(); ++i) {
+    const auto p = dsc.user_position(number.vertices()[i]);
+    text << p.x() << ' ' << p.y() << ' ' << p.z() << ' '
+         << (entities.vertex_references.empty() ? 0 : entities.vertex_references[i]) << '\n';
   }
   text << "Tetrahedra\n" << cells.size() << '\n';
   for (const auto c : cells) {
@@ -74,13 +84,14 @@ void write_MEDIT(std::ostream& out,
       text << number(c->vertex(i)) + 1 << ' ';
     text << dsc.label(c) << '\n';
   }
-  text << "Triangles\n" << surface.triangles.size() << '\n';
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-    for (const std::size_t corner : surface.triangles[i])
-      text << number(surface.vertices[corner]) + 1 << ' ';
-    const auto pair = std::lower_bound(pairs.begin(), pairs.end(), surface.labels[i]);
-    text << pair - pairs.begin() + 1 << '\n';
-  }
+  text << "Triangles\n" << triangles.triangles().size() << '\n';
+  internal::write_medit_simplices(text, triangles.triangles());
+  internal::write_medit_section(text, "Edges", entities.edges);
+  internal::write_medit_section(text, "Corners", entities.corners);
+  internal::write_medit_section(text, "RequiredVertices", entities.required_vertices);
+  internal::write_medit_section(text, "Ridges", entities.ridges);
+  internal::write_medit_section(text, "RequiredEdges", entities.required_edges);
+  internal::write_medit_section(text, "RequiredTriangles", entities.required_triangles);
   text << "End\n";
   out << text.str();
 }
@@ -92,16 +103,18 @@ writes a complex to a file in the MEDIT text format. The file is written beside 
 renamed when complete.
 
 \param path is the name of the file; its folder must exist.
-\param dsc is the complex.
+\param dsc, entities are as above.
 
 \throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file
 of that name is unchanged then.
 */
 template <class Traits, class Tds, class QualityMeasure>
 void write_MEDIT(const std::string& path,
-                 const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>& dsc) {
+                 const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>& dsc,
+                 const Deformable_simplicial_complexes::Mesh_entities& entities =
+                     Deformable_simplicial_complexes::Mesh_entities()) {
   Deformable_simplicial_complexes::internal::replace_file_by_stream(
-      path, [&](std::ostream& out) { write_MEDIT(out, dsc); });
+      path, [&](std::ostream& out) { write_MEDIT(out, dsc, entities); });
 }
 
 /*!
@@ -110,93 +123,45 @@ void write_MEDIT(const std::string& path,
 reads labelled tetrahedra in the MEDIT text format, as
 `make_deformable_simplicial_complex_3()` and `Deformable_simplicial_complex_3::assign()` take them.
 
-The sections `Vertices` and `Tetrahedra` are read, all others are skipped, and so are comments. The
-references of tetrahedra become labels. What the tetrahedra look like is not checked.
+The sections `Vertices` and `Tetrahedra` are read, and those that `Mesh_entities` holds. Others are
+skipped, and so are comments. The references of tetrahedra become labels. What the tetrahedra look
+like is not checked.
 
 \tparam Point is a point type that can be constructed from three coordinates.
 
 \param in is the stream.
 \param points, tetrahedra, labels are replaced by what was read; indices start from 0.
 \param path is named in messages.
+\param entities is replaced by edges, triangles and references that were read, unless it is null.
+\param unused is told of the sections that were skipped, unless it is null.
 
 \throws Deformable_simplicial_complexes::File_error with the number of the line if the text is not
-a mesh of dimension 3, a number is missing or wrong, a coordinate is not finite, an index refers to
-no vertex, or there are no tetrahedra. The arrays are unchanged then.
+a mesh of dimension 3, a number is missing or wrong, a coordinate is not finite, a reference is no
+integer of 32 bits, an index refers to nothing, there are no tetrahedra, or there are other cells
+that fill space, such as hexahedra or curved tetrahedra. The arguments are unchanged then.
 
 Linear in the size of the text. Memory is never taken for more simplices than there are.
 */
 template <class Point>
 void read_MEDIT(std::istream& in, std::vector<Point>& points,
                 std::vector<std::array<std::size_t, 4>>& tetrahedra, std::vector<int>& labels,
-                const std::string& path = "MEDIT text") {
-  Deformable_simplicial_complexes::internal::File_scanner scanner(in, path);
+                const std::string& path = "MEDIT text",
+                Deformable_simplicial_complexes::Mesh_entities* entities = nullptr,
+                Deformable_simplicial_complexes::Unused_content* unused = nullptr) {
+  Deformable_simplicial_complexes::internal::Medit_reader reader(in, path);
+  reader.read();
   std::vector<Point> new_points;
-  std::vector<std::array<std::size_t, 4>> new_tetrahedra;
-  std::vector<int> new_labels;
-  std::size_t largest_index = 0, line_of_largest_index = 0;
-
-  const auto read_coordinate = [&] {
-    const double x = scanner.number<double>();
-    if (!std::isfinite(x))
-      scanner.fail("a coordinate is not a finite number; correct it");
-    return x;
-  };
-  const auto read_vertex = [&] {
-    const double x = read_coordinate(), y = read_coordinate(), z = read_coordinate();
+  new_points.reserve(reader.points().size());
+  for (const auto& [x, y, z] : reader.points())
     new_points.emplace_back(x, y, z);
-    scanner.number<int>();
-  };
-  // The vertices may come later in the file.
-  const auto read_index = [&] {
-    const std::size_t index = scanner.number<std::size_t>();
-    if (index == 0)
-      scanner.fail("indices of vertices start from 1; correct the 0");
-    if (index > largest_index) {
-      largest_index = index;
-      line_of_largest_index = scanner.line_number();
-    }
-    return index - 1;
-  };
-  const auto read_tetrahedron = [&] {
-    std::array<std::size_t, 4> tetrahedron;
-    for (std::size_t& index : tetrahedron)
-      index = read_index();
-    new_tetrahedra.push_back(tetrahedron);
-    new_labels.push_back(scanner.number<int>());
-  };
-  const auto read_section = [&](const auto& read_element) {
-    for (std::size_t n = scanner.number<std::size_t>(); n > 0; --n)
-      read_element();
-    return scanner.next();
-  };
-
-  if (!scanner.next() || scanner.word() != "MeshVersionFormatted")
-    scanner.fail("the file does not begin with MeshVersionFormatted; is it a MEDIT text file?");
-  scanner.number<int>();
-  for (bool is_in_file = scanner.next(); is_in_file && scanner.word() != "End";) {
-    if (!scanner.is_keyword())
-      scanner.fail(Deformable_simplicial_complexes::internal::in_quotes(scanner.word()) +
-                   " is not expected; is the number of elements above it right?");
-    if (scanner.word() == "Dimension") {
-      if (scanner.number<int>() != 3)
-        scanner.fail("the dimension must be 3; choose a mesh of tetrahedra");
-      is_in_file = scanner.next();
-    } else if (scanner.word() == "Vertices")
-      is_in_file = read_section(read_vertex);
-    else if (scanner.word() == "Tetrahedra")
-      is_in_file = read_section(read_tetrahedron);
-    else
-      while ((is_in_file = scanner.next()) && !scanner.is_keyword())
-        continue;
-  }
-  if (new_tetrahedra.empty())
-    scanner.fail("there are no tetrahedra; choose a mesh that has some");
-  if (largest_index > new_points.size())
-    scanner.fail("there is no vertex " + std::to_string(largest_index) + "; correct the index",
-                 line_of_largest_index);
   points.swap(new_points);
-  tetrahedra.swap(new_tetrahedra);
-  labels.swap(new_labels);
+  tetrahedra.swap(reader.tetrahedra());
+  labels.swap(reader.labels());
+  if (entities != nullptr)
+    *entities = std::move(reader.entities());
+  if (unused != nullptr)
+    for (const auto& [kind, number] : reader.unused().numbers())
+      unused->add(kind, number);
 }
 
 /*!
@@ -205,19 +170,21 @@ void read_MEDIT(std::istream& in, std::vector<Point>& points,
 reads labelled tetrahedra from a file in the MEDIT text format.
 
 \param path is the name of the file.
-\param points, tetrahedra, labels are replaced by what was read; indices start from 0.
+\param points, tetrahedra, labels, entities, unused are as above.
 
 \throws Deformable_simplicial_complexes::File_error if the file cannot be opened, and as for
 streams.
 */
 template <class Point>
 void read_MEDIT(const std::string& path, std::vector<Point>& points,
-                std::vector<std::array<std::size_t, 4>>& tetrahedra, std::vector<int>& labels) {
+                std::vector<std::array<std::size_t, 4>>& tetrahedra, std::vector<int>& labels,
+                Deformable_simplicial_complexes::Mesh_entities* entities = nullptr,
+                Deformable_simplicial_complexes::Unused_content* unused = nullptr) {
   std::ifstream in(path, std::ios::binary);
   if (!in)
     throw Deformable_simplicial_complexes::File_error(
         "cannot open " + path + ": check that it exists and may be read", path);
-  read_MEDIT(in, points, tetrahedra, labels, path);
+  read_MEDIT(in, points, tetrahedra, labels, path, entities, unused);
 }
 
 } // namespace IO

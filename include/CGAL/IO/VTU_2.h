@@ -6,7 +6,7 @@
 #define CGAL_IO_VTU_2_H
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/write_vtu.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/grids/write_vtu.h>
 
 #include <string>
 

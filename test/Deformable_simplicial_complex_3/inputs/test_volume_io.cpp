@@ -3,6 +3,9 @@
 #include "../vtu_grid.h"
 
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/Mesh_arrays.h>
+#include <CGAL/Deformable_simplicial_complexes/Mesh_entities.h>
+#include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/base64.h>
 #include <CGAL/IO/MEDIT_3.h>
 #include <CGAL/IO/VTU_3.h>
@@ -10,9 +13,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -285,12 +290,168 @@ TEST(Read_vtu, values_must_make_sense) {
   expect_refusal(replaced(text, " 4 8\n", " 4 9\n"), "cell 1 does not have four vertices");
   for (const auto& [type, name] :
        std::vector<std::pair<std::string, std::string>>{{" 12", "a hexahedron"},
-                                                        {" 5", "a triangle"},
                                                         {" 24", "a quadratic tetrahedron"},
                                                         {" 200", "of an unknown type"},
                                                         {" nan", "of an unknown type"}})
     expect_refusal(replaced(text, " 10 10\n", " 10" + type + "\n"),
                    "cell 1 is " + name + " and no tetrahedron");
+}
+
+// Reads a grid with this array of labels.
+Labelled_mesh read_with(const std::string& path, const std::string& label_array,
+                        CGAL::Deformable_simplicial_complexes::Mesh_arrays* arrays = nullptr,
+                        CGAL::Deformable_simplicial_complexes::Unused_content* unused = nullptr) {
+  Labelled_mesh mesh;
+  CGAL::IO::read_VTU(path, mesh.points, mesh.tetrahedra, mesh.labels, label_array, arrays, unused);
+  return mesh;
+}
+
+Grid unnamed_labels() {
+  Grid grid = two_cells();
+  grid.array("CellData", "Int32", "material", std::vector<std::int32_t>{4, 9})
+      .array("CellData", "Float64", "p", std::vector<double>{0.5, -2})
+      .array("CellData", "Float64", "f", std::vector<double>{7, 8});
+  return grid;
+}
+
+TEST(Read_vtu, labels_are_not_guessed) {
+  const std::string text = unnamed_labels().text(sizes);
+  for (const char* part :
+       {"'material' (Int32, whole numbers from 4 to 9)", "'p' (Float64, no labels from -2 to 0.5)",
+        "'f' (Float64, whole numbers from 7 to 8)", "--labels NAME", "'none'"})
+    expect_refusal(text, part);
+  const Temporary_folder folder;
+  const std::string path = folder / "a.vtu";
+  write_bytes(path, text);
+  expect_equal(read_with(path, "material"), two_tetrahedra({4, 9}));
+  expect_equal(read_with(path, "f"), two_tetrahedra({7, 8}));
+  expect_equal(read_with(path, "none"), two_tetrahedra({1, 1}));
+  for (const char* name : {"p", "x"}) // with fractions, and not there
+    EXPECT_THROW(read_with(path, name), File_error);
+  // Arrays that hold no labels leave no doubt.
+  write_bytes(
+      path,
+      two_cells().array("CellData", "Float64", "p", std::vector<double>{0.5, -2}).text(sizes));
+  expect_equal(read_vtu(path), two_tetrahedra({1, 1}));
+}
+
+TEST(Read_vtu, labels_beyond_53_bits_are_refused) {
+  Grid grid = two_cells();
+  grid.array("CellData", "Int64", "label", std::vector<std::int64_t>{1, std::int64_t(1) << 60});
+  expect_refusal(grid.text(sizes), "the label of cell 1 is no integer of 32 bits");
+}
+
+TEST(Read_vtu, a_second_array_of_labels_is_told) {
+  const Temporary_folder folder;
+  Grid grid = labelled_cells();
+  grid.array("CellData", "Int32", "MaterialIDs", std::vector<std::int32_t>{3, 5});
+  write_bytes(folder / "a.vtu", grid.text(sizes));
+  CGAL::Deformable_simplicial_complexes::Unused_content unused;
+  expect_equal(read_with(folder / "a.vtu", "", nullptr, &unused), two_tetrahedra({3, -7}));
+  EXPECT_NE(unused.text().find("'MaterialIDs'"), std::string::npos) << unused.text();
+}
+
+TEST(Read_vtu, other_arrays_are_read_and_written) {
+  const Temporary_folder folder;
+  const std::string path = folder / "a.vtu";
+  Grid grid = unnamed_labels();
+  grid.array("PointData", "Float32", "t", std::vector<float>{1, 2, 3.5, 4, 5})
+      .array("PointData", "UInt8", "marker", std::vector<std::uint8_t>{0, 255, 0, 1, 2})
+      .array("PointData", "String", "names", std::vector<int>{1});
+  write_bytes(path, grid.text(sizes));
+  CGAL::Deformable_simplicial_complexes::Mesh_arrays arrays, again;
+  CGAL::Deformable_simplicial_complexes::Unused_content unused;
+  const Labelled_mesh mesh = read_with(path, "material", &arrays, &unused);
+  EXPECT_EQ(arrays.labels.name, "material");
+  ASSERT_EQ(arrays.cells.size(), 2u);
+  ASSERT_EQ(arrays.points.size(), 2u);
+  EXPECT_EQ(arrays.points[0].values, (std::vector<double>{1, 2, 3.5, 4, 5}));
+  EXPECT_TRUE(arrays.points[1].is_integer());
+  EXPECT_EQ(unused.text(), "1 array of no numbers ('names')");
+
+  Complex dsc;
+  dsc.assign(mesh.points, mesh.tetrahedra, mesh.labels);
+  CGAL::IO::write_VTU(path, dsc, arrays);
+  EXPECT_EQ(read_with(path, "material").labels, read_with(path, "label").labels);
+  read_with(path, "material", &again);
+  for (const auto& array : arrays.points) {
+    const auto same = std::find_if(again.points.begin(), again.points.end(),
+                                   [&](const auto& other) { return other.name == array.name; });
+    ASSERT_NE(same, again.points.end()) << array.name;
+    EXPECT_EQ(same->type, array.type);
+    EXPECT_EQ(same->values, array.values);
+  }
+}
+
+TEST(Read_vtu, cells_of_lower_dimension_are_left_out) {
+  const Temporary_folder folder;
+  Grid grid;
+  grid.array("Points", "Float64", "any name", coordinates)
+      .array("Cells", "Int64", "connectivity",
+             std::vector<std::int64_t>{0, 0, 1, 2, 3, 0, 1, 2, 1, 2, 3, 4})
+      .array("Cells", "Int64", "offsets", std::vector<std::int64_t>{1, 5, 8, 12})
+      .array("Cells", "UInt8", "types", std::vector<std::uint8_t>{1, 10, 5, 10})
+      .array("CellData", "Int32", "label", std::vector<std::int32_t>{8, 3, 9, -7});
+  write_bytes(folder / "a.vtu", grid.text("NumberOfPoints=\"5\" NumberOfCells=\"4\""));
+  CGAL::Deformable_simplicial_complexes::Unused_content unused;
+  expect_equal(read_with(folder / "a.vtu", "", nullptr, &unused), two_tetrahedra({3, -7}));
+  EXPECT_EQ(unused.text(), "1 triangles, 1 vertices");
+  const std::string text = labelled_cells().text(sizes);
+  expect_refusal(replaced(text, " 10 10\n", " 5 9\n"), "there are no tetrahedra among the cells");
+}
+
+// MEDIT
+
+const std::string medit_head = "MeshVersionFormatted 2\nDimension 3\nVertices 5\n0 0 0 0\n1 0 0 6\n"
+                               "0 1 0 0\n0 0 1 0\n1 1 1 0\nTetrahedra 2\n1 2 3 4 3\n2 3 4 5 3\n";
+
+TEST(Read_medit, entities_are_read_and_written) {
+  std::istringstream in(medit_head +
+                        "Triangles 2\n2 3 4 7\n1 2 3 -8\nEdges 2\n1 2 5\n2 3 6\nCorners 1\n1\n"
+                        "RequiredVertices 2\n3 5\nRidges 1\n2\nRequiredEdges 1\n1\n"
+                        "RequiredTriangles 1\n2\nNormals 2\n1 0 0\n0 1 0\nEnd\n");
+  Labelled_mesh mesh;
+  CGAL::Deformable_simplicial_complexes::Mesh_entities entities, again;
+  CGAL::Deformable_simplicial_complexes::Unused_content unused;
+  CGAL::IO::read_MEDIT(in, mesh.points, mesh.tetrahedra, mesh.labels, "a.mesh", &entities, &unused);
+  EXPECT_EQ(unused.text(), "2 elements of Normals");
+  EXPECT_EQ(entities.vertex_references, (std::vector<int>{0, 6, 0, 0, 0}));
+  const Complex dsc = make_complex(mesh);
+  std::ostringstream out;
+  CGAL::IO::write_MEDIT(out, dsc, entities);
+  std::istringstream written(out.str());
+  CGAL::IO::read_MEDIT(written, mesh.points, mesh.tetrahedra, mesh.labels, "b.mesh", &again);
+  EXPECT_EQ(again.vertex_references, entities.vertex_references);
+  ASSERT_EQ(again.triangles.size(), 2u);
+  EXPECT_EQ(again.triangles[1].vertices, (std::array<std::size_t, 3>{0, 1, 2}));
+  EXPECT_EQ(again.triangles[1].reference, -8);
+  ASSERT_EQ(again.edges.size(), 2u);
+  EXPECT_EQ(again.edges[0].reference, 5);
+  EXPECT_EQ(again.corners, entities.corners);
+  EXPECT_EQ(again.required_vertices, (std::vector<std::size_t>{2, 4}));
+  EXPECT_EQ(again.ridges, entities.ridges);
+  EXPECT_EQ(again.required_edges, entities.required_edges);
+  EXPECT_EQ(again.required_triangles, entities.required_triangles);
+}
+
+TEST(Read_medit, what_changes_the_result_is_refused) {
+  const auto expect_message = [](const std::string& text, const std::string& message) {
+    std::istringstream in(text);
+    Labelled_mesh mesh;
+    try {
+      CGAL::IO::read_MEDIT(in, mesh.points, mesh.tetrahedra, mesh.labels);
+      ADD_FAILURE() << message;
+    } catch (const File_error& error) {
+      EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
+    }
+  };
+  expect_message(medit_head + "Hexahedra 1\n1 2 3 4 5 1 2 3 0\nEnd\n",
+                 "1 elements of 'Hexahedra'; cut them into tetrahedra");
+  expect_message(medit_head + "TetrahedraP2 1\n1 2 3 4 5 1 2 3 4 5 0\nEnd\n", "'TetrahedraP2'");
+  expect_message(medit_head + "Tetrahedra 1\n1 2 3 4 3000000000\nEnd\n",
+                 "line 13: '3000000000' is no integer of 32 bits");
+  expect_message(medit_head + "Ridges 1\n1\nEnd\n", "line 13: there is no edge 1");
+  expect_message(medit_head + "Triangles 1\n1 2 9 0\nEnd\n", "line 13: there is no vertex 9");
 }
 
 TEST(Read_vtu, damaged_binary_data_are_refused) {

@@ -2,9 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTU_DOCUMENT_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTU_DOCUMENT_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_VTU_DOCUMENT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_VTU_DOCUMENT_H
 
+#include <CGAL/Deformable_simplicial_complexes/Mesh_arrays.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/grids/vtk_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
 
 #include <cstddef>
@@ -32,13 +34,18 @@ public:
   void end(const std::string& section) { m_xml += "      </" + section + ">\n"; }
 
   template <class Number>
-  void array(const std::string& name, const std::vector<Number>& values, int components = 1) {
-    m_xml += "        <DataArray type=\"" + type_name<Number>() + "\" Name=\"" + name +
-             "\" NumberOfComponents=\"" + std::to_string(components) +
-             "\" format=\"appended\" offset=\"" + std::to_string(m_data.size()) + "\"/>\n";
-    append_little_endian(m_data, std::uint64_t(values.size() * sizeof(Number)));
+  void array(const std::string& name, const std::vector<Number>& values,
+             std::size_t components = 1) {
+    add_element(type_name<Number>(), name, components, values.size() * sizeof(Number));
     for (Number value : values)
       append_little_endian(m_data, value);
+  }
+
+  // pre: the type is one of VTK's, and can hold the numbers
+  void array(const Mesh_array& array) {
+    const std::string bytes = find_vtk_number_type(array.type)->bytes(array.values);
+    add_element(array.type, array.name, array.components, bytes.size());
+    m_data += bytes;
   }
 
   // The section with the coordinates; those of the plane are at height 0.
@@ -84,6 +91,15 @@ public:
   }
 
 private:
+  // The bytes are to follow.
+  void add_element(const std::string& type, const std::string& name, std::size_t components,
+                   std::size_t size) {
+    m_xml += "        <DataArray type=\"" + type + "\" Name=\"" + name +
+             "\" NumberOfComponents=\"" + std::to_string(components) +
+             "\" format=\"appended\" offset=\"" + std::to_string(m_data.size()) + "\"/>\n";
+    append_little_endian(m_data, std::uint64_t(size));
+  }
+
   template <class Number> static std::string type_name() {
     const char* kind = std::is_floating_point<Number>::value ? "Float"
                        : std::is_signed<Number>::value       ? "Int"
@@ -100,4 +116,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTU_DOCUMENT_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_VTU_DOCUMENT_H

@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTK_NUMBERS_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTK_NUMBERS_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_VTK_NUMBERS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_VTK_NUMBERS_H
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/number_of_word.h>
 
@@ -31,22 +32,36 @@ template <class Number> std::vector<double> numbers_of_bytes(std::string_view by
   return numbers;
 }
 
+// pre: the type can hold the numbers
+template <class Number> std::string bytes_of_numbers(const std::vector<double>& numbers) {
+  std::string bytes;
+  bytes.reserve(numbers.size() * sizeof(Number));
+  for (const double number : numbers)
+    append_little_endian(bytes, static_cast<Number>(number));
+  return bytes;
+}
+
 // A type of numbers in a VTK file.
 struct Vtk_number_type
 {
+  template <class Number> static constexpr Vtk_number_type of(const char* name) {
+    return {name, sizeof(Number), numbers_of_bytes<Number>, bytes_of_numbers<Number>};
+  }
+
   const char* name;
   std::size_t size;
   std::vector<double> (*numbers)(std::string_view bytes);
+  std::string (*bytes)(const std::vector<double>& numbers);
 };
 
 // Nothing if there is no type of that name.
 inline const Vtk_number_type* find_vtk_number_type(std::string_view name) {
   static constexpr Vtk_number_type types[] = {
-      {"Int8", 1, numbers_of_bytes<std::int8_t>},   {"UInt8", 1, numbers_of_bytes<std::uint8_t>},
-      {"Int16", 2, numbers_of_bytes<std::int16_t>}, {"UInt16", 2, numbers_of_bytes<std::uint16_t>},
-      {"Int32", 4, numbers_of_bytes<std::int32_t>}, {"UInt32", 4, numbers_of_bytes<std::uint32_t>},
-      {"Int64", 8, numbers_of_bytes<std::int64_t>}, {"UInt64", 8, numbers_of_bytes<std::uint64_t>},
-      {"Float32", 4, numbers_of_bytes<float>},      {"Float64", 8, numbers_of_bytes<double>}};
+      Vtk_number_type::of<std::int8_t>("Int8"),   Vtk_number_type::of<std::uint8_t>("UInt8"),
+      Vtk_number_type::of<std::int16_t>("Int16"), Vtk_number_type::of<std::uint16_t>("UInt16"),
+      Vtk_number_type::of<std::int32_t>("Int32"), Vtk_number_type::of<std::uint32_t>("UInt32"),
+      Vtk_number_type::of<std::int64_t>("Int64"), Vtk_number_type::of<std::uint64_t>("UInt64"),
+      Vtk_number_type::of<float>("Float32"),      Vtk_number_type::of<double>("Float64")};
   for (const Vtk_number_type& type : types)
     if (type.name == name)
       return &type;
@@ -58,6 +73,7 @@ inline std::optional<std::vector<double>> numbers_of_text(std::string_view text)
   constexpr char white_space[] = " \t\r\n";
   std::vector<double> numbers;
   numbers.reserve(text.size() / 2); // a digit and a space each
+  static constexpr std::size_t between_checks = 1 << 12;
   for (std::size_t begin; (begin = text.find_first_not_of(white_space)) != text.npos;) {
     text.remove_prefix(begin);
     const std::string_view word = text.substr(0, text.find_first_of(white_space));
@@ -65,6 +81,8 @@ inline std::optional<std::vector<double>> numbers_of_text(std::string_view text)
     if (!number)
       return std::nullopt;
     numbers.push_back(*number);
+    if (numbers.size() % between_checks == 0)
+      Progress_scope::check();
     text.remove_prefix(word.size());
   }
   return numbers;
@@ -74,4 +92,4 @@ inline std::optional<std::vector<double>> numbers_of_text(std::string_view text)
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTK_NUMBERS_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_VTK_NUMBERS_H

@@ -2,10 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_WRITE_VTU_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_WRITE_VTU_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_WRITE_VTU_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_WRITE_VTU_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/Vtu_document.h>
+#include <CGAL/Deformable_simplicial_complexes/Mesh_arrays.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/grids/Vtu_document.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Extracted_facets.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Vertex_numbering.h>
@@ -27,9 +28,11 @@ constexpr Vtu_document::Cell_type vtu_simplex(int dimension) {
 }
 
 // All cells. On a torus, those across its seam are where their first vertex sees them, at further
-// images of their vertices. `add_arrays(document, vertices)` adds to the data of points.
-template <class Complex, class AddArrays>
-void write_cells_vtu(const std::string& path, const Complex& dsc, const AddArrays& add_arrays) {
+// images of their vertices. `add_point_arrays(document, vertices)` adds to the data of points,
+// `add_cell_arrays(document)` to those of cells, which come by increasing time stamp.
+template <class Complex, class AddPointArrays, class AddCellArrays>
+void write_cells_vtu(const std::string& path, const Complex& dsc,
+                     const AddPointArrays& add_point_arrays, const AddCellArrays& add_cell_arrays) {
   using Vertex_handle = typename Complex::Vertex_handle;
   const Vertex_numbering<Vertex_handle> number(dsc.vertices());
   std::vector<typename Complex::Approximate_point> points; // of the complex
@@ -77,11 +80,12 @@ void write_cells_vtu(const std::string& path, const Complex& dsc, const AddArray
   document.begin("PointData");
   document.array("boundary_class", boundary_classes);
   document.array("interface", interface_flags);
-  add_arrays(document, vertices);
+  add_point_arrays(document, vertices);
   document.end("PointData");
   document.begin("CellData");
   document.array("label", labels);
   document.array("quality", qualities);
+  add_cell_arrays(document);
   document.end("CellData");
   document.points(points);
   document.cells(connectivity, vtu_simplex(Complex::dimension));
@@ -89,7 +93,39 @@ void write_cells_vtu(const std::string& path, const Complex& dsc, const AddArray
 }
 
 template <class Complex> void write_cells_vtu(const std::string& path, const Complex& dsc) {
-  write_cells_vtu(path, dsc, [](Vtu_document&, const auto&) {});
+  write_cells_vtu(
+      path, dsc, [](Vtu_document&, const auto&) {}, [](Vtu_document&) {});
+}
+
+// Whether write_cells_vtu() writes an array of this name whatever else there is.
+inline bool is_computed_vtu_array(const std::string& name) {
+  return name == "label" || name == "quality" || name == "boundary_class" || name == "interface";
+}
+
+// The same with arrays that have a row for each vertex or cell, by increasing time stamp.
+template <class Complex>
+void write_cells_vtu(const std::string& path, const Complex& dsc, const Mesh_arrays& arrays) {
+  const Vertex_numbering<typename Complex::Vertex_handle> number(dsc.vertices());
+  const auto add_point_arrays = [&](Vtu_document& document, const auto& vertices) {
+    std::vector<std::size_t> rows;
+    for (const auto v : vertices)
+      rows.push_back(number(v));
+    for (const Mesh_array& array : arrays.points)
+      if (!is_computed_vtu_array(array.name))
+        document.array(array.selected(rows));
+  };
+  const auto add_cell_arrays = [&](Vtu_document& document) {
+    if (!arrays.labels.name.empty() && !is_computed_vtu_array(arrays.labels.name)) {
+      Mesh_array labels = arrays.labels;
+      for (const auto c : dsc.cells())
+        labels.values.push_back(dsc.label(c));
+      document.array(labels);
+    }
+    for (const Mesh_array& array : arrays.cells)
+      if (!is_computed_vtu_array(array.name))
+        document.array(array);
+  };
+  write_cells_vtu(path, dsc, add_point_arrays, add_cell_arrays);
 }
 
 // All facets of the interface.
@@ -115,4 +151,4 @@ template <class Complex> void write_facets_vtu(const std::string& path, const Co
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_WRITE_VTU_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_WRITE_VTU_H

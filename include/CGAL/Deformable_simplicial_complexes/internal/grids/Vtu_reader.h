@@ -2,17 +2,19 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTU_READER_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTU_READER_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_VTU_READER_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_VTU_READER_H
 
+#include <CGAL/Deformable_simplicial_complexes/Mesh_arrays.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/vtk_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/grids/vtk_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/Xml_element.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/base64.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/number_of_word.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -43,8 +45,9 @@ public:
     const std::optional<Xml_element> grid = child(m_file, "UnstructuredGrid");
     if (!grid)
       fail("there is no element UnstructuredGrid; write the file again");
+    m_grid = *grid;
     std::size_t number_of_pieces = 0;
-    for_each_child(*grid, "Piece", [&](const Xml_element& piece) {
+    for_each_child(m_grid, "Piece", [&](const Xml_element& piece) {
       m_piece = piece;
       ++number_of_pieces;
     });
@@ -58,8 +61,33 @@ public:
   std::size_t number_of_points() const { return number(m_piece, "NumberOfPoints"); }
   std::size_t number_of_cells() const { return number(m_piece, "NumberOfCells"); }
 
-  bool has_array(const std::string& section, const std::string& name) const {
-    return find(section, name).has_value();
+  // Of the file: no grid has more numbers than that, unless arrays share data.
+  std::size_t number_of_bytes() const { return (std::max)(m_bytes.size(), m_xml.size()); }
+
+  // The arrays of a section, as they are announced: without their numbers, each name once.
+  std::vector<Mesh_array> announced_arrays(const std::string& section) const {
+    std::vector<Mesh_array> result;
+    for_each_array(section, [&](const Xml_element& element) {
+      Mesh_array array{element.attribute("Name"), element.attribute("type"), 1, {}};
+      if (!element.attribute("NumberOfComponents").empty())
+        array.components = number(element, "NumberOfComponents");
+      if (array.components == 0)
+        fail("the array " + in_quotes(array.name) + " of " + section +
+             " has no components; correct the attribute NumberOfComponents");
+      if (std::none_of(result.begin(), result.end(),
+                       [&](const Mesh_array& other) { return other.name == array.name; }))
+        result.push_back(std::move(array));
+    });
+    return result;
+  }
+
+  // How many arrays of data that belong to the whole grid there are.
+  std::size_t number_of_global_arrays() const {
+    std::size_t result = 0;
+    if (const std::optional<Xml_element> arrays = child(m_grid, "FieldData"))
+      visit_xml(
+          arrays->content, m_path, [&](const Xml_element&) { ++result; }, [](std::string_view) {});
+    return result;
   }
 
   // The numbers of an array, which must be `components` for each of `size` elements. An empty name
@@ -127,12 +155,18 @@ private:
 
   std::optional<Xml_element> find(const std::string& section, const std::string& name) const {
     std::optional<Xml_element> result;
-    if (const std::optional<Xml_element> arrays = child(m_piece, section))
-      for_each_child(*arrays, "DataArray", [&](const Xml_element& array) {
-        if (!result && (name.empty() || array.attribute("Name") == name))
-          result = array;
-      });
+    for_each_array(section, [&](const Xml_element& array) {
+      if (!result && (name.empty() || array.attribute("Name") == name))
+        result = array;
+    });
     return result;
+  }
+
+  // "Array" holds words.
+  template <class Visit> void for_each_array(const std::string& section, const Visit& visit) const {
+    if (const std::optional<Xml_element> arrays = child(m_piece, section))
+      for (const char* kind : {"DataArray", "Array"})
+        for_each_child(*arrays, kind, visit);
   }
 
   // Leaves the start and the end of the section, between which there may be any bytes, as XML.
@@ -214,7 +248,7 @@ private:
 
   std::string m_path;
   std::string m_bytes, m_xml; // all views are of these
-  Xml_element m_file, m_piece;
+  Xml_element m_file, m_grid, m_piece;
   std::string_view m_appended;
 };
 
@@ -222,4 +256,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_VTU_READER_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_VTU_READER_H

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MESH_ARRAYS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MESH_ARRAYS_H
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+A named array of numbers on the points or the cells of a mesh: a row of numbers for each of them.
+*/
+struct Mesh_array
+{
+  std::string name;           ///< as in the file
+  std::string type;           ///< of the numbers, as VTK calls it: `Int32`, `Float64`, ...
+  std::size_t components = 1; ///< numbers in a row
+  std::vector<double> values; ///< row by row
+
+  /// Returns whether the type is one of integers.
+  bool is_integer() const { return type.find("Int") != std::string::npos; }
+
+  /// Returns the number of rows.
+  std::size_t rows() const { return values.size() / components; }
+
+  /// Returns an array of the same name and type that has these rows, in this order.
+  Mesh_array selected(const std::vector<std::size_t>& rows) const {
+    Mesh_array result{name, type, components, {}};
+    result.values.reserve(rows.size() * components);
+    for (const std::size_t row : rows)
+      for (std::size_t i = 0; i < components; ++i)
+        result.values.push_back(values[row * components + i]);
+    return result;
+  }
+};
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+The arrays of a mesh that are neither coordinates nor labels.
+*/
+struct Mesh_arrays
+{
+  std::vector<Mesh_array> points; ///< arrays on points
+  std::vector<Mesh_array> cells;  ///< arrays on cells
+
+  /// the array that the labels were read from, without its numbers; its name is empty if there was
+  /// none
+  Mesh_array labels;
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MESH_ARRAYS_H

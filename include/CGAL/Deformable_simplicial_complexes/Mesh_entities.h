@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MESH_ENTITIES_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MESH_ENTITIES_H
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+What a MEDIT file tells of a mesh of tetrahedra besides points and labels: edges and triangles with
+references, which tell boundary conditions for example, and what a remesher has to keep. Indices
+start from 0.
+*/
+struct Mesh_entities
+{
+  /// Vertices with a common reference.
+  template <std::size_t n> struct Simplex
+  {
+    std::array<std::size_t, n> vertices; ///< indices of points
+    int reference;                       ///< as in the file
+  };
+
+  std::vector<int> vertex_references; ///< one for each point; empty if all of them are 0
+  std::vector<Simplex<2>> edges;      ///< edges that are listed
+  std::vector<Simplex<3>> triangles;  ///< triangles that are listed
+
+  std::vector<std::size_t> corners;            ///< indices of points
+  std::vector<std::size_t> required_vertices;  ///< indices of points
+  std::vector<std::size_t> ridges;             ///< indices of edges
+  std::vector<std::size_t> required_edges;     ///< indices of edges
+  std::vector<std::size_t> required_triangles; ///< indices of triangles
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MESH_ENTITIES_H

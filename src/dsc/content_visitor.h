@@ -1,0 +1,221 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_CONTENT_VISITOR_H
+#define DSC_CONTENT_VISITOR_H
+
+#include "mesh_content.h"
+
+#include <CGAL/Carried_cell_averages_3.h>
+#include <CGAL/Carried_vertex_values_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
+
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace dsc {
+
+/// The numbers of all arrays at a vertex or cell.
+struct Content_row
+{
+  std::vector<double> numbers;
+
+  friend Content_row operator+(Content_row a, const Content_row& b) {
+    for (std::size_t i = 0; i < a.numbers.size(); ++i)
+      a.numbers[i] += b.numbers[i];
+    return a;
+  }
+  friend Content_row operator*(double factor, Content_row a) {
+    for (double& x : a.numbers)
+      x *= factor;
+    return a;
+  }
+};
+
+/// A property map of rows by the ids of vertices or cells.
+template <class Handle> struct Content_map
+{
+  using key_type = Handle;
+  using value_type = Content_row;
+  using reference = Content_row;
+  using category = boost::read_write_property_map_tag;
+
+  friend Content_row get(const Content_map& map, Handle h) { return (*map.rows)[h->id()]; }
+  friend void put(const Content_map& map, Handle h, const Content_row& row) {
+    if (map.rows->size() <= h->id())
+      map.rows->resize(h->id() + 1);
+    (*map.rows)[h->id()] = row;
+  }
+
+  std::vector<Content_row>* rows;
+};
+
+/// A visitor by which the arrays and entities of a mesh follow changes of a complex. Arrays of
+/// floating-point numbers are averages over cells, whose integral is kept, or values at vertices,
+/// which are interpolated. A new vertex takes its integers from the nearest vertex around. Integers
+/// of cells are not followed: see `Separation`.
+template <class Complex> class Content_visitor : public CGAL::Deformation_visitor_3
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+
+  Content_visitor(const Complex& complex, const Mesh_content& content)
+      : m_complex(complex), m_content(content), m_integers(complex.vertex_id_bound()),
+        m_values(complex.vertex_id_bound()), m_cell_rows(complex.cell_id_bound()) {
+    const std::vector<Vertex_handle> vertices = complex.vertices();
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const Vertex_handle v = vertices[i];
+      m_time_stamps.push_back(v->time_stamp());
+      m_integers[v->id()] = row(content.arrays.points, true, i);
+      m_values[v->id()] = row(content.arrays.points, false, i);
+    }
+    const std::vector<Cell_handle> cells = complex.cells();
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      m_cell_rows[cells[i]->id()] = row(content.arrays.cells, false, i);
+    if (!vertices.empty() && !m_values[vertices.front()->id()].numbers.empty())
+      m_carried_values.emplace(complex, Content_map<Vertex_handle>{&m_values});
+    if (!cells.empty() && !m_cell_rows[cells.front()->id()].numbers.empty())
+      m_carried_averages.emplace(complex, Content_map<Cell_handle>{&m_cell_rows});
+  }
+
+  template <class Cavity> void before_replacement(const Cavity& cavity) {
+    if (m_carried_averages)
+      m_carried_averages->before_replacement(cavity);
+    if (m_carried_values)
+      m_carried_values->before_replacement(cavity);
+    m_new_integers.clear();
+    for (std::size_t i = 0; i < cavity.vertices().size(); ++i)
+      if (cavity.vertices()[i].handle == Vertex_handle())
+        m_new_integers.emplace_back(i, integers_near(cavity, cavity.vertices()[i].position));
+  }
+  template <class Cavity> void after_replacement(const Cavity& cavity) {
+    if (m_carried_averages)
+      m_carried_averages->after_replacement(cavity);
+    if (m_carried_values)
+      m_carried_values->after_replacement(cavity);
+    for (auto& [i, integers] : m_new_integers)
+      put(Content_map<Vertex_handle>{&m_integers}, cavity.vertices()[i].handle, integers);
+  }
+  template <class Star, class Point>
+  void before_smoothing(Vertex_handle v, const Star& star, const Point& target) {
+    if (m_carried_averages)
+      m_carried_averages->before_smoothing(v, star, target);
+    if (m_carried_values)
+      m_carried_values->before_smoothing(v, star, target);
+  }
+  template <class Star> void after_smoothing(Vertex_handle v, const Star& star) {
+    if (m_carried_averages)
+      m_carried_averages->after_smoothing(v, star);
+    if (m_carried_values)
+      m_carried_values->after_smoothing(v, star);
+  }
+
+  /// Returns the content by the vertices and cells of now. No more changes follow.
+  /// \param row_of_cell for each cell a row of before with the same integers
+  Mesh_content finish(const std::vector<std::size_t>& row_of_cell) {
+    m_carried_averages.reset(); // makes averages of integrals
+    Mesh_content result = m_content;
+    const std::vector<Vertex_handle> vertices = m_complex.vertices();
+    take(result.arrays.points, true, m_integers, vertices);
+    take(result.arrays.points, false, m_values, vertices);
+    take(result.arrays.cells, false, m_cell_rows, m_complex.cells());
+    for (Mesh_array& array : result.arrays.cells)
+      if (array.is_integer())
+        array = array.selected(row_of_cell);
+    follow(result.entities, vertices);
+    return result;
+  }
+
+private:
+  static Content_row row(const std::vector<Mesh_array>& arrays, bool of_integers, std::size_t i) {
+    Content_row result;
+    for (const Mesh_array& array : arrays)
+      if (array.is_integer() == of_integers) {
+        const auto begin = array.values.begin() + std::ptrdiff_t(i * array.components);
+        result.numbers.insert(result.numbers.end(), begin,
+                              begin + std::ptrdiff_t(array.components));
+      }
+    return result;
+  }
+
+  // The reverse.
+  template <class Handle>
+  static void take(std::vector<Mesh_array>& arrays, bool of_integers,
+                   const std::vector<Content_row>& rows, const std::vector<Handle>& items) {
+    std::size_t first = 0;
+    for (Mesh_array& array : arrays) {
+      if (array.is_integer() != of_integers)
+        continue;
+      array.values.clear();
+      for (const Handle item : items) {
+        const auto begin = rows[item->id()].numbers.begin() + std::ptrdiff_t(first);
+        array.values.insert(array.values.end(), begin, begin + std::ptrdiff_t(array.components));
+      }
+      first += array.components;
+    }
+  }
+
+  template <class Cavity, class Position>
+  Content_row integers_near(const Cavity& cavity, const Position& p) const {
+    Vertex_handle nearest;
+    double least = 0;
+    for (const auto& v : cavity.vertices()) {
+      if (v.handle == Vertex_handle() || m_complex.is_infinite(v.handle))
+        continue;
+      const double distance = (v.position - p).squared_length();
+      if (nearest == Vertex_handle() || distance < least) {
+        least = distance;
+        nearest = v.handle;
+      }
+    }
+    return m_integers[nearest->id()];
+  }
+
+  // New vertices have the reference 0; the vertices of entities are still there.
+  void follow(Mesh_entities& entities, const std::vector<Vertex_handle>& vertices) const {
+    std::vector<std::size_t> now(m_time_stamps.size(), 0);
+    std::vector<int> references;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const auto it =
+          std::lower_bound(m_time_stamps.begin(), m_time_stamps.end(), vertices[i]->time_stamp());
+      const bool is_old = it != m_time_stamps.end() && *it == vertices[i]->time_stamp();
+      const auto before = static_cast<std::size_t>(it - m_time_stamps.begin());
+      if (is_old)
+        now[before] = i;
+      if (!entities.vertex_references.empty())
+        references.push_back(is_old ? entities.vertex_references[before] : 0);
+    }
+    const auto renumber = [&](auto& indices) {
+      for (std::size_t& v : indices)
+        v = now[v];
+    };
+    for (auto& edge : entities.edges)
+      renumber(edge.vertices);
+    for (auto& triangle : entities.triangles)
+      renumber(triangle.vertices);
+    renumber(entities.corners);
+    renumber(entities.required_vertices);
+    entities.vertex_references = references;
+  }
+
+  const Complex& m_complex;
+  const Mesh_content& m_content;
+  std::vector<std::size_t> m_time_stamps;                          // of the first vertices
+  std::vector<Content_row> m_integers, m_values, m_cell_rows;      // by id
+  std::vector<std::pair<std::size_t, Content_row>> m_new_integers; // by vertex of the cavity
+  std::optional<CGAL::Carried_cell_averages_3<Complex, Content_map<Cell_handle>>>
+      m_carried_averages;
+  std::optional<CGAL::Carried_vertex_values_3<Complex, Content_map<Vertex_handle>>>
+      m_carried_values;
+};
+
+} // namespace dsc
+
+#endif // DSC_CONTENT_VISITOR_H
