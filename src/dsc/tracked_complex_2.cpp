@@ -9,6 +9,7 @@
 #include "option_values.h"
 #include "start_curves.h"
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/IO/SVG_2.h>
 #include <CGAL/IO/VTU_2.h>
@@ -57,19 +58,40 @@ void add_angles(const Complex& complex, Statistics& statistics) {
       static_cast<double>(outside) / (3 * static_cast<double>(complex.number_of_cells()));
 }
 
-constexpr double edge_of_images = 1; // in pixels
+std::optional<CGAL::Bbox_2> box_of(const std::optional<std::array<double, 6>>& domain) {
+  if (!domain)
+    return std::nullopt;
+  return CGAL::Bbox_2((*domain)[0], (*domain)[1], (*domain)[3], (*domain)[4]);
+}
+
+std::unique_ptr<Tracked_complex> track_image_2(const Run_start& start, const std::string& format,
+                                               const std::optional<CGAL::Bbox_2>& box) {
+  static constexpr double default_edge = 2.5; // in pixels, as of voxels
+  const std::string& path = start.inputs[0];
+  const auto image =
+      format == "png" ? CGAL::IO::read_labelled_PNG(path) : CGAL::IO::read_labelled_image(path);
+  const double edge = start.edge > 0 ? start.edge : default_edge;
+  const auto build = [&](const auto& np) {
+    return std::make_unique<Tracked_complex_2>(
+        CGAL::make_deformable_simplicial_complex_2<Complex>(image, edge, np));
+  };
+  try {
+    return box ? build(parameters::enclosing_box(*box)) : build(parameters::default_values());
+  } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {
+    throw;
+  } catch (const CGAL::Deformable_simplicial_complexes::Error& error) {
+    throw Input_error(path + ": " + error.what());
+  }
+}
 
 } // namespace
 
 std::unique_ptr<Tracked_complex> track_figure(const Run_start& start,
                                               const std::optional<std::array<double, 6>>& domain) {
   const std::string format = start.inputs.size() == 1 ? extension(start.inputs[0]) : "";
-  if (format == "pgm" || format == "png") {
-    const auto image = format == "png" ? CGAL::IO::read_labelled_PNG(start.inputs[0])
-                                       : CGAL::IO::read_labelled_image(start.inputs[0]);
-    return std::make_unique<Tracked_complex_2>(
-        CGAL::make_deformable_simplicial_complex_2<Complex>(image.bbox(), edge_of_images, image));
-  }
+  const std::optional<CGAL::Bbox_2> box = box_of(domain);
+  if (format == "pgm" || format == "png")
+    return track_image_2(start, format, box);
   const Curves curves = start_curves(start);
   const auto build = [&](const auto& np) {
     return std::make_unique<Tracked_complex_2>(
@@ -77,10 +99,7 @@ std::unique_ptr<Tracked_complex> track_figure(const Run_start& start,
                       : CGAL::make_deformable_simplicial_complex_2<Complex>(curves.closed, np));
   };
   try {
-    if (!domain)
-      return build(parameters::default_values());
-    return build(parameters::enclosing_box(
-        CGAL::Bbox_2((*domain)[0], (*domain)[1], (*domain)[3], (*domain)[4])));
+    return box ? build(parameters::enclosing_box(*box)) : build(parameters::default_values());
   } catch (const Invalid_surface_error& error) {
     throw Input_error((curves.seeded ? start.inputs[0] : curves.names[error.surface()]) + ": " +
                       error.what());
