@@ -5,6 +5,7 @@
 #include "command_line.h"
 #include "commands.h"
 #include "errors.h"
+#include "unused.h"
 
 #include <CGAL/assertions.h>
 
@@ -27,6 +28,9 @@ int fail(std::string message, Exit_code code) {
 // CGAL throws after it has printed; the message comes with the exception.
 void print_nothing(const char*, const char*, const char*, int, const char*) {}
 
+bool is_quiet(const dsc::Info_options&) { return false; }
+template <class Command> bool is_quiet(const Command& command) { return command.quiet; }
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -36,6 +40,8 @@ int main(int argc, char** argv) {
     const std::optional<dsc::Options> options = dsc::parse_command_line(argc, argv);
     if (!options)
       return 0;
+    if (std::visit([](const auto& command) { return is_quiet(command); }, *options))
+      dsc::keep_silent_about_unused();
     return std::visit([](const auto& command) { return dsc::execute(command); }, *options);
   } catch (const dsc::Usage_error& error) {
     return fail(error.what(), bad_usage);
