@@ -187,8 +187,8 @@ Complex make_deformable_simplicial_complex_2(
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Makes a complex of the regions between segments, whose labels are told by points in them; regions
-without one get label 0. As above, but segments need not be closed curves: those with the same label
+Makes a complex of the regions between segments, whose labels are told by points in them; enclosed
+regions without one get the label `enclosed_label` of the segments. As above, but segments need not be closed curves: those with the same label
 on both sides are just edges of the mesh.
 
 \param segments with seeds; coordinates are rounded to `double`
@@ -211,7 +211,7 @@ Complex make_deformable_simplicial_complex_2(
   internal::add_segments(segments, 0, soup);
   return internal::fill_box(Complex(), soup, internal::enclosing_box(soup, np), np,
                             [&](const internal::Planar_filling_2& filling) {
-                              return internal::label_by_seeds(segments.seeds, soup, filling);
+                              return internal::label_by_seeds(segments, soup, filling);
                             });
 }
 
