@@ -7,8 +7,10 @@
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/Labelled_curve_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/Labelled_image_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/Seeded_segments_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/Curve_soup_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/building/Image_filling_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/Planar_filling_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/box_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/label_by_seeds_2.h>
@@ -27,6 +29,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -35,21 +38,30 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The complex, empty before, of a filled box, with labels told by `label(filling)`.
+// The complex, empty before, of triangles, and its improvement.
+template <class Complex, class NP>
+Complex assign_and_improve(Complex dsc, const std::vector<Planar_kernel::Point_2>& planar,
+                           const std::vector<std::array<std::size_t, 3>>& triangles,
+                           const std::vector<int>& labels, const NP& np) {
+  const New_mesh_options options = new_mesh_options(np);
+  std::vector<typename Complex::Point_2> points;
+  points.reserve(planar.size());
+  for (const auto& p : planar)
+    points.emplace_back(p.x(), p.y());
+  dsc.assign(points, triangles, labels);
+  improve_new_mesh(dsc, options);
+  return dsc;
+}
+
+// The same for a filled box, with labels told by `label(filling)`.
 template <class Complex, class NP, class Label>
 Complex fill_box(Complex dsc, const Curve_soup_2& soup, const Bbox_2& box, const NP& np,
                  const Label& label) {
-  const New_mesh_options options = new_mesh_options(np);
   Planar_filling_2 filling = fill_planar_box(soup, box);
   const auto labels = label(filling);
   if constexpr (!Complex::Domain::has_outside)
     join_sides(box, filling.points, filling.triangles);
-  std::vector<typename Complex::Point_2> points;
-  for (const auto& p : filling.points)
-    points.emplace_back(p.x(), p.y());
-  dsc.assign(points, filling.triangles, labels);
-  improve_new_mesh(dsc, options);
-  return dsc;
+  return assign_and_improve(std::move(dsc), filling.points, filling.triangles, labels, np);
 }
 
 // Closed curves together, and the labels of what they enclose.
@@ -175,8 +187,8 @@ Complex make_deformable_simplicial_complex_2(
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Makes a complex of the regions between segments, whose labels are told by points in them; regions
-without one get label 0. As above, but segments need not be closed curves: those with the same label
+Makes a complex of the regions between segments, whose labels are told by points in them; enclosed
+regions without one get the label `enclosed_label` of the segments. As above, but segments need not be closed curves: those with the same label
 on both sides are just edges of the mesh.
 
 \param segments with seeds; coordinates are rounded to `double`
@@ -199,8 +211,44 @@ Complex make_deformable_simplicial_complex_2(
   internal::add_segments(segments, 0, soup);
   return internal::fill_box(Complex(), soup, internal::enclosing_box(soup, np), np,
                             [&](const internal::Planar_filling_2& filling) {
-                              return internal::label_by_seeds(segments.seeds, soup, filling);
+                              return internal::label_by_seeds(segments, soup, filling);
                             });
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Makes a complex of an image of labels. Each label gets the area of its pixels, and the center of
+each pixel keeps its label. The interface is smooth where it can be, and follows the edges of pixels
+elsewhere: the boundary of a single pixel is a square. Pixels of a label that have only a corner in
+common touch there. Away from the interface, triangles are large.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_2`
+\param image the labels of square pixels of side 1, from the origin
+\param edge about how long the segments of the interface are to be, in pixels; at least 1
+\param np the named parameters above, but `enclosing_box`, which is the rectangle of all pixels by
+       default; around the image in a larger box is label 0
+\throws Deformable_simplicial_complexes::Error if the image is empty, `edge` is less than 1, the image
+        is not strictly inside the box, or more than 2^20 edges of pixels are between different
+labels
+
+Linear in the number of pixels, with a byte of memory for each, and n log n in the number of edges
+of pixels between different labels, with about a kilobyte for each segment of the interface.
+*/
+template <class Complex,
+          class NP = Deformable_simplicial_complexes::parameters::Default_named_parameters>
+Complex make_deformable_simplicial_complex_2(
+    const Labelled_image_2& image, double edge = 2.5,
+    const NP& np = Deformable_simplicial_complexes::parameters::default_values()) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  std::optional<Bbox_2> box;
+  if constexpr (!CGAL::parameters::is_default_parameter<
+                    NP, Deformable_simplicial_complexes::internal_np::enclosing_box_t>::value)
+    box = internal::box_of(CGAL::parameters::get_parameter(
+        np, Deformable_simplicial_complexes::internal_np::enclosing_box));
+  const internal::Image_filling_2 filling = internal::fill_image(image, edge, box);
+  return internal::assign_and_improve(Complex(), filling.points, filling.triangles, filling.labels,
+                                      np);
 }
 
 /*!

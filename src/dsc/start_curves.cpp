@@ -6,6 +6,7 @@
 
 #include "errors.h"
 #include "files.h"
+#include "unused.h"
 
 #include <CGAL/IO/labelled_curves_2.h>
 
@@ -94,11 +95,18 @@ Curves start_curves(const Run_start& start) {
     const std::string format = extension(input);
     if (format != "wkt" && start.inputs.size() > 1)
       throw Usage_error(input + " cannot be joined with other inputs; give it alone");
-    if (format == "poly")
-      curves.seeded = CGAL::IO::read_seeded_segments(input);
+    Unused_content unused;
+    if (format == "poly") {
+      curves.seeded = CGAL::IO::read_seeded_segments(input, &unused);
+      print_unused(input, unused);
+    }
     if (format != "wkt")
       continue;
-    for (Curve& curve : CGAL::IO::read_labelled_curves(input)) {
+    auto read = CGAL::IO::read_labelled_curves(input, &unused);
+    print_unused(input, unused);
+    if (read.empty())
+      throw Input_error(input + ": no geometry bounds a region; give a POLYGON or MULTIPOLYGON");
+    for (Curve& curve : read) {
       curve.label = static_cast<int>(curves.closed.size()) + 1;
       curves.closed.push_back(std::move(curve));
       curves.names.push_back(input);

@@ -8,7 +8,9 @@
 #include "files.h"
 #include "option_values.h"
 #include "start_curves.h"
+#include "unused.h"
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/IO/SVG_2.h>
 #include <CGAL/IO/VTU_2.h>
@@ -24,6 +26,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
 
 namespace dsc {
 namespace {
@@ -57,19 +63,64 @@ void add_angles(const Complex& complex, Statistics& statistics) {
       static_cast<double>(outside) / (3 * static_cast<double>(complex.number_of_cells()));
 }
 
-constexpr double edge_of_images = 1; // in pixels
+std::optional<CGAL::Bbox_2> box_of(const std::optional<std::array<double, 6>>& domain) {
+  if (!domain)
+    return std::nullopt;
+  return CGAL::Bbox_2((*domain)[0], (*domain)[1], (*domain)[3], (*domain)[4]);
+}
+
+std::unique_ptr<Tracked_complex> track_image_2(const Run_start& start, const std::string& format,
+                                               const std::optional<CGAL::Bbox_2>& box) {
+  static constexpr double default_edge = 2.5; // in pixels, as of voxels
+  const std::string& path = start.inputs[0];
+  Unused_content unused;
+  const auto image = format == "png" ? CGAL::IO::read_labelled_PNG(path, &unused)
+                                     : CGAL::IO::read_labelled_image(path, &unused);
+  print_unused(path, unused);
+  const double edge = start.edge > 0 ? start.edge : default_edge;
+  const auto build = [&](const auto& np) {
+    return std::make_unique<Tracked_complex_2>(
+        CGAL::make_deformable_simplicial_complex_2<Complex>(image, edge, np));
+  };
+  try {
+    auto result =
+        box ? build(parameters::enclosing_box(*box)) : build(parameters::default_values());
+    if (result->complex.interface_facets().empty())
+      throw Input_error(path + ": all pixels have the same label, so that nothing would move; give "
+                               "a --domain around the image, where label 0 is");
+    return result;
+  } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {
+    throw;
+  } catch (const CGAL::Deformable_simplicial_complexes::Error& error) {
+    throw Input_error(path + ": " + error.what());
+  }
+}
+
+/// Tells which curves or segments bound nothing. \throws Input_error if none does
+void check_bounds(const Curves& curves, const std::string& input, const Complex& complex) {
+  const std::size_t facets = complex.interface_facets().size();
+  if (facets == 0)
+    throw Input_error(input + ": each segment has the same label on both sides, so that nothing "
+                              "would move; close the segments, or correct the regions");
+  std::map<std::string, Unused_content> unused; // by file
+  if (curves.seeded)                            // no segment is divided
+    unused[input].add("segments with the same label on both sides",
+                      curves.seeded->segments.size() - facets);
+  for (std::size_t i = 0; i < curves.closed.size(); ++i)
+    unused[curves.names[i]].add("polygons or lines that later ones cover",
+                                complex.number_of_cells(curves.closed[i].label) == 0 ? 1 : 0);
+  for (const auto& [path, content] : unused)
+    print_unused(path, content);
+}
 
 } // namespace
 
 std::unique_ptr<Tracked_complex> track_figure(const Run_start& start,
                                               const std::optional<std::array<double, 6>>& domain) {
   const std::string format = start.inputs.size() == 1 ? extension(start.inputs[0]) : "";
-  if (format == "pgm" || format == "png") {
-    const auto image = format == "png" ? CGAL::IO::read_labelled_PNG(start.inputs[0])
-                                       : CGAL::IO::read_labelled_image(start.inputs[0]);
-    return std::make_unique<Tracked_complex_2>(
-        CGAL::make_deformable_simplicial_complex_2<Complex>(image.bbox(), edge_of_images, image));
-  }
+  const std::optional<CGAL::Bbox_2> box = box_of(domain);
+  if (format == "pgm" || format == "png")
+    return track_image_2(start, format, box);
   const Curves curves = start_curves(start);
   const auto build = [&](const auto& np) {
     return std::make_unique<Tracked_complex_2>(
@@ -77,10 +128,12 @@ std::unique_ptr<Tracked_complex> track_figure(const Run_start& start,
                       : CGAL::make_deformable_simplicial_complex_2<Complex>(curves.closed, np));
   };
   try {
-    if (!domain)
-      return build(parameters::default_values());
-    return build(parameters::enclosing_box(
-        CGAL::Bbox_2((*domain)[0], (*domain)[1], (*domain)[3], (*domain)[4])));
+    auto result =
+        box ? build(parameters::enclosing_box(*box)) : build(parameters::default_values());
+    check_bounds(curves, start.inputs.empty() ? "the figure" : start.inputs[0], result->complex);
+    return result;
+  } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {
+    throw;
   } catch (const Invalid_surface_error& error) {
     throw Input_error((curves.seeded ? start.inputs[0] : curves.names[error.surface()]) + ": " +
                       error.what());

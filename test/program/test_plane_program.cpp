@@ -107,6 +107,44 @@ TEST_F(Planar_program, reads_segments_and_images) {
   EXPECT_EQ(info("two.wkt", "interface segments"), 8);
 }
 
+TEST_F(Planar_program, reads_segments_without_regions) {
+  const std::string square = "4 2 0 1\n0 0 0 1\n1 1 0 1\n2 1 1 1\n3 0 1 1\n";
+  write("square.poly", square + "4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n");
+  const Json step = last_step("offset square.poly --distance .1 --steps 1");
+  EXPECT_GT(label(step, 1).at("area").get<double>(), 1.2);
+  write("diagonal.poly", square + "5 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n4 0 2\n0\n");
+  const Outcome told = run("info diagonal.poly");
+  EXPECT_NE(told.err.find("not used: 4 boundary markers"), std::string::npos) << told.err;
+  EXPECT_NE(told.err.find("not used: 1 segments with the same label"), std::string::npos)
+      << told.err;
+  EXPECT_EQ(run("advect diagonal.poly --velocity 1,0 --dt .1 --steps 1 --quiet").err, "");
+  write("open.poly", "3 2\n0 0 0\n1 1 0\n2 1 1\n2 0\n0 0 1\n1 1 2\n0\n");
+  expect_error("offset open.poly --distance .1", 1);
+  write("covered.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 0)) POLYGON ((0 0, 1 0, 1 1, 0 0))");
+  EXPECT_NE(run("info covered.wkt").err.find("later ones cover"), std::string::npos);
+  write("point.wkt", "POINT EMPTY");
+  EXPECT_EQ(run("info point.wkt").exit_code, 1);
+}
+
+TEST_F(Planar_program, moves_images_with_and_without_room_around) {
+  write("halves.pgm", "P2 6 4 9\n1 1 1 2 2 2\n1 1 1 2 2 2\n1 1 2 2 2 2\n1 1 2 2 2 2\n");
+  Json step = last_step("mean-curvature halves.pgm --dt .2 --steps 3");
+  EXPECT_NEAR(label(step, 1).at("area").get<double>() + label(step, 2).at("area").get<double>(), 24,
+              1e-9);
+  step = last_step("mean-curvature halves.pgm --domain=-3,-3,9,7 --dt .01 --steps 1");
+  EXPECT_NEAR(label(step, 0).at("area").get<double>() + label(step, 1).at("area").get<double>() +
+                  label(step, 2).at("area").get<double>(),
+              120, 1e-9);
+  expect_error("mean-curvature halves.pgm --domain 0,0,9,9", 1);
+  write("gray.pgm", "P2 2 2 9\n3 3 3 3\n");
+  expect_error("mean-curvature gray.pgm", 1);
+  EXPECT_NEAR(label(last_step("offset gray.pgm --domain=-5,-5,7,7 --distance .5 --steps 1"), 3)
+                  .at("area")
+                  .get<double>(),
+              9, 1.);
+  expect_error("mean-curvature halves.pgm --edge .1", 1);
+}
+
 TEST_F(Planar_program, resumes_to_the_same_bits) {
   const std::string vortex = "vortex --plane --segments 40 --period 1 --dt .05 --quiet ";
   expect_success(vortex + "--steps 4 --output whole");

@@ -16,7 +16,8 @@ namespace CGAL {
 \ingroup PkgDeformableSimplicialComplex3Ref
 
 is a set of segments that divide the plane, together with points in some of the regions between them
-and the labels of these regions; the others get label 0. Any number of segments may meet in a point,
+and the labels of these regions. Other regions that segments enclose get one label, which is 0 unless
+told; the outside without a point gets 0. Any number of segments may meet in a point,
 as in a foam or in files of the format of Triangle (`.poly`).
 
 \tparam Point is a point type such as `Deformable_simplicial_complex_2::Point_2`.
@@ -26,6 +27,7 @@ template <class Point> struct Seeded_segments_2
   std::vector<Point> points;                        ///< the ends of the segments
   std::vector<std::array<std::size_t, 2>> segments; ///< indices into `points`
   std::vector<std::pair<Point, int>> seeds;         ///< points in regions, with their labels
+  int enclosed_label = 0;                           ///< of enclosed regions without such a point
 };
 
 } // namespace CGAL

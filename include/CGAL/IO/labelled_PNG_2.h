@@ -6,6 +6,8 @@
 #define CGAL_IO_LABELLED_PNG_2_H
 
 #include <CGAL/Deformable_simplicial_complex_2/Labelled_image_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 
@@ -46,8 +48,13 @@ public:
     png_read_info(m_png, m_info);
     const png_byte colors = png_get_color_type(m_png, m_info);
     if (colors != PNG_COLOR_TYPE_GRAY && colors != PNG_COLOR_TYPE_PALETTE)
-      throw std::runtime_error("has colors or is transparent: labels are gray values or indices of "
-                               "a palette; convert it to one of these");
+      throw std::runtime_error(
+          std::string(colors == PNG_COLOR_TYPE_GRAY_ALPHA  ? "has gray values with transparency"
+                      : colors == PNG_COLOR_TYPE_RGB_ALPHA ? "has colors with transparency"
+                                                           : "has colors") +
+          ": labels are gray values or indices of a palette; convert it to one of these");
+    if (png_get_valid(m_png, m_info, PNG_INFO_tRNS) != 0)
+      m_unused.add("transparent colors or gray values", number_of_transparent());
     const bool is_wide = png_get_bit_depth(m_png, m_info) == 16;
     png_set_packing(m_png);
     const int passes = png_set_interlace_handling(m_png);
@@ -60,16 +67,30 @@ public:
     std::vector<std::vector<png_byte>> rows(passes > 1 ? result.height : 1);
     for (int pass = 0; pass < passes; ++pass)
       for (std::size_t y = 0; y < result.height; ++y) {
+        Progress_scope::check();
         auto& pixels = rows[passes > 1 ? y : 0];
         pixels.resize(row);
         png_read_row(m_png, pixels.data(), nullptr);
         for (std::size_t x = 0; pass + 1 == passes && x < result.width; ++x)
           result.labels.push_back(is_wide ? 256 * pixels[2 * x] + pixels[2 * x + 1] : pixels[x]);
       }
+    png_read_end(m_png, nullptr);
     return result;
   }
 
+  const Unused_content& unused() const { return m_unused; }
+
 private:
+  std::size_t number_of_transparent() {
+    png_bytep opacities = nullptr; // of colors of the palette
+    int number = 0;
+    png_get_tRNS(m_png, m_info, &opacities, &number, nullptr);
+    if (png_get_color_type(m_png, m_info) == PNG_COLOR_TYPE_GRAY)
+      return 1;
+    return std::size_t(std::count_if(opacities, opacities + number,
+                                     [](png_byte opacity) { return opacity < 255; }));
+  }
+
   static void read(png_structp png, png_bytep to, std::size_t size) {
     auto& self = *static_cast<Png_labels*>(png_get_io_ptr(png));
     if (size > self.m_bytes.size() - self.m_position)
@@ -84,6 +105,7 @@ private:
 
   const std::string& m_bytes;
   std::size_t m_position = 0;
+  Unused_content m_unused;
   png_structp m_png;
   png_infop m_info;
 };
@@ -100,17 +122,27 @@ reads an image of labels from portable network graphics (`.png`): the gray value
 colors in the palette, are the labels. Whoever includes this header links libpng.
 
 \param path is the name of the file.
+\param unused gets what is in the file and not used: the transparency of gray values or colors in the
+palette.
 \throws Deformable_simplicial_complexes::File_error if the file cannot be read, or is no such image.
 
 Linear in the number of pixels.
 
 \sa `read_labelled_image()`
 */
-inline Labelled_image_2 read_labelled_PNG(const std::string& path) {
+inline Labelled_image_2
+read_labelled_PNG(const std::string& path,
+                  Deformable_simplicial_complexes::Unused_content* unused = nullptr) {
   namespace internal = Deformable_simplicial_complexes::internal;
   const std::string bytes = internal::file_contents(path);
   try {
-    return internal::Png_labels(bytes).image();
+    internal::Png_labels reader(bytes);
+    auto image = reader.image();
+    if (unused)
+      *unused = reader.unused();
+    return image;
+  } catch (const Deformable_simplicial_complexes::Error&) {
+    throw; // interrupted
   } catch (const std::runtime_error& error) {
     throw Deformable_simplicial_complexes::File_error(path + ": " + error.what(), path);
   }

@@ -10,6 +10,7 @@
 #include <CGAL/Deformable_simplicial_complex_2/Seeded_segments_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/IO/read_poly.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/IO/read_wkt.h>
+#include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 #include <CGAL/extract_interface_2.h>
@@ -32,17 +33,25 @@ namespace IO {
 
 reads closed curves from a file of well-known text (`.wkt`), for
 `make_deformable_simplicial_complex_2()`: each `POLYGON`, `MULTIPOLYGON`, closed `LINESTRING` and
-`MULTILINESTRING` is a curve; their labels are 1, 2 and so on.
+`MULTILINESTRING` is a curve, those in a `GEOMETRYCOLLECTION`, too; their labels are 1, 2 and so on.
 
 \param path is the name of the file.
+\param unused gets what is in the file and not used: points, empty geometries, spatial reference
+systems.
 \throws Deformable_simplicial_complexes::File_error if the file cannot be read, or is not what is
 described above.
 
 Linear in the size of the file.
 */
 template <class Point = Exact_predicates_inexact_constructions_kernel::Point_2>
-std::vector<Labelled_curve_2<Point>> read_labelled_curves(const std::string& path) {
-  return Deformable_simplicial_complexes::internal::Wkt_reader<Point>(path).read();
+std::vector<Labelled_curve_2<Point>>
+read_labelled_curves(const std::string& path,
+                     Deformable_simplicial_complexes::Unused_content* unused = nullptr) {
+  Deformable_simplicial_complexes::internal::Wkt_reader<Point> reader(path);
+  auto curves = reader.read();
+  if (unused)
+    *unused = reader.unused();
+  return curves;
 }
 
 /*!
@@ -50,17 +59,27 @@ std::vector<Labelled_curve_2<Point>> read_labelled_curves(const std::string& pat
 
 reads segments from a file in the format of Triangle (`.poly`), for
 `make_deformable_simplicial_complex_2()`. Regions with an attribute get it as their label, which
-must be an integer; holes get 0.
+must be an integer; holes get 0. In a file without regions, all that segments enclose gets label 1,
+but for holes.
 
-\param path is the name of the file, which contains the points, too.
+\param path is the name of the file. If it has no points, they are read from the file beside it whose
+name ends with `.node`.
+\param unused gets what is in the file and not used: attributes and boundary markers of points and
+segments, points that are no ends of segments, area constraints.
 \throws Deformable_simplicial_complexes::File_error if the file cannot be read, or is not what is
 described above.
 
 Linear in the size of the file.
 */
 template <class Point = Exact_predicates_inexact_constructions_kernel::Point_2>
-Seeded_segments_2<Point> read_seeded_segments(const std::string& path) {
-  return Deformable_simplicial_complexes::internal::read_poly<Point>(path);
+Seeded_segments_2<Point>
+read_seeded_segments(const std::string& path,
+                     Deformable_simplicial_complexes::Unused_content* unused = nullptr) {
+  Deformable_simplicial_complexes::internal::Poly_reader<Point> reader(path);
+  auto segments = reader.read();
+  if (unused)
+    *unused = reader.unused();
+  return segments;
 }
 
 /*!

@@ -6,6 +6,8 @@
 #define CGAL_IO_LABELLED_IMAGE_2_H
 
 #include <CGAL/Deformable_simplicial_complex_2/Labelled_image_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 
@@ -23,11 +25,14 @@ namespace IO {
 reads an image of labels from a portable gray map (`.pgm`): the gray values are the labels.
 
 \param path is the name of the file.
+\param unused gets what is in the file and not used: bytes after the pixels, such as other images.
 \throws Deformable_simplicial_complexes::File_error if the file cannot be read, or is no such image.
 
 Linear in the size of the file.
 */
-inline Labelled_image_2 read_labelled_image(const std::string& path) {
+inline Labelled_image_2
+read_labelled_image(const std::string& path,
+                    Deformable_simplicial_complexes::Unused_content* unused = nullptr) {
   namespace internal = Deformable_simplicial_complexes::internal;
   const std::string bytes = internal::file_contents(path);
   std::size_t position = 2;
@@ -36,7 +41,7 @@ inline Labelled_image_2 read_labelled_image(const std::string& path) {
   };
   if ((bytes.compare(0, 2, "P2") != 0 && bytes.compare(0, 2, "P5") != 0) ||
       (bytes.size() > 2 && std::isdigit(static_cast<unsigned char>(bytes[2])) != 0))
-    fail("is no portable gray map: it should begin with P2 or P5");
+    fail("is no portable gray map: it should begin with P2 or P5; convert other images to one");
   const bool is_binary = bytes[1] == '5';
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
   const auto number = [&](std::size_t maximum) {
@@ -66,6 +71,7 @@ inline Labelled_image_2 read_labelled_image(const std::string& path) {
     fail("there are fewer pixels than it says; is the file truncated?");
   image.labels.reserve(size);
   while (image.labels.size() < size) {
+    Deformable_simplicial_complexes::Progress_scope::check();
     if (!is_binary) {
       image.labels.push_back(int(number(gray)));
     } else {
@@ -77,6 +83,10 @@ inline Labelled_image_2 read_labelled_image(const std::string& path) {
       image.labels.push_back(value);
     }
   }
+  while (position < bytes.size() && std::isspace(byte(position)))
+    ++position;
+  if (unused)
+    unused->add("bytes after the pixels", bytes.size() - position);
   return image;
 }
 

@@ -6,6 +6,9 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IO_READ_WKT_H
 
 #include <CGAL/Deformable_simplicial_complex_2/Labelled_curve_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/IO/check_rings.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/number_of_word.h>
@@ -15,8 +18,10 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,60 +42,149 @@ public:
   }
 
   std::vector<Curve> read() {
-    std::vector<Curve> curves;
-    for (skip_space(); m_position < m_text.size(); skip_space()) {
-      curves.emplace_back();
-      curves.back().label = int(curves.size());
-      const std::string type = word();
-      const int depth = type == "LINESTRING"                             ? 1
-                        : type == "POLYGON" || type == "MULTILINESTRING" ? 2
-                        : type == "MULTIPOLYGON"                         ? 3
-                                                                         : 0;
-      if (depth == 0)
-        fail(in_quotes(type) + " is no geometry that bounds a region: use POLYGON, MULTIPOLYGON, "
-                               "LINESTRING or MULTILINESTRING");
-      if (const std::string more = is_letter() ? word() : ""; more == "EMPTY") {
-        curves.pop_back();
-        continue;
-      } else if (!more.empty()) {
-        fail(in_quotes(type + ' ' + more) + " has more than x and y: leave the others out");
-      }
-      nested(depth, curves.back());
-      if (!curves.empty() && curves.back().segments.empty())
-        curves.pop_back(); // its parts are empty
+    while (!is_at_end()) {
+      skip_reference_system();
+      geometry(0);
+      is_next(';');
     }
-    return curves;
+    return std::move(m_curves);
   }
 
+  const Unused_content& unused() const { return m_unused; }
+
 private:
-  // A list in parentheses of lists in parentheses and so on, of ways at last.
-  void nested(int depth, Curve& curve) {
-    if (depth == 1)
-      return way(curve);
+  static constexpr int most_nested = 100; // collections in collections
+
+  // How many lists of lists a geometry is, down to its rings; 0 if it bounds nothing.
+  static int depth_of(const std::string& type) {
+    return type == "LINESTRING" || type == "LINEARRING"                           ? 1
+           : type == "POLYGON" || type == "TRIANGLE" || type == "MULTILINESTRING" ? 2
+           : type == "MULTIPOLYGON"                                               ? 3
+                                                                                  : 0;
+  }
+
+  // One geometry, or a collection of them.
+  void geometry(int collections) {
+    Progress_scope::check();
+    const std::string type = word();
+    const int depth = depth_of(type);
+    const bool is_collection = type == "GEOMETRYCOLLECTION",
+               is_point = type == "POINT" || type == "MULTIPOINT";
+    if (depth == 0 && !is_collection && !is_point)
+      fail(in_quotes(type) + " is no geometry that bounds a region: use POLYGON, MULTIPOLYGON, "
+                             "LINESTRING or MULTILINESTRING");
+    if (const std::string more = is_letter() ? word() : ""; more == "EMPTY") {
+      m_unused.add("empty geometries");
+      return;
+    } else if (!more.empty() && !is_point) {
+      fail(in_quotes(type + ' ' + more) + " has more than x and y: leave the others out");
+    }
+    if (is_point)
+      return skip_points();
+    if (is_collection)
+      return collection(collections + 1);
+    m_rings.clear();
+    m_polygons = 0;
+    nested(depth, false);
+    finish_curve(type);
+  }
+
+  void collection(int depth) {
+    if (depth > most_nested)
+      fail("more than 100 collections are in one another; take the geometries out of them");
     expect('(');
-    do {
-      if (!is_empty())
-        nested(depth - 1, curve);
-    } while (is_next(','));
+    do
+      geometry(depth);
+    while (is_next(','));
     expect(')');
   }
 
-  void way(Curve& curve) {
+  void skip_points() {
+    const std::size_t first = m_position;
+    expect('(');
+    const std::size_t end = m_text.find_first_not_of("0123456789+-.eE \t\r\n,()", m_position);
+    std::size_t open = 1;
+    while (open > 0 && m_position < (std::min)(end, m_text.size())) {
+      open += m_text[m_position] == '(';
+      open -= m_text[m_position++] == ')';
+    }
+    if (open > 0)
+      fail("the points are not closed by a )");
+    const auto last = m_text.begin() + std::ptrdiff_t(m_position);
+    m_unused.add("points",
+                 1 + std::size_t(std::count(m_text.begin() + std::ptrdiff_t(first), last, ',')));
+  }
+
+  // The rings of a geometry become a curve, if they are nested as they should be.
+  void finish_curve(const std::string& type) {
+    if (m_rings.empty()) // its parts are empty
+      return m_unused.add("empty geometries");
+    if (type == "POLYGON" || type == "MULTIPOLYGON")
+      if (const std::optional<Ring_fault> fault = find_ring_fault(m_rings))
+        fail_at(m_rings[fault->ring].line, fault->what);
+    m_curves.emplace_back();
+    m_curves.back().label = int(m_curves.size());
+    for (const Polygon_ring& ring : m_rings) {
+      std::vector<Point> polyline;
+      for (const auto& p : ring.points)
+        polyline.emplace_back(p[0], p[1]);
+      m_curves.back().add_polyline(polyline);
+    }
+  }
+
+  // A list in parentheses of lists in parentheses and so on, of rings at last.
+  void nested(int depth, bool is_hole) {
+    if (depth == 1)
+      return ring(is_hole);
+    expect('(');
+    bool is_first = true;
+    do {
+      if (is_empty())
+        continue;
+      nested(depth - 1, depth == 2 && !is_first);
+      is_first = false;
+    } while (is_next(','));
+    expect(')');
+    m_polygons += depth == 2;
+  }
+
+  void ring(bool is_hole) {
+    const std::size_t line = line_number();
     std::vector<std::array<double, 2>> points;
     expect('(');
     do {
+      Progress_scope::check();
       const double x = number();
       points.push_back({x, number()});
+      if (skip_space();
+          m_position < m_text.size() && m_text[m_position] != ',' && m_text[m_position] != ')')
+        fail("a point has more than x and y, or a comma is missing: give two numbers for each");
     } while (is_next(','));
     expect(')');
     if (points.size() < 4 || points.front() != points.back())
-      fail("a way is not closed: its last point must be its first, with at least two between");
+      fail_at(line, "a ring is not closed: its last point must be its first, with at least two "
+                    "between");
     points.pop_back();
-    std::vector<Point> polyline;
-    for (const auto& p : points)
-      polyline.emplace_back(p[0], p[1]);
-    curve.add_polyline(polyline);
+    m_rings.push_back({std::move(points), m_polygons, is_hole, line});
   }
+
+  // SRID=4326; and the like.
+  void skip_reference_system() {
+    const std::size_t end = m_text.find(';', m_position);
+    std::string begin = m_text.substr(m_position, 5);
+    std::transform(begin.begin(), begin.end(), begin.begin(), upper_case);
+    if (begin != "SRID=" || end == std::string::npos)
+      return;
+    m_position = end + 1;
+    m_unused.add("spatial reference systems");
+  }
+
+  bool is_at_end() {
+    skip_space();
+    return m_position == m_text.size();
+  }
+
+  static char upper_case(char c) { return char(std::toupper(static_cast<unsigned char>(c))); }
 
   void skip_space() {
     while (m_position < m_text.size() &&
@@ -109,7 +203,7 @@ private:
     std::string result;
     while (m_position < m_text.size() &&
            std::isalpha(static_cast<unsigned char>(m_text[m_position])))
-      result += char(std::toupper(static_cast<unsigned char>(m_text[m_position++])));
+      result += upper_case(m_text[m_position++]);
     if (result.empty())
       fail("the name of a geometry is missing");
     return result;
@@ -119,9 +213,8 @@ private:
     skip_space();
     static constexpr std::string_view empty = "EMPTY";
     const std::string_view here = std::string_view(m_text).substr(m_position, empty.size());
-    if (!std::equal(here.begin(), here.end(), empty.begin(), empty.end(), [](char a, char b) {
-          return std::toupper(static_cast<unsigned char>(a)) == b;
-        }))
+    if (!std::equal(here.begin(), here.end(), empty.begin(), empty.end(),
+                    [](char a, char b) { return upper_case(a) == b; }))
       return false;
     m_position += empty.size();
     return true;
@@ -152,14 +245,27 @@ private:
     return *result;
   }
 
-  [[noreturn]] void fail(const std::string& what) const {
-    const auto line =
-        1 + std::count(m_text.begin(), m_text.begin() + std::ptrdiff_t(m_position), '\n');
+  // Of the place that was read last. Counts on from where it was asked last.
+  std::size_t line_number() {
+    const auto at = [&](std::size_t position) { return m_text.begin() + std::ptrdiff_t(position); };
+    m_line += std::size_t(std::count(at(m_line_position), at(m_position), '\n'));
+    m_line_position = m_position;
+    return m_line;
+  }
+
+  [[noreturn]] void fail(const std::string& what) { fail_at(line_number(), what); }
+
+  [[noreturn]] void fail_at(std::size_t line, const std::string& what) const {
     throw File_error(m_path + ", line " + std::to_string(line) + ": " + what, m_path);
   }
 
   std::string m_path, m_text;
   std::size_t m_position = 0;
+  std::size_t m_line = 1, m_line_position = 0;
+  std::vector<Polygon_ring> m_rings; // of the present geometry
+  std::size_t m_polygons = 0;        // of it
+  std::vector<Curve> m_curves;
+  Unused_content m_unused;
 };
 
 } // namespace internal

@@ -12,7 +12,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <locale>
 #include <map>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +45,14 @@ struct Curve_soup_2
     message += " (first vertex: " + std::to_string(vertices.front()) + ')';
   throw Invalid_surface_error(reason, message, curve, std::move(segments), std::move(vertices),
                               other);
+}
+
+// A place, for messages.
+inline std::string text_of(const Planar_kernel::Point_2& p) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << '(' << p.x() << ", " << p.y() << ')';
+  return text.str();
 }
 
 // Adds the segments of a curve. Refuses what has none, and numbers that are none.
@@ -88,10 +98,12 @@ template <class Curve> void add_curve(const Curve& curve, std::size_t number, Cu
     if (segments.size() % 2 != 0)
       refuse_curve(segments.size() == 1 ? Invalid_surface_error::Reason::open
                                         : Invalid_surface_error::Reason::non_manifold_edge,
-                   segments.size() == 1
-                       ? "is not closed: join its ends"
-                       : "has a point where an odd number of its segments end: make it closed "
-                         "curves, or use segments with seeds",
+                   (segments.size() == 1 ? "is not closed: it ends at " +
+                                               text_of(soup.points[point]) + "; join its ends"
+                                         : "has a point where an odd number of its segments end, " +
+                                               text_of(soup.points[point]) +
+                                               ": make it closed curves, or use segments with "
+                                               "seeds"),
                    number, number, {segments.front()});
 }
 

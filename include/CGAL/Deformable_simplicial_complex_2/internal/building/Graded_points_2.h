@@ -8,18 +8,21 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/Curve_soup_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/cgal_compat.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Points of the mesh off the curves: near these as dense as they are, and sparser away from them.
+// Points of the mesh off the curves: near these as dense as they are, and sparser away from them;
+// on the box, too, if curves end there.
 class Graded_points_2
 {
 public:
@@ -33,6 +36,10 @@ public:
       m_segments.emplace_back(in_space(w.vertices[0]), in_space(w.vertices[1]));
     m_tree.insert(m_segments.begin(), m_segments.end());
     m_tree.accelerate_distance_queries();
+    m_reaches_box = std::any_of(soup.points.begin(), soup.points.end(), [&](const Point& p) {
+      return p.x() == box.xmin() || p.x() == box.xmax() || p.y() == box.ymin() ||
+             p.y() == box.ymax();
+    });
     const double width = box.xmax() - box.xmin(), height = box.ymax() - box.ymin();
     const double side =
         (std::min)((std::max)(width, height) / least_parts, (std::min)(width, height));
@@ -44,7 +51,7 @@ public:
     for (int i = 0; i <= m_columns; ++i)
       for (int j = 0; j <= m_rows; ++j)
         if (i == 0 || i == m_columns || j == 0 || j == m_rows)
-          m_points.emplace_back(x(i), y(j));
+          add_border(x(i), y(j));
   }
 
   const std::vector<Point>& points() const { return m_points; }
@@ -70,25 +77,58 @@ private:
     return i == n ? high : low + (high - low) * (double(i) / n);
   }
 
+  struct Nearest
+  {
+    double distance, length; // of the nearest segment
+  };
+
+  Nearest nearest(double x, double y) const {
+    if (m_segments.empty())
+      return {std::numeric_limits<double>::infinity(), 0};
+    const Planar_kernel::Point_3 p(x, y, 0);
+    const auto found = m_tree.closest_point_and_primitive(p);
+    return {std::sqrt(CGAL::squared_distance(p, found.first)),
+            std::sqrt(found.second->squared_length())};
+  }
+
+  // Adds a point of the box. Where curves end there, it may not be in their way; corners stay.
+  void add_border(double x, double y) {
+    const bool is_corner =
+        (x == m_box.xmin() || x == m_box.xmax()) && (y == m_box.ymin() || y == m_box.ymax());
+    const Nearest near = m_reaches_box && !is_corner ? nearest(x, y) : Nearest{1, 0};
+    if (near.distance > clearance * near.length)
+      m_points.emplace_back(x, y);
+  }
+
+  // Adds the corners of a rectangle that are on the box.
+  void add_border(double x0, double y0, double x1, double y1) {
+    for (double x : {x0, x1})
+      for (double y : {y0, y1})
+        if (x == m_box.xmin() || x == m_box.xmax() || y == m_box.ymin() || y == m_box.ymax())
+          add_border(x, y);
+  }
+
   // Four quarters, until a rectangle is small for its distance from the curves; its center then.
   void divide(double x0, double y0, double x1, double y1, int divisions) {
-    const Planar_kernel::Point_3 center((x0 + x1) / 2, (y0 + y1) / 2, 0);
-    const auto nearest = m_tree.closest_point_and_primitive(center);
-    const double distance = std::sqrt(CGAL::squared_distance(center, nearest.first)),
-                 length = std::sqrt(nearest.second->squared_length()),
-                 side = (std::max)(x1 - x0, y1 - y0);
+    Progress_scope::check();
+    const double x = (x0 + x1) / 2, y = (y0 + y1) / 2, side = (std::max)(x1 - x0, y1 - y0);
+    const auto [distance, length] = nearest(x, y);
     if (side > (std::max)(densest * length, gradation * distance) && divisions < most_divisions) {
-      divide(x0, y0, center.x(), center.y(), divisions + 1);
-      divide(center.x(), y0, x1, center.y(), divisions + 1);
-      divide(x0, center.y(), center.x(), y1, divisions + 1);
-      divide(center.x(), center.y(), x1, y1, divisions + 1);
-    } else if (distance > clearance * length) {
-      m_points.emplace_back(center.x(), center.y());
+      divide(x0, y0, x, y, divisions + 1);
+      divide(x, y0, x1, y, divisions + 1);
+      divide(x0, y, x, y1, divisions + 1);
+      divide(x, y, x1, y1, divisions + 1);
+      return;
     }
+    if (distance > clearance * length)
+      m_points.emplace_back(x, y);
+    if (m_reaches_box)
+      add_border(x0, y0, x1, y1);
   }
 
   Bbox_2 m_box;
   int m_columns, m_rows;
+  bool m_reaches_box;
   Segments m_segments; // in a plane of space, where there are trees
   Tree m_tree;
   std::vector<Point> m_points;

@@ -44,6 +44,13 @@ Planar_filling_2 fill_planar_box(const Curve_soup_2& soup, const Bbox_2& box);
 inline Planar_filling_2 fill_planar_box(const Curve_soup_2& soup, const Bbox_2& box);
 #endif
 
+// The same for curves that are known not to cross, which may end on the box; or for none.
+#ifdef CGAL_DSC_EXTERN
+Planar_filling_2 fill_box_between(const Curve_soup_2& soup, const Bbox_2& box);
+#else
+inline Planar_filling_2 fill_box_between(const Curve_soup_2& soup, const Bbox_2& box);
+#endif
+
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL

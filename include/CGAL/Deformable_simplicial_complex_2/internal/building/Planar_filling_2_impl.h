@@ -9,43 +9,71 @@
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/Graded_points_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/Planar_filling_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/curve_crossings_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
 
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <set>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+using Planar_triangulation_2 = Constrained_Delaunay_triangulation_2<
+    Planar_kernel,
+    Triangulation_data_structure_2<
+        Triangulation_vertex_base_with_info_2<std::size_t, Planar_kernel>,
+        Triangulation_face_base_with_info_2<std::size_t, Planar_kernel,
+                                            Constrained_triangulation_face_base_2<Planar_kernel>>>,
+    No_constraint_intersection_tag>;
+
+// Inserts points along a space-filling curve. Returns their vertices.
+inline std::vector<Planar_triangulation_2::Vertex_handle>
+insert_points(const std::vector<Planar_kernel::Point_2>& points,
+              Planar_triangulation_2& triangulation) {
+  using Points = Pointer_property_map<Planar_kernel::Point_2>::const_type;
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  spatial_sort(order.begin(), order.end(),
+               Spatial_sort_traits_adapter_2<Planar_kernel, Points>(make_property_map(points)));
+  std::vector<Planar_triangulation_2::Vertex_handle> vertices(points.size());
+  Planar_triangulation_2::Face_handle near;
+  for (std::size_t i : order) {
+    Progress_scope::check();
+    vertices[i] = triangulation.insert(points[i], near);
+    near = vertices[i]->face();
+  }
+  return vertices;
+}
+
 Planar_filling_2 fill_planar_box(const Curve_soup_2& soup, const Bbox_2& box) {
+  check_crossings(soup);
+  return fill_box_between(soup, box);
+}
+
+Planar_filling_2 fill_box_between(const Curve_soup_2& soup, const Bbox_2& box) {
   using Point = Planar_kernel::Point_2;
-  using Vertex = Triangulation_vertex_base_with_info_2<std::size_t, Planar_kernel>;
-  using Face =
-      Triangulation_face_base_with_info_2<std::size_t, Planar_kernel,
-                                          Constrained_triangulation_face_base_2<Planar_kernel>>;
-  using Triangulation = Constrained_Delaunay_triangulation_2<
-      Planar_kernel, Triangulation_data_structure_2<Vertex, Face>, No_constraint_intersection_tag>;
+  using Triangulation = Planar_triangulation_2;
   static constexpr std::size_t none = std::size_t(-1);
 
-  check_crossings(soup);
+  const Progress_phase phase("filling the box with triangles");
   const auto triangulation = std::make_shared<Triangulation>();
-  std::vector<Triangulation::Vertex_handle> handles;
-  for (const Point& p : soup.points)
-    handles.push_back(triangulation->insert(p));
-  std::set<std::array<std::size_t, 2>> segments; // each once, though several curves may have it
-  for (const auto& wall : soup.walls)
-    if (segments.insert(wall.vertices).second)
-      triangulation->insert_constraint(handles[wall.vertices[0]], handles[wall.vertices[1]]);
-  const Graded_points_2 graded(soup, box);
-  triangulation->insert(graded.points().begin(), graded.points().end());
+  const auto handles = insert_points(soup.points, *triangulation);
+  for (const auto& wall : soup.walls) { // several curves may have it
+    Progress_scope::check();
+    triangulation->insert_constraint(handles[wall.vertices[0]], handles[wall.vertices[1]]);
+  }
+  insert_points(Graded_points_2(soup, box).points(), *triangulation);
 
   Planar_filling_2 filling;
   for (auto v : triangulation->finite_vertex_handles())

@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_CURVE_CROSSINGS_2_H
 
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/Curve_soup_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
 
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -49,6 +51,7 @@ inline void check_crossings(const Curve_soup_2& soup) {
   }
   std::vector<std::pair<std::size_t, std::size_t>> crossings;
   box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+    Progress_scope::check();
     if (meet(soup, soup.walls[a.info()], soup.walls[b.info()]))
       crossings.push_back(std::minmax(a.info(), b.info()));
   });
@@ -61,15 +64,18 @@ inline void check_crossings(const Curve_soup_2& soup) {
   for (const auto& [a, b] : crossings)
     if (curve(a) == first && curve(b) == second)
       segments.insert(segments.end(), {soup.segments[a], soup.segments[b]});
+  const std::string place =
+      " at its segment from " + text_of(soup.points[soup.walls[crossings[0].first].vertices[0]]) +
+      " to " + text_of(soup.points[soup.walls[crossings[0].first].vertices[1]]);
   if (first == second)
     refuse_curve(Reason::self_intersection,
-                 "crosses or overlaps itself: segments may meet in common ends only", first, second,
-                 std::move(segments));
-  refuse_curve(
-      Reason::crossing_surfaces,
-      "meets another curve: they may be nested, touch in common ends of segments, and have "
-      "whole segments in common, but not cross or overlap in parts",
-      first, second, std::move(segments));
+                 "crosses or overlaps itself" + place + ": segments may meet in common ends only",
+                 first, second, std::move(segments));
+  refuse_curve(Reason::crossing_surfaces,
+               "meets curve " + std::to_string(second) + place +
+                   ": they may be nested, touch in common ends of segments, and have "
+                   "whole segments in common, but not cross or overlap in parts",
+               first, second, std::move(segments));
 }
 
 } // namespace internal
