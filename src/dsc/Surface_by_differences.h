@@ -6,67 +6,77 @@
 #define DSC_SURFACE_BY_DIFFERENCES_H
 
 #include <CGAL/Deformable_simplicial_complex_2/Riemannian_metric_2.h>
+#include <CGAL/number_utils.h>
 
 #include <array>
 #include <utility>
 
 namespace dsc {
 
-/// The metric of an embedding of a chart, by differences of the sixth order: with this width, what
-/// they leave out and what rounding adds are both about 1e-12.
+/// The metric of an embedding of a chart, by differences of the sixth order. With their default
+/// width, a 600th of a full turn, truncation and rounding errors are both about 1e-12.
 template <class Embedding> class Surface_by_differences
 {
 public:
-  explicit Surface_by_differences(Embedding embedding) : m_embedding(std::move(embedding)) {}
+  explicit Surface_by_differences(Embedding embedding)
+      : m_embedding(std::move(embedding)), m_widths{width, width} {}
+
+  /// \param periods of the chart, whose units the widths of differences follow
+  Surface_by_differences(Embedding embedding, const std::array<double, 2>& periods)
+      : m_embedding(std::move(embedding)), m_widths{periods[0] / turn * width,
+                                                    periods[1] / turn * width} {}
 
   CGAL::Metric_jet_2 operator()(double u, double v) const {
-    Vector ru, ruu, rv, rvv, unused, along, across;
-    derive(u, v, 1, 0, ru, ruu);
-    derive(u, v, 0, 1, rv, rvv);
-    derive(u, v, 1, 1, unused, along);
-    derive(u, v, 1, -1, unused, across);
+    const double a = m_widths[0], b = m_widths[1];
+    Vector ru, ruu, rv, rvv, unused, along, across; // derivatives by coordinates in widths
+    derive(u, v, a, 0, ru, ruu);
+    derive(u, v, 0, b, rv, rvv);
+    derive(u, v, a, b, unused, along);
+    derive(u, v, a, -b, unused, across);
     Vector ruv;
     for (int i = 0; i < 3; ++i)
       ruv[i] = (along[i] - across[i]) / 4;
-    return {dot(ru, ru),
-            dot(ru, rv),
-            dot(rv, rv),
-            2 * dot(ruu, ru),
-            2 * dot(ruv, ru),
-            dot(ruu, rv) + dot(ru, ruv),
-            dot(ruv, rv) + dot(ru, rvv),
-            2 * dot(ruv, rv),
-            2 * dot(rvv, rv)};
+    return {dot(ru, ru) / (a * a),
+            dot(ru, rv) / (a * b),
+            dot(rv, rv) / (b * b),
+            2 * dot(ruu, ru) / (a * a * a),
+            2 * dot(ruv, ru) / (a * a * b),
+            (dot(ruu, rv) + dot(ru, ruv)) / (a * a * b),
+            (dot(ruv, rv) + dot(ru, rvv)) / (a * b * b),
+            2 * dot(ruv, rv) / (a * b * b),
+            2 * dot(rvv, rv) / (b * b * b)};
   }
 
 private:
+  static constexpr double turn = 2 * CGAL_PI, width = .01;
+
   using Vector = std::array<double, 3>;
 
   static double dot(const Vector& a, const Vector& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   }
 
-  // The first two derivatives in a direction.
-  void derive(double u, double v, int du, int dv, Vector& first, Vector& second) const {
-    static constexpr double width = .01;
+  // The first two derivatives along a step (du, dv), in steps.
+  void derive(double u, double v, double du, double dv, Vector& first, Vector& second) const {
     static constexpr double firsts[] = {3. / 4, -3. / 20, 1. / 60},
                             seconds[] = {3. / 2, -3. / 20, 1. / 90}, middle = -49. / 18;
     const Vector here = m_embedding(u, v);
     for (int i = 0; i < 3; ++i) {
       first[i] = 0;
-      second[i] = middle * here[i] / (width * width);
+      second[i] = middle * here[i];
     }
     for (int k = 1; k <= 3; ++k) {
-      const Vector ahead = m_embedding(u + k * width * du, v + k * width * dv),
-                   behind = m_embedding(u - k * width * du, v - k * width * dv);
+      const Vector ahead = m_embedding(u + k * du, v + k * dv),
+                   behind = m_embedding(u - k * du, v - k * dv);
       for (int i = 0; i < 3; ++i) {
-        first[i] += firsts[k - 1] * (ahead[i] - behind[i]) / width;
-        second[i] += seconds[k - 1] * (ahead[i] + behind[i]) / (width * width);
+        first[i] += firsts[k - 1] * (ahead[i] - behind[i]);
+        second[i] += seconds[k - 1] * (ahead[i] + behind[i]);
       }
     }
   }
 
   Embedding m_embedding;
+  std::array<double, 2> m_widths;
 };
 
 } // namespace dsc

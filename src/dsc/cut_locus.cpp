@@ -144,7 +144,7 @@ int draw_ball(const Cut_locus_options& options, const Surface& surface, double s
   auto front = surface.front(spacing);
   if (options.radius < front.radius())
     throw Usage_error("--radius is less than that of the first front, " +
-                      std::to_string(front.radius()) +
+                      Json(front.radius()).dump() +
                       "; choose a larger one, or a smaller --spacing");
   bool goes_on = true;
   while (goes_on && front.radius() < options.radius)
@@ -242,7 +242,8 @@ int execute(const Cut_locus_options& options) {
   const Surface_expressions expressions(options.surface);
   if (expressions.is_of_sphere())
     return run_like_sphere<Surface_expressions, Surface_by_differences>(options, expressions);
-  return run_on_torus(options, Surface_by_differences<Surface_expressions>(expressions));
+  return run_on_torus(options,
+                      Surface_by_differences<Surface_expressions>(expressions, options.periods));
 }
 
 } // namespace dsc

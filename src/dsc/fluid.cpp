@@ -256,7 +256,7 @@ Json state_json(const Fluid::State& state) {
           {"knows_accelerations", state.knows_accelerations},
           {"motion", state.motion},
           {"volumes", state.volumes},
-          {"gases", state.gases}};
+          {"pressures_and_volumes_of_gases", state.gases}};
 }
 
 Fluid::State state_of(const Json& json) {
@@ -267,7 +267,7 @@ Fluid::State state_of(const Json& json) {
   state.knows_accelerations = json.at("knows_accelerations");
   state.motion = json.at("motion").get<std::vector<std::array<double, 6>>>();
   state.volumes = json.at("volumes").get<std::vector<std::pair<std::uint32_t, double>>>();
-  state.gases = json.at("gases").get<std::vector<std::pair<std::uint32_t, double>>>();
+  state.gases = json.at("pressures_and_volumes_of_gases").get<decltype(state.gases)>();
   return state;
 }
 

@@ -150,7 +150,7 @@ int execute(const Run_options& asked) {
 
   const double time_step = complex.time_step(options.step.motion);
   if (!(position.time + time_step > position.time))
-    throw Input_error("a step is too short for the time " + std::to_string(position.time) +
+    throw Input_error("a step is too short for the time " + Json(position.time).dump() +
                       " of the run; choose a longer --dt");
   const std::optional<Start_distance> from_start = start_distance(options, position);
   Report report(options, position.start, repairs, complex.sweep_seconds());

@@ -463,12 +463,14 @@ TEST(Gas_ledger, follows_parts) {
   using Ledger = dsc::internal::Gas_ledger_3;
   const dsc::Gas gas = {1, 2};
   Ledger ledger;
-  ledger.set_bodies({{1, {gas, 2, 4}}, {2, {gas, 1, 4}}, {5, {gas, 3, 7}}, {6, {gas, 2, 2}}});
+  ledger.set_bodies(
+      {{1, {gas, 2, 1, 2}}, {2, {gas, 1, 4, 1}}, {5, {gas, 3, 7, 2}}, {6, {gas, 2, 2, 1}}});
   // 1 (pressure 1) and 2 (pressure 4) merge into 3, 5 stays and is 1 by now, 6 falls into 7 and 8.
-  ledger.follow({{1, 3}, {2, 3}, {5, 1}, {6, 7}, {6, 8}},
-                {{3, {gas, 3, 0}}, {1, {gas, 3.3, 0}}, {7, {gas, 1.5, 0}}, {8, {gas, .5, 0}}});
+  ledger.follow(
+      {{1, 3}, {2, 3}, {5, 1}, {6, 7}, {6, 8}},
+      {{3, {gas, 3, 0, 1}}, {1, {gas, 3.3, 0, 1}}, {7, {gas, 1.5, 0, 1}}, {8, {gas, .5, 0, 1}}});
   EXPECT_DOUBLE_EQ(ledger.bodies().at(3).pressure(), 2);
-  EXPECT_DOUBLE_EQ(ledger.bodies().at(1).amount, 7);
+  EXPECT_DOUBLE_EQ(ledger.bodies().at(1).pressure(2), 7);
   EXPECT_DOUBLE_EQ(ledger.bodies().at(7).pressure(), .5);
   EXPECT_DOUBLE_EQ(ledger.bodies().at(8).pressure(), .5);
 }

@@ -20,17 +20,23 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A connected part of a gas: its pressure times volume^exponent stays what it is.
+// A connected component of a gas: its pressure times volume^exponent stays what it is. Powers are
+// taken of ratios of volumes only, so that no unit of length matters.
 struct Gas_body_3
 {
   Gas gas;
-  double volume, amount;
+  double volume;
+  double reference_pressure, reference_volume; // a pressure, and the volume at which it has that
 
-  double pressure(double v) const { return amount * std::pow(v, -gas.exponent); }
+  double pressure(double v) const {
+    return reference_pressure * std::pow(reference_volume / v, gas.exponent);
+  }
   double pressure() const { return pressure(volume); }
-  // That which its pressure is the derivative of, by the volume that it loses.
+  // The potential of the pressure, for exponent 1 from the reference volume on.
   double energy(double v) const {
-    return gas.exponent == 1 ? -amount * std::log(v) : pressure(v) * v / (gas.exponent - 1);
+    return gas.exponent == 1
+               ? reference_pressure * reference_volume * std::log(reference_volume / v)
+               : pressure(v) * v / (gas.exponent - 1);
   }
 };
 

@@ -9,7 +9,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Gas_bodies_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Part_ledger_3.h>
 
-#include <cmath>
+#include <array>
 #include <cstddef>
 #include <map>
 #include <vector>
@@ -34,8 +34,7 @@ public:
     Bodies result;
     for (const auto& part : mesh.gases) {
       const Gas gas = *properties.gas(part.label);
-      result[part.component] = {gas, part.volume,
-                                gas.pressure * std::pow(part.volume, gas.exponent)};
+      result[part.component] = {gas, part.volume, gas.pressure, part.volume};
     }
     return result;
   }
@@ -61,13 +60,14 @@ public:
     struct Group
     {
       unsigned parts = 0, parts_now = 0;
-      double amount = 0, energy = 0, volume = 0, volume_now = 0; // energy: pressure times volume
+      double energy = 0, volume = 0, volume_now = 0; // energy: pressure times volume
+      std::array<double, 2> reference = {};          // pressure and volume
     };
     std::map<std::size_t, Group> owned;
     for (const auto& [part, body] : m_bodies) {
       Group& group = owned[groups.of(part)];
       ++group.parts;
-      group.amount = body.amount;
+      group.reference = {body.reference_pressure, body.reference_volume};
       group.energy += body.pressure() * body.volume;
       group.volume += body.volume;
     }
@@ -78,11 +78,13 @@ public:
     }
     for (auto& [part, body] : now) {
       const Group& group = owned[groups.of(size + part)];
-      if (group.parts == 1 && group.parts_now == 1)
-        body.amount = group.amount;
-      else if (group.parts > 0)
-        body.amount = group.energy / group.volume *
-                      std::pow(body.volume * group.volume / group.volume_now, body.gas.exponent);
+      if (group.parts == 1 && group.parts_now == 1) {
+        body.reference_pressure = group.reference[0];
+        body.reference_volume = group.reference[1];
+      } else if (group.parts > 0) {
+        body.reference_pressure = group.energy / group.volume;
+        body.reference_volume = body.volume * (group.volume / group.volume_now);
+      }
     }
     m_bodies.swap(now);
   }

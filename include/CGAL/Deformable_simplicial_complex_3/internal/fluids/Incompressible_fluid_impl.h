@@ -235,7 +235,8 @@ auto Incompressible_fluid<Complex, Solver>::state() const -> State {
   }
   result.volumes.assign(m_ledger.volumes().begin(), m_ledger.volumes().end());
   for (const auto& [part, body] : m_gas_ledger.bodies())
-    result.gases.emplace_back(part, body.amount);
+    result.gases.emplace_back(
+        part, std::array<double, 2>{body.reference_pressure, body.reference_volume});
   return result;
 }
 
@@ -251,14 +252,18 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
   for (const auto& [part, volume] : volumes)
     fits = fits && present.count(part) > 0 && volume > 0 && std::isfinite(volume);
   auto gases = Gas_ledger::measure(flow.mesh, m_properties);
-  const std::map<Ledger::Part, double> amounts(state.gases.begin(), state.gases.end());
-  fits = fits && state.gases.size() == gases.size() && amounts.size() == gases.size();
-  for (const auto& [part, amount] : amounts)
-    if (const auto found = gases.find(part);
-        found != gases.end() && amount >= 0 && std::isfinite(amount))
-      found->second.amount = amount;
-    else
+  const std::map<Ledger::Part, std::array<double, 2>> references(state.gases.begin(),
+                                                                 state.gases.end());
+  fits = fits && state.gases.size() == gases.size() && references.size() == gases.size();
+  for (const auto& [part, reference] : references) {
+    const auto found = gases.find(part);
+    if (found != gases.end() && reference[0] >= 0 && reference[1] > 0 &&
+        std::isfinite(reference[0] * reference[1])) {
+      found->second.reference_pressure = reference[0];
+      found->second.reference_volume = reference[1];
+    } else
       fits = false;
+  }
   for (const auto& value : state.motion)
     fits =
         fits && std::all_of(value.begin(), value.end(), [](double x) { return std::isfinite(x); });

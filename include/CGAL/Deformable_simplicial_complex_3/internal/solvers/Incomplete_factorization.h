@@ -5,6 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SOLVERS_INCOMPLETE_FACTORIZATION_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SOLVERS_INCOMPLETE_FACTORIZATION_H
 
+#include <CGAL/Deformable_simplicial_complex_3/internal/solvers/unit_of.h>
+
 #include <Eigen/Core>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
@@ -24,11 +26,12 @@ public:
 
   // Returns whether it exists.
   bool compute(const Matrix& lower) {
-    m_scale = lower.diagonal().cwiseSqrt().cwiseInverse();
+    m_unit = unit_of(lower.diagonal().size() > 0 ? lower.diagonal().maxCoeff() : 0);
+    m_scale = (lower.diagonal() / m_unit).cwiseSqrt().cwiseInverse();
     if (!m_scale.allFinite())
       return false;
     const Eigen::SparseMatrix<float> scaled =
-        (m_scale.asDiagonal() * lower * m_scale.asDiagonal()).cast<float>();
+        (m_scale.asDiagonal() * (lower / m_unit) * m_scale.asDiagonal()).cast<float>();
     m_factorization.compute(scaled);
     if (m_factorization.info() != Eigen::Success)
       return false;
@@ -62,12 +65,13 @@ public:
     }
     for (Eigen::Index i = 0; i < n; ++i)
       out.template segment<columns>(columns * i) =
-          size * m_scale(i) * m_values.col(i).template cast<double>();
+          size / m_unit * m_scale(i) * m_values.col(i).template cast<double>();
   }
 
 private:
   using Column = Eigen::Matrix<float, columns, 1>;
 
+  double m_unit; // of the entries of the matrix: what is in single precision has none
   Vector m_scale;
   Eigen::IncompleteCholesky<float, Eigen::Lower, Eigen::NaturalOrdering<int>> m_factorization;
   Eigen::Matrix<float, columns, Eigen::Dynamic> m_values;

@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SOLVERS_MINIMAL_RESIDUALS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SOLVERS_MINIMAL_RESIDUALS_H
 
+#include <CGAL/Deformable_simplicial_complex_3/internal/solvers/unit_of.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
@@ -73,8 +74,10 @@ unsigned minimal_residuals(const For_each_index& for_each, const Multiply& multi
   };
   Vector z(n), q(n), next(n), w(n), w_before(n);
   precondition(right, z);
-  const double bound = tolerance * std::sqrt(dot(right, z));
-  if (!std::isfinite(bound))
+  const double square_of_right = dot(right, z), unit = unit_of(square_of_right);
+  const auto norm = [&](double square) { return std::sqrt((std::max)(0., square / unit)); };
+  const double bound = tolerance * norm(square_of_right);
+  if (!std::isfinite(square_of_right))
     throw Error(
         "the equations of the flow are not finite: the step may be too short or too long for "
         "numbers, or cells flat");
@@ -84,7 +87,7 @@ unsigned minimal_residuals(const For_each_index& for_each, const Multiply& multi
     multiply(x, next);
     r = right - next;
     precondition(r, z);
-    double beta = std::sqrt((std::max)(0., dot(r, z))), beta_before = 1, eta = beta;
+    double beta = norm(dot(r, z)), beta_before = 1, eta = beta;
     if (beta <= bound || beta > less * last)
       return k;
     last = beta;
@@ -99,7 +102,7 @@ unsigned minimal_residuals(const For_each_index& for_each, const Multiply& multi
       if (++k > most)
         throw Error("the equations of the flow cannot be solved by iterations: cells may be too "
                     "flat, or the step too long");
-      q = z / beta;
+      q = z / (unit * beta);
       multiply(q, next);
       const double back = beta / beta_before;
       const double alpha = sum_of_blocks(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
@@ -117,7 +120,7 @@ unsigned minimal_residuals(const For_each_index& for_each, const Multiply& multi
       const double square = dot(r, z);
       if (std::isnan(square))
         throw Error("the equations of the flow have no finite solution: cells may be too flat");
-      beta = std::sqrt((std::max)(0., square));
+      beta = norm(square);
       const double epsilon_before = epsilon, delta = cosine * delta_bar + sine * alpha,
                    gamma_bar = sine * delta_bar - cosine * alpha;
       epsilon = sine * beta;
