@@ -136,7 +136,7 @@ TEST_F(Readers, name_what_they_do_not_use) {
                      "NOFF\n5 5 6\n0 0 0 1 0 0\n1 0 0 1 0 0\n0 1 0 1 0 0\n0 0 1 1 0 0\n"
                      "5 5 5 1 0 0\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n2 0 1\nthe end\n",
                      "1 lines after the last polygon, 5 normals of points, "
-                     "1 points that no polygon has, 1 polygons with less than three corners");
+                     "1 points that no polygon has, 1 polygons with fewer than three corners");
   expect_tetrahedron("a.obj",
                      "mtllib a.mtl\no a\ng b\ng c\nusemtl d\ns 1\nvt 0 0\nvn 0 0 1\nl 1 2\np 1\n"
                      "cstype bezier\n" +
