@@ -136,7 +136,7 @@ TEST_F(Readers, name_what_they_do_not_use) {
                      "NOFF\n5 5 6\n0 0 0 1 0 0\n1 0 0 1 0 0\n0 1 0 1 0 0\n0 0 1 1 0 0\n"
                      "5 5 5 1 0 0\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n2 0 1\nthe end\n",
                      "1 lines after the last polygon, 5 normals of points, "
-                     "1 points that no polygon has, 1 polygons with less than three corners");
+                     "1 points that no polygon has, 1 polygons with fewer than three corners");
   expect_tetrahedron("a.obj",
                      "mtllib a.mtl\no a\ng b\ng c\nusemtl d\ns 1\nvt 0 0\nvn 0 0 1\nl 1 2\np 1\n"
                      "cstype bezier\n" +
@@ -193,7 +193,7 @@ TEST_F(Readers, name_the_cause_of_an_error) {
   expect_cause("info", "a.off", "OFF\n1.5 1 0\n", "line 2: '1.5' should be an integer");
   expect_cause("info", "a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n",
                "line 6: polygon 0 refers to a point that is not there");
-  expect_cause("info", "a.stl", stl().substr(0, 100), "line 6: this facet does not end");
+  expect_cause("info", "a.stl", stl().substr(0, 70), "line 2: this facet does not end");
 }
 
 TEST_F(Readers, name_files_of_another_kind) {
@@ -204,6 +204,9 @@ TEST_F(Readers, name_files_of_another_kind) {
   expect_cause("info", "a.obj", stl(), "is an STL file; rename it to .stl");
   expect_cause("info", "a.wkt", "OFF\n", "is an OFF file");
   expect_cause("reconstruct -o b.off", "a.xyz", "$MeshFormat\n", "is a Gmsh mesh");
+  write("b.off", "OFF\n4 4 6\n" + off_numbers);
+  EXPECT_NE(run("convert b.off c.ply").err.find("is an OFF file; choose a file .dsc"),
+            std::string::npos);
   program::fs::create_directory(path("folder.off"));
   expect_error("info folder.off", 1);
   EXPECT_NE(run("info folder.off").err.find("it is a folder"), std::string::npos);

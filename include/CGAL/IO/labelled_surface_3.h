@@ -77,7 +77,7 @@ template <class Point> struct Point_sink
 
   void polygon(const std::vector<std::size_t>& corners) {
     if (corners.size() < 3)
-      return unused("polygons with less than three corners", 1);
+      return unused("polygons with fewer than three corners", 1);
     ++number_of_polygons;
     number_of_triangles += corners.size() - 2;
   }
@@ -194,7 +194,7 @@ triangles share no points, points with the same coordinates become one. What the
 is not checked: `make_deformable_simplicial_complex_3()` does that.
 
 Everything else in a file is noted in `unused`: colors, normals, texture coordinates, materials,
-groups, names of solids, lines, other elements, points that no polygon has, polygons with less than
+groups, names of solids, lines, other elements, points that no polygon has, polygons with fewer than
 three corners. Facet normals of STL files are redundant and not noted.
 
 \tparam Point is a point type of a \cgal kernel.

@@ -28,38 +28,35 @@ inline void remove_byte_order_mark(std::string& text) {
     text.erase(0, byte_order_mark.size());
 }
 
-// The first bytes of a format, the extensions of its files, and a message for other files.
+// The first bytes of a format, the extension of its files, and what they are.
 struct File_signature
 {
   std::string_view bytes;
   std::string_view extension; // empty for formats that no reader knows
-  const char* message;
+  const char* kind;           // and what to do with a format that no reader knows
 };
 
 // Returns the format that these first bytes of a file belong to; null if it is unknown.
 inline const File_signature* find_signature(std::string_view begin) {
   static constexpr File_signature signatures[] = {
-      {"\x1f\x8b", "", "is compressed with gzip; decompress it with gunzip"},
-      {"BZh", "", "is compressed with bzip2; decompress it with bunzip2"},
-      {"\xfd"
-       "7zXZ",
-       "", "is compressed with xz; decompress it with unxz"},
-      {"\x28\xb5\x2f\xfd", "", "is compressed with zstd; decompress it with unzstd"},
-      {"PK\x03\x04", "", "is a zip archive; unpack it"},
-      {"\xff\xfe", "", "is text in UTF-16; save it in UTF-8"},
-      {"\xfe\xff", "", "is text in UTF-16; save it in UTF-8"},
-      {"$MeshFormat", "", "is a Gmsh mesh; let Gmsh write another format, such as .mesh"},
-      {"# vtk DataFile", "", "is a legacy VTK file; write it as .vtu"},
-      {"\x89HDF", "", "is an HDF5 file; write another format"},
-      {"glTF", "", "is a binary glTF file; write a surface as .ply or .obj"},
-      {"ply\n", ".ply", "is a PLY file; rename it to .ply"},
-      {"ply\r", ".ply", "is a PLY file; rename it to .ply"},
-      {"OFF", ".off", "is an OFF file; rename it to .off"},
-      {"solid ", ".stl", "is an STL file; rename it to .stl"},
-      {"MeshVersionFormatted", ".mesh", "is a MEDIT mesh; rename it to .mesh"},
-      {"<VTKFile", ".vtu", "is a VTK XML file; rename it to .vtu if it is an unstructured grid"},
-      {"#INRIMAGE-4", ".inr", "is an INR image; rename it to .inr"},
-      {"\x89PNG", ".png", "is a PNG image; rename it to .png"}};
+      {"\x1f\x8b", "", "compressed with gzip; decompress it with gunzip"},
+      {"BZh", "", "compressed with bzip2; decompress it with bunzip2"},
+      {"\xfd\x37zXZ", "", "compressed with xz; decompress it with unxz"},
+      {"\x28\xb5\x2f\xfd", "", "compressed with zstd; decompress it with unzstd"},
+      {"PK\x03\x04", "", "a zip archive; unpack it"},
+      {"\xff\xfe", "", "text in UTF-16; save it in UTF-8"},
+      {"\xfe\xff", "", "text in UTF-16; save it in UTF-8"},
+      {"$MeshFormat", "", "a Gmsh mesh; let Gmsh write another format, such as .mesh"},
+      {"# vtk DataFile", "", "a legacy VTK file; write it as .vtu"},
+      {"\x89HDF", "", "an HDF5 file; write another format"},
+      {"glTF", "", "a binary glTF file; write a surface as .ply or .obj"},
+      {"ply\n", ".ply", "a PLY file"},
+      {"ply\r", ".ply", "a PLY file"},
+      {"OFF", ".off", "an OFF file"},
+      {"solid ", ".stl", "an STL file"},
+      {"MeshVersionFormatted", ".mesh", "a MEDIT mesh"},
+      {"#INRIMAGE-4", ".inr", "an INR image"},
+      {"\x89PNG", ".png", "a PNG image"}};
   for (const File_signature& signature : signatures)
     if (begin.compare(0, signature.bytes.size(), signature.bytes) == 0)
       return &signature;
@@ -95,8 +92,13 @@ inline std::ifstream open_input(const std::string& path, std::string_view extens
     fail("is empty; write it again");
   remove_byte_order_mark(begin);
   const File_signature* const signature = find_signature(begin);
-  if (signature && (signature->extension.empty() || signature->extension != extension))
-    fail(signature->message);
+  if (signature && (signature->extension.empty() || signature->extension != extension)) {
+    const bool has_its_name = std::filesystem::path(path).extension() == signature->extension;
+    fail(std::string("is ") + signature->kind +
+         (signature->extension.empty() ? std::string()
+          : has_its_name               ? "; choose a file " + std::string(extension)
+                                       : "; rename it to " + std::string(signature->extension)));
+  }
   in.clear();
   in.seekg(0);
   return in;
