@@ -110,10 +110,12 @@ private:
       m_needs_boundary = true;
       return;
     }
-    const auto first = std::min_element(inside, around.end(), [](Cell_handle a, Cell_handle b) {
-      return a->time_stamp() < b->time_stamp();
+    // Bad cells are to be improved.
+    const auto best = std::min_element(inside, around.end(), [](Cell_handle a, Cell_handle b) {
+      return std::make_pair(-a->quality(), a->time_stamp()) <
+             std::make_pair(-b->quality(), b->time_stamp());
     });
-    m_is_alone[(*first)->id()] = true;
+    m_is_alone[(*best)->id()] = true;
   }
 
   void tell_results(const Cell_regions<Complex>& fine) {
