@@ -50,8 +50,9 @@ std::size_t remove_crumbs(Complex& complex, const Component_ranges& expected) {
   static constexpr double small = .01; // of the volume of the label
   using Cells = internal::Component_cells<Complex>;
   std::map<std::uint32_t, Cells> components;
+  complex.update_components();
   for (const auto c : complex.cells()) {
-    Cells& component = components[c->component()];
+    Cells& component = components[complex.component(c)];
     component.volume += complex.measure(c);
     component.cells.push_back(c);
   }
