@@ -4,6 +4,7 @@
 #include "inequalities.h"
 #include "label_components.h"
 #include "nearest_name.h"
+#include "surface_expressions.h"
 #include "velocity_expressions.h"
 
 #include <gtest/gtest.h>
@@ -148,6 +149,15 @@ TEST(Inequalities, that_are_constant_are_refused) {
   EXPECT_THROW(dsc::Inequalities({"1<2"}), dsc::Usage_error);
   EXPECT_EQ(dsc::Inequalities({"x<1", "sqrt(x)<0.5"}).label_at({.1, 0, 0}), 2);
   EXPECT_EQ(dsc::Inequalities({"x<1", "sqrt(x)<0.5"}).label_at({-1, 0, 0}), 1);
+}
+
+TEST(Surfaces, repeat_themselves_after_their_periods) {
+  const dsc::Surface_expressions torus("(2+cos(v))*cos(u),(2+cos(v))*sin(u),sin(v)");
+  const double turn = 6.28319;
+  EXPECT_TRUE(torus.repeats_after({turn, turn}));
+  EXPECT_TRUE(torus.repeats_after({1, turn})); // a part of it
+  EXPECT_FALSE(torus.repeats_after({turn, 6}));
+  EXPECT_FALSE(dsc::Surface_expressions("u,v,u^2").repeats_after({turn, turn}));
 }
 
 TEST(Names, that_are_misspelt_are_found) {
