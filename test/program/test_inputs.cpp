@@ -166,6 +166,28 @@ TEST_F(Inputs, that_are_misspelt_get_advice) {
   }
 }
 
+TEST_F(Inputs, have_no_options_without_effect) {
+  for (const auto& [arguments, text] :
+       {std::pair("vortex --plane x.wkt", "--plane"),
+        std::pair("vortex --plane --resume x.dsc", "--plane"),
+        std::pair("vortex --plane --improve-interface --tolerance .1", "--tolerance"),
+        std::pair("rotate x.png --angle 5 --domain 0,0,1,1", "--domain"),
+        std::pair("offset x.pgm --distance 1 --segments 100", "--segments"),
+        std::pair("cut-locus --surface ellipsoid --point 1,0,0 --periods 1,2", "--periods"),
+        std::pair("cut-locus --surface x,y,z --point 1,0,0 --periods 1,2", "--periods"),
+        std::pair("cut-locus --surface u,v,u^2 --point 0,0", "--periods")}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+  }
+  // A resumed run that improves its interface does not look at the tolerance, either.
+  const std::string vortex = "vortex --triangles 80 --dt 0.001 --steps 1 --output out ";
+  ASSERT_EQ(run(vortex + "--improve-interface").exit_code, 0);
+  const Outcome outcome = run("vortex --resume out/checkpoint.dsc --tolerance 0.1");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("--tolerance"), std::string::npos) << outcome.err;
+}
+
 // Either all that inequalities say is in the mesh, or it is told what is not.
 TEST_F(Inputs, of_inequalities_are_resolved) {
   const std::string box = " --domain=-1,-1,-1,1,1,1 --edge ";
