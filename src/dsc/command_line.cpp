@@ -55,6 +55,8 @@ std::string advice_on_arguments(const CLI::App& app, int argc, char** argv) {
   const CLI::App& command = chosen.empty() ? app : *chosen.front();
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i], name = argument.substr(0, argument.find('='));
+    if (argument[0] == '-' && argument.find_first_of("<>") != std::string::npos)
+      return "; write an inequality that begins with '-' in parentheses, like '(-x)<1'";
     const bool is_option = name.rfind("--", 0) == 0 && name.size() > 2;
     if (!is_option && (i > 1 || !chosen.empty()))
       continue;
@@ -67,9 +69,20 @@ std::string advice_on_arguments(const CLI::App& app, int argc, char** argv) {
   return "";
 }
 
-void require_effect_of_periods(const std::string& surface) {
-  if (surface == "ellipsoid" || (surface != "torus" && Surface_expressions(surface).is_of_sphere()))
-    throw Usage_error("--periods has a meaning for a surface in u and v only; leave it out");
+/// A ball may be all on a surface that does not repeat itself.
+void require_periods(const Cut_locus_options& options, bool are_given) {
+  if (options.surface == "torus")
+    return;
+  const bool is_ellipsoid = options.surface == "ellipsoid";
+  if (is_ellipsoid && !are_given)
+    return;
+  if (is_ellipsoid || Surface_expressions(options.surface).is_of_sphere()) {
+    if (are_given)
+      throw Usage_error("--periods has a meaning for a surface in u and v only; leave it out");
+  } else if (options.radius == 0 &&
+             !Surface_expressions(options.surface).repeats_after(options.periods))
+    throw Usage_error("the surface '" + options.surface +
+                      "' does not repeat itself after the periods; choose others by --periods");
 }
 
 /// Scenes are named or printed without anything else.
@@ -281,14 +294,13 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   if (*cut_locus) {
     cut_locus_options.point = parse_point(point);
     cut_locus_options.periods = parse_pair(periods, "--periods");
-    if (cut_locus->count("--periods") > 0)
-      require_effect_of_periods(cut_locus_options.surface);
     if (cut_locus->count("--spacing") > 0)
       cut_locus_options.spacing = parse_positive(spacing, "--spacing");
     if (cut_locus->count("--step") > 0)
       cut_locus_options.step = parse_positive(step, "--step");
     if (cut_locus->count("--radius") > 0)
       cut_locus_options.radius = parse_positive(radius, "--radius");
+    require_periods(cut_locus_options, cut_locus->count("--periods") > 0);
     if (!cut_locus_options.output.empty() && cut_locus_options.radius > 0)
       require_extension(cut_locus_options.output, {"svg", "vtu"});
     else if (!cut_locus_options.output.empty())

@@ -180,7 +180,7 @@ const std::vector<Named_scene>& named_scenes() {
     {"shape": {"type": "ball", "center": [0, 0, 0], "radius": 0.5, "triangles": 320},
      "pressure": 1.1}
   ],
-  "surface_tension": [{"labels": [0, 1], "value": 0.01}, {"labels": [1, 2], "value": 0.01}],
+  "surface_tension": 0.01,
   "time_step": 0.025,
   "end": 2
 })json"},

@@ -7,6 +7,7 @@
 #include "errors.h"
 #include "fluid_shapes.h"
 #include "label_components.h"
+#include "remove_crumbs.h"
 #include "surface.h"
 
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
@@ -163,7 +164,10 @@ Complex complex_of_places(const Fluid_scene& scene) {
   for (const auto& filling : shapes)
     if (filling.first != 0)
       names[filling.first] = "label " + std::to_string(filling.first) + " of the scene";
-  require_resolved(scene.domain, scene.edge, label_at, numbers_of_components(result), names);
+  const Component_ranges expected = count_components(scene.domain, scene.edge, label_at);
+  remove_crumbs(result, expected);
+  require_resolved(scene.domain, scene.edge, label_at, expected, numbers_of_components(result),
+                   names);
   return result;
 }
 

@@ -75,7 +75,7 @@ std::string reason(const Json::exception& error) {
   const std::string text = error.what();
   const std::size_t bracket = text.find("] ");
   std::string result = bracket == std::string::npos ? text : text.substr(bracket + 2);
-  if (text.find("/'; expected") != std::string::npos)
+  if (text.find("/'") != std::string::npos)
     result += "; JSON has no comments";
   return result;
 }

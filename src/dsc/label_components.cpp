@@ -19,7 +19,6 @@ namespace dsc {
 namespace {
 
 using Counts = std::array<std::size_t, 3>;
-using Ranges = std::map<int, Component_range>;
 
 /// Disjoint sets, each with a label.
 class Labelled_sets
@@ -129,7 +128,7 @@ Counts samples(const std::array<double, 6>& box, double spacing, bool odd) {
   return result;
 }
 
-bool are_equal(const Ranges& a, const Ranges& b) {
+bool are_equal(const Component_ranges& a, const Component_ranges& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& p, const auto& q) {
     return p.first == q.first && p.second.least == q.second.least && p.second.most == q.second.most;
   });
@@ -149,7 +148,7 @@ Shorter_edge shorter_edge(const std::array<double, 6>& box, double edge,
     const Counts n = samples(box, length, true);
     if (double(n[0]) * double(n[1]) * double(n[2]) > most)
       return {2 * length, false};
-    const Ranges odd = count_components(box, n, label_at);
+    const Component_ranges odd = count_components(box, n, label_at);
     const bool has_all = std::all_of(names.begin(), names.end(),
                                      [&](const auto& name) { return odd.count(name.first) > 0; });
     if (has_all && are_equal(odd, count_components(box, samples(box, length, false), label_at)))
@@ -159,8 +158,8 @@ Shorter_edge shorter_edge(const std::array<double, 6>& box, double edge,
 
 } // namespace
 
-std::map<int, Component_range> count_components(const std::array<double, 6>& box, const Counts& n,
-                                                const Label_function& label_at) {
+Component_ranges count_components(const std::array<double, 6>& box, const Counts& n,
+                                  const Label_function& label_at) {
   Grid_components with_corners(n, true), with_faces(n, false);
   const auto coordinate = [&](std::size_t axis, std::size_t i) {
     return box[axis] + (box[axis + 3] - box[axis]) * (double(i) + .5) / double(n[axis]);
@@ -177,7 +176,7 @@ std::map<int, Component_range> count_components(const std::array<double, 6>& box
       }
     }
   }
-  Ranges result;
+  Component_ranges result;
   for (const auto& [label, number] : with_corners.numbers())
     result[label].least = number;
   for (const auto& [label, number] : with_faces.numbers())
@@ -185,11 +184,15 @@ std::map<int, Component_range> count_components(const std::array<double, 6>& box
   return result;
 }
 
-void require_resolved(const std::array<double, 6>& box, double edge, const Label_function& label_at,
-                      const std::map<int, std::size_t>& found, std::map<int, std::string> names) {
+Component_ranges count_components(const std::array<double, 6>& box, double edge,
+                                  const Label_function& label_at) {
   static constexpr double samples_per_edge = 3;
-  const Ranges expected =
-      count_components(box, samples(box, edge / samples_per_edge, true), label_at);
+  return count_components(box, samples(box, edge / samples_per_edge, true), label_at);
+}
+
+void require_resolved(const std::array<double, 6>& box, double edge, const Label_function& label_at,
+                      const Component_ranges& expected, const std::map<int, std::size_t>& found,
+                      std::map<int, std::string> names) {
   if (found.count(0) > 0 || expected.count(0) > 0)
     names.emplace(0, "the space around, of label 0,");
   for (const auto& [label, name] : names) {
@@ -200,21 +203,23 @@ void require_resolved(const std::array<double, 6>& box, double edge, const Label
         in_samples == expected.end() ? Component_range{0, 0} : in_samples->second;
     if (number > 0 && range.least <= number && number <= range.most)
       continue;
+    const Shorter_edge shorter = shorter_edge(box, edge, label_at, names);
     std::ostringstream message;
     message << name;
-    if (number == 0 && range.most == 0)
-      message << " fills nothing: it is empty in the domain, covered by later ones, or far smaller "
-              << "than edges of " << edge;
-    else {
+    if (number > 0 || range.most > 0) {
       message << " has " << number << " connected components in the mesh instead of ";
       if (range.least < range.most)
         message << range.least << " to ";
       message << range.most << ": edges of " << edge << " are too long for it";
-    }
-    const Shorter_edge shorter = shorter_edge(box, edge, label_at, names);
-    message << (shorter.is_enough ? "; choose shorter ones, of about "
-                                  : "; choose shorter ones, of much less than ")
-            << shorter.length;
+    } else if (shorter.is_enough)
+      message << " fills nothing: edges of " << edge << " are too long for it";
+    else
+      message << " fills nothing: it is empty in the domain, or covered by later ones; leave it "
+              << "out, or change it";
+    if (shorter.is_enough)
+      message << "; choose shorter ones, of about " << shorter.length;
+    else if (number > 0 || range.most > 0)
+      message << "; choose shorter ones, of much less than " << shorter.length;
     throw Input_error(message.str());
   }
 }

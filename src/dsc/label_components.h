@@ -23,12 +23,15 @@ struct Component_range
   std::size_t least, most;
 };
 
+/// Of each label.
+using Component_ranges = std::map<int, Component_range>;
+
 /// Counts the connected components of each label in a box.
 /// \param box the least x, y and z, then the largest
 /// \param samples their number along each axis
-std::map<int, Component_range> count_components(const std::array<double, 6>& box,
-                                                const std::array<std::size_t, 3>& samples,
-                                                const Label_function& label_at);
+Component_ranges count_components(const std::array<double, 6>& box,
+                                  const std::array<std::size_t, 3>& samples,
+                                  const Label_function& label_at);
 
 /// The number of connected components of each label of a complex.
 template <class Complex> std::map<int, std::size_t> numbers_of_components(const Complex& complex) {
@@ -38,16 +41,21 @@ template <class Complex> std::map<int, std::size_t> numbers_of_components(const 
   return result;
 }
 
+/// Counts them by samples that are three times as close as the edges of a complex.
+Component_ranges count_components(const std::array<double, 6>& box, double edge,
+                                  const Label_function& label_at);
+
 /// Makes sure that a complex shows what a function tells: each label that has a name, and the same
-/// number of connected components of each label as samples show that are three times as close as
-/// the edges.
+/// number of connected components of each label as samples show.
 /// \param edge length of edges of the complex
+/// \param expected what `count_components()` tells
 /// \param found number of components of each label of the complex
 /// \param names of the labels but 0, for messages
 /// \throws Input_error if that is not so, with the label, the numbers, and an edge length that is
 /// enough
 void require_resolved(const std::array<double, 6>& box, double edge, const Label_function& label_at,
-                      const std::map<int, std::size_t>& found, std::map<int, std::string> names);
+                      const Component_ranges& expected, const std::map<int, std::size_t>& found,
+                      std::map<int, std::string> names);
 
 } // namespace dsc
 

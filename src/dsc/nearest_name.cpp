@@ -43,7 +43,7 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
   if (name.size() > longest)
     return "";
   std::string result;
-  std::size_t least = std::max<std::size_t>(1, name.size() / letters_per_error) + 1;
+  std::size_t least = std::max<std::size_t>(1, (name.size() + 1) / letters_per_error) + 1;
   for (const std::string& candidate : known) {
     if (lower_case(candidate) == lower_case(name))
       return candidate;

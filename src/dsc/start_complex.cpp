@@ -8,6 +8,7 @@
 #include "inequalities.h"
 #include "label_components.h"
 #include "labelled_tetrahedra.h"
+#include "remove_crumbs.h"
 #include "start_curves.h"
 #include "surface.h"
 #include "tracked_complex_3.h"
@@ -44,9 +45,12 @@ std::unique_ptr<Tracked_complex> track_inequalities(const Run_start& start,
   static constexpr double edges_of_side = 40;
   const double side = std::max({d[3] - d[0], d[4] - d[1], d[5] - d[2]});
   const double edge = start.edge > 0 ? start.edge : side / edges_of_side;
+  const Label_function label_at = [&](const std::array<double, 3>& p) {
+    return inequalities.label_at(p);
+  };
   auto complex =
       CGAL::make_deformable_simplicial_complex_3<Complex>(box(d), edge, [&](const auto& p) {
-        return inequalities.label_at({p.x(), p.y(), p.z()});
+        return label_at({p.x(), p.y(), p.z()});
       });
   if (complex.interface_facets().empty())
     throw Input_error("no inequality has a border in the domain; choose another --domain, or "
@@ -54,9 +58,9 @@ std::unique_ptr<Tracked_complex> track_inequalities(const Run_start& start,
   std::map<int, std::string> names;
   for (std::size_t i = 0; i < start.inputs.size(); ++i)
     names[int(i) + 1] = "the inequality '" + start.inputs[i] + "'";
-  require_resolved(
-      d, edge, [&](const std::array<double, 3>& p) { return inequalities.label_at(p); },
-      numbers_of_components(complex), names);
+  const Component_ranges expected = count_components(d, edge, label_at);
+  remove_crumbs(complex, expected);
+  require_resolved(d, edge, label_at, expected, numbers_of_components(complex), names);
   return track(std::move(complex));
 }
 

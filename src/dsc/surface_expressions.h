@@ -24,6 +24,10 @@ public:
   /// Whether it is the image of the unit sphere.
   bool is_of_sphere() const { return m_is_of_sphere; }
 
+  /// Whether lengths on a surface in u and v are the same a period further, where samples are
+  /// taken.
+  bool repeats_after(const std::array<double, 2>& periods) const;
+
   std::array<double, 3> operator()(double u, double v) const { return at({u, v, 0, 0, 0}); }
   std::array<double, 3> operator()(const std::array<double, 3>& p) const {
     return at({0, 0, p[0], p[1], p[2]});

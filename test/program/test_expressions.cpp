@@ -4,6 +4,7 @@
 #include "inequalities.h"
 #include "label_components.h"
 #include "nearest_name.h"
+#include "surface_expressions.h"
 #include "velocity_expressions.h"
 
 #include <gtest/gtest.h>
@@ -150,6 +151,15 @@ TEST(Inequalities, that_are_constant_are_refused) {
   EXPECT_EQ(dsc::Inequalities({"x<1", "sqrt(x)<0.5"}).label_at({-1, 0, 0}), 1);
 }
 
+TEST(Surfaces, repeat_themselves_after_their_periods) {
+  const dsc::Surface_expressions torus("(2+cos(v))*cos(u),(2+cos(v))*sin(u),sin(v)");
+  const double turn = 6.28319;
+  EXPECT_TRUE(torus.repeats_after({turn, turn}));
+  EXPECT_TRUE(torus.repeats_after({1, turn})); // a part of it
+  EXPECT_FALSE(torus.repeats_after({turn, 6}));
+  EXPECT_FALSE(dsc::Surface_expressions("u,v,u^2").repeats_after({turn, turn}));
+}
+
 TEST(Names, that_are_misspelt_are_found) {
   EXPECT_EQ(dsc::nearest_name("gravitiy", {"title", "gravity", "cfl"}), "gravity");
   EXPECT_EQ(dsc::nearest_name("cicle", {"cfl", "cylinder"}), "");
@@ -168,7 +178,8 @@ int two_balls(const std::array<double, 3>& p) {
 std::string message_of(double edge, const dsc::Label_function& label_at,
                        const std::map<int, std::size_t>& found) {
   try {
-    dsc::require_resolved(cube, edge, label_at, found, {{1, "the body"}});
+    dsc::require_resolved(cube, edge, label_at, dsc::count_components(cube, edge, label_at), found,
+                          {{1, "the body"}});
   } catch (const dsc::Input_error& error) {
     return error.what();
   }
@@ -178,26 +189,28 @@ std::string message_of(double edge, const dsc::Label_function& label_at,
 } // namespace
 
 TEST(Label_components, are_counted_by_samples) {
-  const auto balls = dsc::count_components(cube, {40, 41, 39}, two_balls);
+  const auto balls = dsc::count_components(cube, std::array<std::size_t, 3>{40, 41, 39}, two_balls);
   EXPECT_EQ(balls.at(1).least, 2u);
   EXPECT_EQ(balls.at(1).most, 2u);
   EXPECT_EQ(balls.at(0).most, 1u);
   // A checkerboard hangs together by edges and corners.
-  const auto board = dsc::count_components(cube, {4, 4, 4}, [](const std::array<double, 3>& p) {
-    return (int(p[0] * 2 + 2) + int(p[1] * 2 + 2) + int(p[2] * 2 + 2)) % 2;
-  });
+  const auto board = dsc::count_components(
+      cube, std::array<std::size_t, 3>{4, 4, 4}, [](const std::array<double, 3>& p) {
+        return (int(p[0] * 2 + 2) + int(p[1] * 2 + 2) + int(p[2] * 2 + 2)) % 2;
+      });
   EXPECT_EQ(board.at(1).least, 1u);
   EXPECT_EQ(board.at(1).most, 32u);
   // A shell has an inside; a comb is one, although its teeth are met first.
-  const auto shell = dsc::count_components(cube, {31, 31, 31}, [](const std::array<double, 3>& p) {
-    const double r = std::hypot(p[0], p[1], p[2]);
-    return .5 < r && r < .8 ? 1 : 0;
-  });
+  const auto shell = dsc::count_components(cube, std::array<std::size_t, 3>{31, 31, 31},
+                                           [](const std::array<double, 3>& p) {
+                                             const double r = std::hypot(p[0], p[1], p[2]);
+                                             return .5 < r && r < .8 ? 1 : 0;
+                                           });
   EXPECT_EQ(shell.at(1).most, 1u);
   EXPECT_EQ(shell.at(0).least, 2u);
-  const auto comb = dsc::count_components(cube, {81, 81, 5}, [](const std::array<double, 3>& p) {
-    return p[1] > .8 || std::sin(20 * p[0]) > 0 ? 1 : 0;
-  });
+  const auto comb = dsc::count_components(
+      cube, std::array<std::size_t, 3>{81, 81, 5},
+      [](const std::array<double, 3>& p) { return p[1] > .8 || std::sin(20 * p[0]) > 0 ? 1 : 0; });
   EXPECT_EQ(comb.at(1).least, 1u);
   EXPECT_EQ(comb.at(1).most, 1u);
 }
@@ -216,5 +229,5 @@ TEST(Label_components, that_are_missing_are_told_with_an_edge_length) {
     return std::hypot(p[0] - .31, p[1], p[2]) < 1e-4 ? 1 : 0;
   };
   const std::string nothing = message_of(.1, speck, {{0, 1}});
-  EXPECT_NE(nothing.find("fills nothing"), std::string::npos) << nothing;
+  EXPECT_NE(nothing.find("fills nothing: it is empty"), std::string::npos) << nothing;
 }
