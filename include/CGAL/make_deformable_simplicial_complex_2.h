@@ -188,8 +188,8 @@ Complex make_deformable_simplicial_complex_2(
 \ingroup PkgDeformableSimplicialComplex3Ref
 
 Makes a complex of the regions between segments, whose labels are told by points in them; enclosed
-regions without one get the label `enclosed_label` of the segments. As above, but segments need not be closed curves: those with the same label
-on both sides are just edges of the mesh.
+regions without one get the label `enclosed_label` of the segments. As above, but segments need not
+be closed curves: those with the same label on both sides are just edges of the mesh.
 
 \param segments with seeds; coordinates are rounded to `double`
 \param np the named parameters above

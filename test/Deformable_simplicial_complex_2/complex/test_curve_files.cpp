@@ -123,7 +123,7 @@ TEST(Wkt, refuses_polygons_that_are_none) {
   expect_part(outside, "hole");
   const std::string shell = "(0 0, 9 0, 9 9, 0 9, 0 0)", hole = "(1 1, 8 1, 8 8, 1 8, 1 1)",
                     inner = "(2 2, 7 2, 7 7, 2 7, 2 2)";
-  for (const std::string text :
+  for (const std::string& text :
        {"POLYGON (" + shell + ", " + hole + ", " + inner + ")",
         "POLYGON (" + hole + ", " + shell + ")", "MULTIPOLYGON ((" + shell + "), (" + inner + "))",
         "MULTIPOLYGON ((" + shell + "), (" + inner + ", " + hole + "))",

@@ -35,7 +35,8 @@ public:
     for (const Wall<2>& w : soup.walls)
       m_segments.emplace_back(in_space(w.vertices[0]), in_space(w.vertices[1]));
     m_tree.insert(m_segments.begin(), m_segments.end());
-    m_tree.accelerate_distance_queries();
+    if (!m_segments.empty())
+      m_tree.accelerate_distance_queries();
     m_reaches_box = std::any_of(soup.points.begin(), soup.points.end(), [&](const Point& p) {
       return p.x() == box.xmin() || p.x() == box.xmax() || p.y() == box.ymin() ||
              p.y() == box.ymax();

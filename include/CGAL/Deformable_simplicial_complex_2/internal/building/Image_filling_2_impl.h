@@ -130,6 +130,7 @@ Image_filling_2 fill_image(const Labelled_image_2& image, double edge,
                 "into parts");
   const Image_curves_2 curves(chains, edge);
   Planar_filling_2 filling = fill_box_between(curves.soup(), box.value_or(image.bbox()));
+  filling.locate = nullptr; // frees the triangulation
   Image_filling_2 result;
   auto seeds = curves.seeds(filling.triangles);
   if (seeds.empty())

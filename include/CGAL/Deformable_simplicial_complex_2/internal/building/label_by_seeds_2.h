@@ -13,6 +13,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <locale>
@@ -24,6 +25,17 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
+
+// A triangle at a corner of the box.
+inline std::size_t triangle_on_box(const Planar_filling_2& filling) {
+  const auto corner = std::size_t(std::min_element(filling.points.begin(), filling.points.end()) -
+                                  filling.points.begin());
+  return std::size_t(std::find_if(filling.triangles.begin(), filling.triangles.end(),
+                                  [&](const std::array<std::size_t, 3>& t) {
+                                    return std::find(t.begin(), t.end(), corner) != t.end();
+                                  }) -
+                     filling.triangles.begin());
+}
 
 // Labels of the triangles that fill a box, by points in its regions.
 template <class Point>
@@ -59,8 +71,7 @@ std::vector<int> label_by_seeds(const Seeded_segments_2<Point>& segments, const 
   if (segments.enclosed_label != 0) {
     for (auto& triangle : triangles)
       triangle.second = 1;
-    const auto corner_of_box = *std::min_element(filling.points.begin(), filling.points.end());
-    triangles.emplace_back(*filling.locate(corner_of_box).triangle, 1);
+    triangles.emplace_back(triangle_on_box(filling), 1);
     const auto is_told =
         label_cells_by_seeds<2>(filling.triangles, soup.walls, triangles, contradicting);
     for (std::size_t t = 0; t < labels.size(); ++t)
