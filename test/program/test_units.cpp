@@ -60,7 +60,8 @@ protected:
 
   Result result_of(const std::string& arguments, const std::string& output) const {
     fs::remove_all(path("o"));
-    fs::remove(path(output));
+    if (!output.empty())
+      fs::remove(path(output));
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exit_code, 0) << arguments << '\n' << outcome.err;
     if (outcome.exit_code != 0)
