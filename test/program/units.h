@@ -123,13 +123,13 @@ inline void expect_scaled(const std::string& expected, const std::string& result
   std::size_t directions = 0; // numbers to come that have no unit: normals in STL
   for (std::size_t i = 0; i < before.size(); ++i) {
     static constexpr std::size_t version = 3; // characters: 1.0
-    const bool has_decimals =
-        before[i].find('.') != std::string::npos && before[i].size() > version;
-    const bool is_same = before[i] == after[i],
-               is_scaled = std::strtod(before[i].c_str(), nullptr) * unit ==
-                           std::strtod(after[i].c_str(), nullptr);
-    ASSERT_TRUE(has_decimals && directions == 0 ? is_scaled : is_same || is_scaled)
-        << "word " << i << ": " << before[i] << " became " << after[i];
+    const std::string &was = before[i], &is = after[i];
+    const bool has_decimals = was.find('.') != std::string::npos && was.size() > version;
+    char* end = nullptr;
+    const double x = std::strtod(was.c_str(), &end);
+    const bool is_scaled = *end == '\0' && x * unit == std::strtod(is.c_str(), nullptr);
+    ASSERT_TRUE(is_scaled || (was == is && (!has_decimals || directions > 0 || *end != '\0')))
+        << "word " << i << ": " << was << " became " << is;
     directions = before[i] == "normal" ? 3 : directions > 0 ? directions - 1 : 0;
   }
 }
