@@ -102,6 +102,8 @@ struct Run_start
   std::size_t segments = 0;        ///< of all curves together, at least; 0 keeps them as they are
   Figure figure = Figure::none;    ///< without any input in the plane
   bool repairs = false;            ///< surfaces that bound no solid
+  std::optional<Distance> largest_hole; ///< length of its border that is filled at the most; the
+                                        ///< library's bound if not set
   double edge = 0; ///< about how long interface edges are to be, of images and inequalities; 0 for
                    ///< the default of each
 };
