@@ -185,8 +185,7 @@ Complex make_deformable_simplicial_complex_3(
   namespace internal = Deformable_simplicial_complexes::internal;
   if (!is_triangle_mesh(surface))
     throw Deformable_simplicial_complexes::Error(
-        "the mesh has facets that are no triangles: triangulate them, see "
-        "CGAL::Polygon_mesh_processing::triangulate_faces()");
+        "the mesh has facets that are no triangles: triangulate them");
   using Point_map = typename GetVertexPointMap<FaceListGraph, NP>::const_type;
   std::vector<typename boost::property_traits<Point_map>::value_type> points;
   internal::Triangle_soup_3 soup;

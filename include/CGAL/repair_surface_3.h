@@ -6,6 +6,7 @@
 #define CGAL_REPAIR_SURFACE_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/Surface_repair_options_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Surface_repair_report_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/repair/Surface_repairer_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/repair_options.h>
@@ -13,20 +14,66 @@
 
 namespace CGAL {
 
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+template <class Point> Triangle_soup_3 soup_of(const Labelled_surface_3<Point>& surface) {
+  Triangle_soup_3 soup;
+  for (const Point& p : surface.points)
+    soup.points.push_back(coordinates(p));
+  soup.triangles = surface.triangles;
+  return soup;
+}
+
+template <class Point>
+void assign(Labelled_surface_3<Point>& surface, const Triangle_soup_3& soup) {
+  surface.points.clear();
+  for (const Coordinates_3& p : soup.points)
+    surface.points.push_back(Point(p[0], p[1], p[2]));
+  surface.triangles = soup.triangles;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Makes a surface bound a solid, as `make_deformable_simplicial_complex_3()` asks for, if it nearly
-does. Steps that change more and more are done until that is so, and no more than these:
+Makes a surface bound a solid: the same as the overload below, with plain options.
+*/
+template <class Point>
+Surface_repair_report_3 repair_surface_3(Labelled_surface_3<Point>& surface,
+                                         const Surface_repair_options_3& options) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  internal::Surface_repairer_3 repairer(internal::soup_of(surface), options);
+  repairer.run();
+  if (!repairer.report().was_sound())
+    internal::assign(surface, repairer.soup());
+  return repairer.report();
+}
 
-- equal points are merged, triangles without area removed, and of triangles with the same corners
-all but one, or all if they are a wall between parts that touch;
-- points of borders that are nearer to each other than a thousandth of the mean edge, and a tenth of
-  the edges there, become one;
-- holes are filled, unless their border is long: then the surface is a sheet that bounds nothing;
-- triangles that cross are removed together with their neighborhood, and the holes filled, if the
-  result is nowhere more than two mean edges from them;
-- all is replaced by an alpha wrap, which is closed whatever is wrong inside; voids are filled.
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Makes a surface bound a solid, as `make_deformable_simplicial_complex_3()` requires, if it nearly
+does. The following steps are done in this order until the surface bounds a solid:
+
+- equal points are merged, and triangles without area are removed. Of triangles with the same
+corners one is kept, or none if they are a wall between parts that touch.
+- Boundary vertices become one if their distance is less than a thousandth of the mean edge and a
+  tenth of the boundary edges at them.
+- T-junctions are closed: a boundary edge is split at a boundary vertex if the distance of the
+vertex from the edge is less than a thousandth of that edge and of the shortest boundary edge at the
+  vertex.
+- Holes are filled. A surface with a long border is refused: it is a sheet, not a solid with a hole.
+- Parts that cross each other or themselves are united: triangles are split where they cross, by
+exact arithmetic, and those that do not bound the union are removed. A closed part that is inside an
+odd number of other parts without crossing them stays a cavity. Walls inside a solid are removed.
+- The surface is replaced by an alpha wrap, which is closed and has no crossings; cavities are
+filled.
+
+No length in this is absolute: a surface that is scaled by a power of two has the same result,
+scaled.
 
 CGAL's polygon mesh processing and alpha wrapping do the work.
 
@@ -72,19 +119,31 @@ template <class Point,
 Surface_repair_report_3
 repair_surface_3(Labelled_surface_3<Point>& surface,
                  const NP& np = Deformable_simplicial_complexes::parameters::default_values()) {
+  return repair_surface_3(surface, Deformable_simplicial_complexes::internal::repair_options(np));
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Replaces a surface by its alpha wrap, even if it bounds a solid: where surfaces nearly meet, a
+tetrahedralizer may fail that fills the wrap.
+
+\tparam Point a point type with `double` coordinates, as that of `Labelled_surface_3`
+
+\param surface is replaced by the wrap
+\param options `wrap_alpha` and `wrap_offset` are used; `wrap_alpha` must not be 0
+
+\return how far the surface is from the input
+
+\throws Deformable_simplicial_complexes::Error as `repair_surface_3()`. The surface is unchanged then.
+*/
+template <class Point>
+Surface_repair_report_3 wrap_surface_3(Labelled_surface_3<Point>& surface,
+                                       const Surface_repair_options_3& options = {}) {
   namespace internal = Deformable_simplicial_complexes::internal;
-  internal::Triangle_soup_3 soup;
-  for (const Point& p : surface.points)
-    soup.points.push_back(internal::coordinates(p));
-  soup.triangles = surface.triangles;
-  internal::Surface_repairer_3 repairer(std::move(soup), internal::repair_options(np));
-  repairer.run();
-  if (!repairer.report().was_sound()) {
-    surface.points.clear();
-    for (const auto& p : repairer.soup().points)
-      surface.points.push_back(Point(p[0], p[1], p[2]));
-    surface.triangles = repairer.soup().triangles;
-  }
+  internal::Surface_repairer_3 repairer(internal::soup_of(surface), options);
+  repairer.run_wrap();
+  internal::assign(surface, repairer.soup());
   return repairer.report();
 }
 

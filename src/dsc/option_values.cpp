@@ -112,6 +112,12 @@ Distance parse_distance(const std::string& text) {
   return {parse_number(number, "--distance", "0.1 or 0.25e"), in_mean_edges};
 }
 
+Distance parse_length(const std::string& text, const std::string& option) {
+  const bool in_mean_edges = !text.empty() && text.back() == 'e';
+  const std::string number = in_mean_edges ? text.substr(0, text.size() - 1) : text;
+  return {parse_positive(number, option), in_mean_edges};
+}
+
 double parse_positive(const std::string& text, const std::string& option) {
   const double number = parse_number(text, option, "0.01");
   if (!(number > 0))

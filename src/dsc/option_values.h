@@ -36,6 +36,9 @@ double parse_threshold(const std::string& text);
 /// In the unit of the input or, with an e behind it, in mean edges.
 Distance parse_distance(const std::string& text);
 
+/// A positive length, in the unit of the input or, with an e behind it, in mean edges.
+Distance parse_length(const std::string& text, const std::string& option);
+
 double parse_positive(const std::string& text, const std::string& option);
 
 /// Not negative.

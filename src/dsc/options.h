@@ -104,6 +104,8 @@ struct Run_start
   bool repairs = false;            ///< surfaces that bound no solid
   std::string labels; ///< name of the array of a .vtu file that holds them, `none` for label 1
                       ///< everywhere; empty for the one with a name that is known
+  std::optional<Distance> largest_hole; ///< length of its border that is filled at the most; the
+                                        ///< library's bound if not set
   double edge = 0; ///< about how long interface edges are to be, of images and inequalities; 0 for
                    ///< the default of each
 };

@@ -61,8 +61,9 @@ Mesh closed_mesh(Surface surface, const std::string& name) {
   if (closed)
     PMP::orient_polygon_soup(surface.points, surface.triangles);
   if (!closed || !PMP::is_polygon_soup_a_polygon_mesh(surface.triangles))
-    throw Input_error(name + " is not a closed surface; repair it, or leave out --triangles to see "
-                             "where it is not");
+    throw Input_error(name +
+                      " is not a closed surface; use --repair, or leave out --triangles to see "
+                      "where it is not");
   Mesh mesh;
   PMP::polygon_soup_to_polygon_mesh(surface.points, surface.triangles, mesh);
   return mesh;

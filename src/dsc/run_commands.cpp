@@ -133,10 +133,17 @@ CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
                    "voxels; a fortieth of the domain, or 2.5 voxels, if not given")
       ->excludes(resume);
   add_labels_option(*command, m_options.start.labels)->excludes(resume);
+  CLI::Option* repairs =
+      command
+          ->add_flag("--repair", m_options.start.repairs,
+                     "Make surfaces bound solids that do not: merge points, close T-junctions, "
+                     "fill holes, unite parts that cross or, where that is not enough, wrap them")
+          ->excludes(resume);
   command
-      ->add_flag("--repair", m_options.start.repairs,
-                 "Make surfaces bound solids that do not: merge points, close holes, remove "
-                 "crossings or, where that is not enough, wrap them")
+      ->add_option("--largest-hole", m_largest_hole,
+                   "Fill holes with borders up to this length, like 2.5 or, in mean edges of the "
+                   "surface, 20e; 1.6 diagonals of the box around the part if not given")
+      ->needs(repairs)
       ->excludes(resume);
   CLI::Option* improves =
       command->add_flag("--improve-interface", m_options.step.improves_interface,
@@ -229,7 +236,8 @@ void Run_commands::require_dimension(const Run_options& options, bool is_planar)
     throw Usage_error("dsc enright deforms surfaces; in the plane, use dsc vortex");
   if (!is_planar && *m_zalesak)
     throw Usage_error("dsc zalesak turns curves in the plane; for surfaces, use dsc rotate");
-  for (const char* name : {"--axis", "--move-faces", "--fit", "--triangles", "--repair"})
+  for (const char* name :
+       {"--axis", "--move-faces", "--fit", "--triangles", "--repair", "--largest-hole"})
     if (is_planar && is_given(name))
       throw Usage_error(std::string(name) + " has no meaning in the plane; leave it out");
   for (const char* name : {"--segments", "--plane"})
@@ -260,7 +268,7 @@ void Run_commands::require_kind(const Run_options& options, bool is_planar) cons
         throw Usage_error(input + " cannot be mixed with other kinds of INPUT");
     return;
   }
-  for (const char* name : {"--triangles", "--fit", "--repair"})
+  for (const char* name : {"--triangles", "--fit", "--repair", "--largest-hole"})
     if (is_given(name))
       throw Usage_error(std::string(name) + " has a meaning for surfaces only; leave it out");
   if (kind == Input_kind::inequalities) {
@@ -318,6 +326,8 @@ Run_options Run_commands::options() const {
     require_dimension(options, is_planar);
     require_kind(options, is_planar);
   }
+  if (options.given.count("--largest-hole") > 0)
+    options.start.largest_hole = parse_length(m_largest_hole, "--largest-hole");
   if (options.given.count("--edge") > 0)
     options.start.edge = parse_positive(m_edge, "--edge");
   if (is_new && has_ball) {

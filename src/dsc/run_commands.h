@@ -45,7 +45,7 @@ private:
   Run_options m_options;
   // As they were written.
   std::string m_axis, m_angle, m_distance, m_expressions, m_period, m_dt, m_tolerance, m_domain,
-      m_aggressiveness, m_edge;
+      m_aggressiveness, m_edge, m_largest_hole;
   std::string m_scheme = "rk4";
   bool m_moves_faces = false, m_fits = false, m_keeps_volumes = false, m_is_planar = false;
 };

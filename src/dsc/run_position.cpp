@@ -19,6 +19,8 @@ std::string to_metadata(const Run_position& position, const Step_options& step) 
   parameters["triangles"] = position.start.triangles;
   parameters["segments"] = position.start.segments;
   parameters["repair"] = position.start.repairs;
+  if (const std::optional<Distance>& hole = position.start.largest_hole)
+    parameters["largest_hole"] = {{"value", hole->value}, {"in_mean_edges", hole->in_mean_edges}};
   parameters["figure"] = static_cast<int>(position.start.figure);
   if (const std::optional<Ball>& ball = position.start.ball)
     parameters["ball"] = {{"center", ball->center}, {"radius", ball->radius}};
@@ -42,6 +44,10 @@ std::optional<Saved_run> from_metadata(const std::string& metadata) {
     position.start.segments = parameters.at("segments");
     position.start.repairs = parameters.value("repair", false); // older ones do not say it
     position.start.figure = static_cast<Figure>(parameters.at("figure").get<int>());
+    if (parameters.contains("largest_hole")) {
+      const Json& hole = parameters.at("largest_hole");
+      position.start.largest_hole = Distance{hole.at("value"), hole.at("in_mean_edges")};
+    }
     if (parameters.contains("ball")) {
       const Json& ball = parameters.at("ball");
       position.start.ball = Ball{ball.at("center"), ball.at("radius")};

@@ -21,6 +21,7 @@
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
+#include <iostream>
 #include <map>
 #include <string>
 #include <utility>
@@ -30,6 +31,7 @@ namespace dsc {
 namespace {
 
 using Complex = Tracked_complex_3::Complex;
+using CGAL::Deformable_simplicial_complexes::Tetrahedralization_error;
 using Domain = std::optional<std::array<double, 6>>;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
@@ -122,7 +124,19 @@ std::unique_ptr<Tracked_complex> start_complex(const Run_options& options, Repai
   std::vector<std::string> names = start.inputs;
   if (names.empty())
     names = {"the ball"};
-  return track_surfaces(start_surfaces(start, &repairs), names, options.domain);
+  std::vector<Surface> surfaces = start_surfaces(start, &repairs);
+  std::ostream* notes = options.quiet ? nullptr : &std::cout;
+  try {
+    return track_surfaces(surfaces, names, options.domain, notes);
+  } catch (const Tetrahedralization_error& error) {
+    static constexpr int out_of_memory = 1; // of TetGen: a wrap needs more of it
+    if (!start.repairs && error.code() != out_of_memory)
+      throw Input_error(std::string(error.what()) + "; --repair may help: it wraps surfaces then");
+    if (!start.repairs || error.code() == out_of_memory)
+      throw;
+  }
+  wrap(surfaces, names, repairs);
+  return track_surfaces(surfaces, names, options.domain, notes);
 }
 
 } // namespace dsc

@@ -92,7 +92,7 @@ std::vector<Surface> start_surfaces(const Run_start& start, Repairs* repairs) {
     return {sphere(*start.ball, start.triangles > 0 ? start.triangles : triangles_of_balls)};
   std::vector<Surface> surfaces = read_surfaces(start.inputs);
   if (start.repairs) {
-    const Repairs done = repair(surfaces, start.inputs);
+    const Repairs done = repair(surfaces, start.inputs, start.largest_hole);
     if (repairs)
       *repairs = done;
   }

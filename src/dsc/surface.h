@@ -13,6 +13,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,14 @@ using Repairs = std::vector<CGAL::Surface_repair_report_3>;
 
 /// Makes surfaces bound solids.
 /// \param names of the surfaces, for messages
+/// \param largest_hole length of borders of holes that are filled; the library's bound if not set
 /// \throws Input_error if one cannot be repaired
-Repairs repair(std::vector<Surface>& surfaces, const std::vector<std::string>& names);
+Repairs repair(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
+               const std::optional<Distance>& largest_hole);
+
+/// Replaces surfaces by wraps around them, and tells so in what was done to them.
+/// \throws Input_error if one cannot be wrapped
+void wrap(std::vector<Surface>& surfaces, const std::vector<std::string>& names, Repairs& repairs);
 
 /// In one line.
 std::string what_was_repaired(const CGAL::Surface_repair_report_3& report);

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <iosfwd>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,12 +67,15 @@ public:
   virtual void write_subdivided(const std::string& path, int subdivisions) const = 0;
 };
 
-/// Fills the space inside and around surfaces.
+/// Fills the space inside and around surfaces. Surfaces may share walls, and a surface with walls
+/// inside gets a label for each of its regions.
 /// \param names of the surfaces, for messages
 /// \param domain least and largest coordinates of the box; that of the library if not set
+/// \param notes is told the labels of surfaces with walls inside, unless it is null
 std::unique_ptr<Tracked_complex> track_surfaces(const std::vector<Surface>& surfaces,
                                                 const std::vector<std::string>& names,
-                                                const std::optional<std::array<double, 6>>& domain);
+                                                const std::optional<std::array<double, 6>>& domain,
+                                                std::ostream* notes);
 
 /// The complex of the files of the plane, or of the figure, that a run starts from.
 /// \param domain as above, at heights 0

@@ -15,12 +15,10 @@
 #include <CGAL/IO/VTU_3.h>
 #include <CGAL/IO/checkpoint_3.h>
 #include <CGAL/IO/labelled_surface_3.h>
-#include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/extract_interface_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/subdivide_interface_3.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -34,7 +32,6 @@ namespace {
 using Complex = Tracked_complex_3::Complex;
 using Point = Complex::Approximate_point_3;
 using Vector = Complex::Approximate_vector_3;
-using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
@@ -78,27 +75,6 @@ void add_dihedral_angles(const Complex& complex, Statistics& statistics) {
 }
 
 } // namespace
-
-std::unique_ptr<Tracked_complex>
-track_surfaces(const std::vector<Surface>& surfaces, const std::vector<std::string>& names,
-               const std::optional<std::array<double, 6>>& domain) {
-  const auto build = [&](const auto& np) {
-    return std::make_unique<Tracked_complex_3>(CGAL::make_deformable_simplicial_complex_3<Complex>(
-        surfaces, CGAL::Tetgen_tetrahedralizer_3(), np));
-  };
-  try {
-    const auto normalized = parameters::normalize(true);
-    if (!domain)
-      return build(normalized);
-    const auto& [x0, y0, z0, x1, y1, z1] = *domain;
-    return build(normalized.enclosing_box(CGAL::Bbox_3(x0, y0, z0, x1, y1, z1)));
-  } catch (const Invalid_surface_error& error) {
-    std::string message = names[error.surface()];
-    if (error.other_surface() != error.surface())
-      message += " and " + names[error.other_surface()];
-    throw Input_error(message + ": " + error.what());
-  }
-}
 
 std::unique_ptr<Tracked_complex_3> Tracked_complex_3::from_mesh(const std::string& path,
                                                                 const Labelled_tetrahedra& mesh) {

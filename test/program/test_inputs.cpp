@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -125,6 +126,111 @@ TEST_F(Inputs, may_be_surfaces_to_be_repaired) {
   write("sheet.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   expect_refusal(path("sheet.off").string() + " --repair", 1, "cannot be repaired");
   expect_refusal("'x<1' --repair --domain -2,-2,-2,2,2,2", 2, "--repair");
+}
+
+// The triangles of several OFF files in one.
+std::string join(const std::vector<std::string>& files) {
+  std::ostringstream points, triangles;
+  std::size_t offset = 0, number = 0;
+  for (const std::string& file : files) {
+    std::istringstream in(file);
+    std::string line, off;
+    std::size_t n = 0, m = 0, edges = 0;
+    in >> off >> n >> m >> edges;
+    std::getline(in, line);
+    for (std::size_t i = 0; i < n && std::getline(in, line); ++i)
+      points << line << '\n';
+    for (std::size_t i = 0; i < m; ++i) {
+      std::size_t three, a, b, c;
+      in >> three >> a >> b >> c;
+      triangles << "3 " << a + offset << ' ' << b + offset << ' ' << c + offset << '\n';
+    }
+    offset += n;
+    number += m;
+  }
+  std::ostringstream result;
+  result << "OFF\n" << offset << ' ' << number << " 0\n" << points.str() << triangles.str();
+  return result.str();
+}
+
+TEST_F(Inputs, may_be_parts_that_cross) {
+  write("cross.off", join({program::box(0, 0, 0, 2, 1, 2), program::box(1, .5, 1, 3, 1.5, 2)}));
+  const std::string cross = path("cross.off").string();
+  expect_refusal(cross, 1, "--repair");
+  EXPECT_NEAR(volumes(cross + " --repair").at(1), 4 + 2 - .5, 1e-9);
+  const Json report = Json::parse(contents(path("report.json")));
+  EXPECT_EQ(report["repairs"][0]["united_parts"], 2);
+  EXPECT_TRUE(report["repairs"][0]["wrap"].is_null());
+  const Outcome outcome = run("rotate " + cross + " --repair --axis 0,0,1 --angle 5 --steps 1");
+  EXPECT_NE(outcome.out.find("2 crossing parts united"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Inputs, may_have_t_junctions) {
+  // The edge from vertex 0 to vertex 1 has a vertex more below than in front.
+  const std::string text = program::box(0, 0, 0, 1, 1, 1);
+  std::istringstream in(text);
+  std::string line, file;
+  for (int i = 0; std::getline(in, line); ++i)
+    if (i == 1)
+      file += "9 13 0\n";
+    else if (line == "3 0 3 1")
+      file += "3 0 3 8\n3 8 3 1\n";
+    else
+      file += line + '\n' + (i == 9 ? ".5 1e-9 -1e-9\n" : "");
+  write("junction.off", file);
+  const std::string junction = path("junction.off").string();
+  expect_refusal(junction, 1, "--repair");
+  EXPECT_NEAR(volumes(junction + " --repair").at(1), 1, 1e-8);
+  EXPECT_EQ(Json::parse(contents(path("report.json")))["repairs"][0]["split_edges"], 1);
+}
+
+TEST_F(Inputs, may_have_holes_up_to_a_length) {
+  std::string text = program::box(0, 0, 0, 1, 1, 1);
+  text.replace(text.find("8 12 0"), 6, "8 11 0");
+  text.erase(text.find("3 1 7 5"));
+  write("hole.off", text);
+  const std::string hole = path("hole.off").string();
+  expect_refusal(hole, 1, "--repair");
+  expect_refusal(hole + " --repair --largest-hole 3.4", 1, "--largest-hole");
+  EXPECT_NEAR(volumes(hole + " --repair --largest-hole 3.5").at(1), 1, 1e-9);
+  EXPECT_NEAR(volumes(hole + " --repair --largest-hole 4e").at(1), 1, 1e-9);
+  EXPECT_EQ(run("rotate " + hole + " --largest-hole 3 --axis 0,0,1 --angle 5").exit_code, 2);
+  EXPECT_EQ(run("rotate " + hole + " --repair --largest-hole=-1 --axis 0,0,1 --angle 5").exit_code,
+            2);
+}
+
+TEST_F(Inputs, may_share_walls) {
+  const std::string left = program::box(0, 0, 0, 1, 1, 1), right = program::box(1, 0, 0, 3, 1, 1),
+                    small = program::box(1, .25, .25, 2, .5, .5);
+  write("left.off", left);
+  write("right.off", right);
+  write("small.off", small);
+  write("both.off", join({left, right}));
+  const auto file = [&](const char* name) { return path(name).string(); };
+  auto result = volumes(file("left.off") + " " + file("right.off"));
+  EXPECT_NEAR(result.at(1), 1, 1e-9);
+  EXPECT_NEAR(result.at(2), 2, 1e-9);
+  result = volumes(file("left.off") + " " + file("small.off"));
+  EXPECT_NEAR(result.at(2), .0625, 1e-9);
+  result = volumes(file("both.off"));
+  EXPECT_NEAR(result.at(1), 1, 1e-9);
+  EXPECT_NEAR(result.at(2), 2, 1e-9);
+  const Outcome outcome = run("rotate " + file("both.off") + " --axis 0,0,1 --angle 5 --steps 1");
+  EXPECT_NE(outcome.out.find("2 regions, with the labels 1, 2"), std::string::npos) << outcome.out;
+  EXPECT_NEAR(volumes(file("both.off") + " --repair").at(1), 3, 1e-9);
+}
+
+TEST_F(Inputs, that_are_refused_are_told_of_options_of_the_program) {
+  std::string text = program::box(0, 0, 0, 1, 1, 1);
+  write("crossing.off", join({text, program::box(.5, .5, .5, 2, 2, 2)}));
+  text.replace(text.find("8 12 0"), 6, "8 11 0");
+  text.erase(text.find("3 1 7 5"));
+  write("open.off", text);
+  for (const char* name : {"crossing.off", "open.off"}) {
+    const Outcome outcome = run("rotate " + path(name).string() + " --axis 0,0,1 --angle 5");
+    EXPECT_EQ(outcome.err.find("CGAL"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("--repair"), std::string::npos) << outcome.err;
+  }
 }
 
 TEST_F(Inputs, that_make_no_sense_are_refused) {

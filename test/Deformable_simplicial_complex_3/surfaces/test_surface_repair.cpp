@@ -2,6 +2,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/repair_surface_3.h>
@@ -10,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -188,14 +190,16 @@ TEST(Surface_repair, measures_borders_beside_the_part_that_has_them) {
   expect_refusal(surface, Reason::open);
 }
 
-TEST(Surface_repair, wraps_solids_with_walls_inside) {
+TEST(Surface_repair, removes_walls_inside_solids) {
   Surface surface = cube();
   add(surface, Point(0, 0, 0), Point(.5, .5, .5), Point(0, 0, .25)); // on an edge of two others
   add(surface, Point(0, 0, 0), Point(.5, .5, .5), Point(.25, 0, 0));
   add(surface, Point(0, 0, .25), Point(.5, .5, .5), Point(.25, 0, 0));
   const auto report = CGAL::repair_surface_3(surface);
-  EXPECT_TRUE(report.is_wrapped);
-  EXPECT_GT(volume(surface), .9);
+  EXPECT_FALSE(report.is_wrapped);
+  EXPECT_EQ(report.removed_triangles, 3u);
+  EXPECT_NEAR(report.distance(), 0, 1e-15);
+  EXPECT_NEAR(volume(surface), 1, 1e-12);
 }
 
 TEST(Surface_repair, ends_soon_if_there_are_many_points_as_triangles) {
@@ -204,8 +208,9 @@ TEST(Surface_repair, ends_soon_if_there_are_many_points_as_triangles) {
   for (int i = 0; i < 20000; ++i)
     surface.triangles.push_back({0, 0, 0});
   const auto report = CGAL::repair_surface_3(surface);
-  EXPECT_TRUE(report.is_wrapped);
+  EXPECT_EQ(report.united_parts, 2u);
   EXPECT_GT(report.mean_edge, .25);
+  EXPECT_NEAR(volume(surface), 1.4, 1e-12);
 }
 
 TEST(Surface_repair, stitches_borders_that_are_near) {
@@ -250,18 +255,24 @@ TEST(Surface_repair, removes_crossings) {
       p = Point(.5, .5, -.1);
   const auto report = CGAL::repair_surface_3(surface);
   EXPECT_GT(report.crossing_pairs, 0u);
-  EXPECT_LE(report.distance(), 1.2);
-  const double result = volume(surface);
-  EXPECT_GT(result, .5);
-  EXPECT_LT(result, 1.2);
+  EXPECT_EQ(report.united_parts, 1u);
+  EXPECT_FALSE(report.is_wrapped);
+  EXPECT_NEAR(report.distance(), 0, 1e-12);
+  // The vertex makes a pyramid about the cube's vertical axis, of which the face below cuts off the
+  // tip. Six triangles meet in the vertex: three quarters of a square of side 1/2.
+  const double pyramid = 3. / 4 * .25 * 1.1 / 3;
+  EXPECT_NEAR(volume(surface), 1 - pyramid * (1 - std::pow(.1 / 1.1, 3)), 1e-12);
 }
 
-TEST(Surface_repair, wraps_what_nothing_else_helps) {
+TEST(Surface_repair, wraps_what_it_is_told_to) {
   Surface surface = cube();
   const Surface other = cube(.4); // faces of both cover each other
   for (const auto& t : other.triangles)
     add(surface, other.points[t[0]], other.points[t[1]], other.points[t[2]]);
-  const auto report = CGAL::repair_surface_3(surface, parameters::wrap_alpha(.5).wrap_offset(.05));
+  CGAL::Surface_repair_options_3 options;
+  options.wrap_alpha = .5;
+  options.wrap_offset = .05;
+  const auto report = CGAL::wrap_surface_3(surface, options);
   EXPECT_TRUE(report.is_wrapped);
   EXPECT_DOUBLE_EQ(report.alpha, .5 * report.mean_edge);
   EXPECT_DOUBLE_EQ(report.offset, .05 * report.mean_edge);
@@ -301,8 +312,12 @@ TEST(Surface_repair, checks_its_parameters) {
   EXPECT_THROW(CGAL::repair_surface_3(surface, parameters::largest_hole(-1)), Error);
   EXPECT_THROW(CGAL::repair_surface_3(surface, parameters::wrap_alpha(-1)), Error);
   EXPECT_THROW(CGAL::repair_surface_3(surface, parameters::wrap_offset(0)), Error);
-  add_all(surface, cube(.4), false);
-  EXPECT_THROW(CGAL::repair_surface_3(surface, parameters::wrap_offset(1e308)), Error);
+  CGAL::Surface_repair_options_3 options;
+  options.wrap_offset = 1e308;
+  EXPECT_THROW(CGAL::wrap_surface_3(surface, options), Error);
+  options = {};
+  options.longest_border = -1;
+  EXPECT_THROW(CGAL::repair_surface_3(surface, options), Error);
   for (double scale : {1e-170, 1e160}) {
     Surface extreme = cube();
     for (Point& p : extreme.points)
@@ -322,6 +337,151 @@ TEST(Surface_repair, works_at_any_scale) {
     EXPECT_EQ(report.filled_holes, 1u);
     EXPECT_LT(report.distance_from_input, 1e-12 * scale);
   }
+}
+
+Surface box(const Point& least, const Point& largest, bool turned = false) {
+  Surface result;
+  for (const Point& p : cube().points)
+    result.points.emplace_back(least.x() + p.x() * (largest.x() - least.x()),
+                               least.y() + p.y() * (largest.y() - least.y()),
+                               least.z() + p.z() * (largest.z() - least.z()));
+  result.triangles = cube().triangles;
+  if (turned)
+    for (auto& t : result.triangles)
+      std::swap(t[1], t[2]);
+  return result;
+}
+
+void expect_union(const std::vector<Surface>& parts, std::size_t crossing, double exact_volume) {
+  Surface surface;
+  for (const Surface& part : parts)
+    add_all(surface, part, false);
+  const auto report = CGAL::repair_surface_3(surface);
+  EXPECT_EQ(report.united_parts, crossing);
+  EXPECT_FALSE(report.is_wrapped);
+  EXPECT_NEAR(report.distance(), 0, 1e-15);
+  EXPECT_NEAR(volume(surface), exact_volume, 1e-12);
+}
+
+TEST(Surface_repair, unites_parts_that_cross) {
+  const Surface a = box(Point(0, 0, 0), Point(2, 1, 1)),
+                b = box(Point(1.1, .2, .3), Point(3, 2, 1.7));
+  const double both = 2 + 1.9 * 1.8 * 1.4 - .9 * .8 * .7;
+  expect_union({a, b}, 2, both);
+  expect_union({a, box(Point(1.1, .2, .3), Point(3, 2, 1.7), true)}, 2, both);
+  // In a common plane, and with faces that cover each other.
+  expect_union({cube(), cube(.4)}, 2, 1.4);
+  // Three at once.
+  expect_union({a, b, box(Point(1.5, .5, .5), Point(1.75, .75, 3))}, 3,
+               both + .25 * .25 * (3 - 1.7));
+}
+
+TEST(Surface_repair, keeps_cavities_of_parts_that_cross) {
+  const Surface a = box(Point(0, 0, 0), Point(2, 1, 1)),
+                b = box(Point(1.1, .2, .3), Point(3, 2, 1.7));
+  const double both = 2 + 1.9 * 1.8 * 1.4 - .9 * .8 * .7;
+  for (bool turned : {false, true})
+    expect_union({a, b, box(Point(.2, .2, .2), Point(.5, .5, .5), turned)}, 2, both - .027);
+  // A cavity of one into which the other one reaches, and a solid in a cavity.
+  expect_union({a, b, box(Point(.2, .2, .2), Point(1.5, .5, .5))}, 3,
+               both - (1.3 * .3 * .3 - .4 * .3 * .2));
+  expect_union(
+      {a, b, box(Point(.2, .2, .2), Point(.6, .6, .6)), box(Point(.3, .3, .3), Point(.5, .5, .5))},
+      2, both - .064 + .008);
+}
+
+TEST(Surface_repair, unites_touching_parts_only_where_they_share_area) {
+  // In a part of a face, which both have in other triangles.
+  expect_union({cube(), box(Point(1, .3, .3), Point(2, .6, .7))}, 2, 1 + .3 * .4);
+  // In vertices or edges they bound a solid as they are.
+  Surface corner = cube();
+  add_all(corner, box(Point(1, 1, 1), Point(2, 2, 2)), false);
+  EXPECT_TRUE(CGAL::repair_surface_3(corner).was_sound());
+  Surface edge = cube();
+  add_all(edge, box(Point(1, 1, 0), Point(2, 2, 1)), false);
+  EXPECT_TRUE(CGAL::repair_surface_3(edge).was_sound());
+}
+
+TEST(Surface_repair, removes_fins) {
+  Surface surface = cube();
+  add(surface, Point(0, 0, 0), Point(.25, 0, 0), Point(0, 0, -.2)); // outside
+  add(surface, Point(.25, 0, 0), Point(0, 0, 0), Point(0, 0, -.2)); // its other side
+  const auto report = CGAL::repair_surface_3(surface);
+  EXPECT_FALSE(report.is_wrapped);
+  EXPECT_NEAR(volume(surface), 1, 1e-12);
+}
+
+// The edge between two faces has a vertex more on one side, by `gap` away from it.
+Surface with_t_junction(double gap) {
+  Surface surface = cube();
+  const auto t = surface.triangles.front();
+  const Point a = surface.points[t[0]], b = surface.points[t[1]], c = surface.points[t[2]];
+  const Point middle = CGAL::midpoint(a, b) + Vector(gap, gap, gap);
+  surface.triangles.erase(surface.triangles.begin());
+  add(surface, a, middle, c);
+  add(surface, middle, b, c);
+  return surface;
+}
+
+TEST(Surface_repair, closes_t_junctions) {
+  for (double gap : {0., 1e-15, 1e-9, -1e-9, 1e-5}) {
+    Surface surface = with_t_junction(gap);
+    const auto report = CGAL::repair_surface_3(surface);
+    EXPECT_EQ(report.split_edges, 1u) << gap;
+    EXPECT_EQ(report.filled_holes, 0u) << gap;
+    EXPECT_EQ(surface.triangles.size(), 194u) << gap;
+    EXPECT_NEAR(volume(surface), 1, 1e-4) << gap;
+  }
+  Surface wide = with_t_junction(.01); // a hole that can be seen
+  EXPECT_EQ(CGAL::repair_surface_3(wide).filled_holes, 1u);
+}
+
+TEST(Surface_repair, fills_holes_up_to_a_length) {
+  Surface surface = cube();
+  surface.triangles.erase(surface.triangles.begin() + 10, surface.triangles.begin() + 12);
+  CGAL::Surface_repair_options_3 options;
+  options.longest_border = .99;
+  Surface repaired = surface;
+  EXPECT_THROW(CGAL::repair_surface_3(repaired, options), Invalid_surface_error);
+  options.longest_border = 1.01;
+  EXPECT_EQ(CGAL::repair_surface_3(repaired, options).filled_holes, 1u);
+}
+
+TEST(Surface_repair, does_not_depend_on_units) {
+  std::vector<Surface> broken = {cube(), with_t_junction(1e-9), cube(), cube()};
+  add_all(broken[0], box(Point(.3, .2, .1), Point(2.1, 3.3, .7)), false);
+  broken[2].triangles.pop_back();
+  for (Point& p : broken[3].points)
+    if (p == Point(.5, .5, 1))
+      p = Point(.5, .5, -.1);
+  for (const Surface& surface : broken) {
+    Surface repaired = surface;
+    CGAL::repair_surface_3(repaired);
+    for (int exponent : {-30, 30}) {
+      const double unit = std::ldexp(1., exponent);
+      Surface scaled = surface;
+      for (Point& p : scaled.points)
+        p = Point(unit * p.x(), unit * p.y(), unit * p.z());
+      CGAL::repair_surface_3(scaled);
+      for (Point& p : scaled.points)
+        p = Point(p.x() / unit, p.y() / unit, p.z() / unit);
+      EXPECT_EQ(scaled.points, repaired.points);
+      EXPECT_EQ(scaled.triangles, repaired.triangles);
+    }
+  }
+}
+
+TEST(Surface_repair, stops_when_asked) {
+  using CGAL::Deformable_simplicial_complexes::Interrupted_error;
+  using CGAL::Deformable_simplicial_complexes::Progress_scope;
+  Surface surface = cube();
+  add_all(surface, box(Point(.3, .2, .1), Point(2.1, 3.3, .7)), false);
+  const Surface before = surface;
+  Progress_scope scope([](const char*) { return false; });
+  EXPECT_THROW(CGAL::repair_surface_3(surface), Interrupted_error);
+  EXPECT_THROW(CGAL::wrap_surface_3(surface), Interrupted_error);
+  EXPECT_EQ(surface.points, before.points);
+  EXPECT_EQ(surface.triangles, before.triangles);
 }
 
 } // namespace test_surface_repair

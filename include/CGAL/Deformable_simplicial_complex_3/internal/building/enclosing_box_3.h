@@ -125,7 +125,7 @@ inline Triangle_soup_3 box_surface(const Bbox_3& box, unsigned n) {
   if (!has_finite_coordinates(corners[0]) || !has_finite_coordinates(corners[1]) ||
       !extent_of<3>(corners).is_measurable())
     throw Error("the size of the enclosing box is not between 1e-30 and 1e30: give another box, "
-                "scale the surfaces, or use the parameter normalize");
+                "scale the surfaces, or normalize them");
 
   // Exact at both ends, so that corners and edges of neighboring sides are equal.
   const auto coordinate = [&](int axis, unsigned i) {

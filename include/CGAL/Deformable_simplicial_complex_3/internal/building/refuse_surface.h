@@ -27,16 +27,15 @@ inline const char* explanation(Invalid_surface_error::Reason reason) {
   case Reason::bad_index:
     return "has facets with vertices that do not exist: correct these indices";
   case Reason::degenerate_facet:
-    return "has facets without area: remove them, see "
-           "CGAL::Polygon_mesh_processing::remove_degenerate_faces()";
+    return "has facets without area: remove them";
   case Reason::open:
-    return "is not closed: fill its holes, see CGAL::Polygon_mesh_processing::triangulate_hole()";
+    return "is not closed: fill its holes";
   case Reason::non_manifold_edge:
     return "has edges with an odd number of facets, which leaves open what is inside: remove "
            "duplicated facets and walls between parts";
   case Reason::self_intersection:
     return "intersects itself: parts may meet only in common vertices and edges; separate or unite "
-           "them, see CGAL::Polygon_mesh_processing::corefine_and_compute_union()";
+           "them";
   case Reason::crossing_surfaces:
     return "meets another surface: separate them; surfaces may be nested, and touch in common "
            "vertices and along common edges, but not cross or share facets";

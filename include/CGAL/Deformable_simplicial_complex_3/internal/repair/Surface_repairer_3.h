@@ -5,12 +5,17 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_REPAIR_SURFACE_REPAIRER_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_REPAIR_SURFACE_REPAIRER_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/Surface_repair_options_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Surface_repair_report_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/check_surfaces_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/refuse_surface.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/repair/clean_soup_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/repair/distance_of_samples_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/repair/remove_fins_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/repair/split_at_t_junctions_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/repair/unite_parts_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/soups/Triangle_soup_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/repair_options.h>
 
@@ -21,7 +26,6 @@
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
-#include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
@@ -34,6 +38,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -45,24 +51,41 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// Lets a wrap end early.
+struct Stopping_wrap_visitor : Alpha_wraps_3::internal::Wrapping_default_visitor
+{
+  template <class Wrap, class Gate> void before_facet_treatment(const Wrap&, const Gate&) {
+    Progress_scope::check();
+  }
+};
+
+// Lets the filling of a hole end early.
+struct Stopping_hole_visitor : Polygon_mesh_processing::Hole_filling::Default_visitor
+{
+  void quadratic_step() const { Progress_scope::check(); }
+  void cubic_step() const { Progress_scope::check(); }
+};
+
 // Makes a soup bound a solid by steps that change more and more; ends as soon as it does.
 class Surface_repairer_3
 {
 public:
-  Surface_repairer_3(Triangle_soup_3 input, const Surface_repair_options& options)
-      : m_options(options), m_input(std::move(input)), m_soup(m_input) {}
+  Surface_repairer_3(Triangle_soup_3 input, const Surface_repair_options_3& options)
+      : m_options(options), m_input(std::move(input)), m_soup(m_input) {
+    check_options(options);
+  }
 
   // Throws Invalid_surface_error if nothing helps.
   void run() {
     check_numbers(m_soup, 0);
     if (!flaw())
       return;
-    m_report.mean_edge = mean_side(m_soup);
-    check_scale();
+    prepare();
     using Step = void (Surface_repairer_3::*)();
     for (Step step :
-         {&Surface_repairer_3::clean, &Surface_repairer_3::stitch, &Surface_repairer_3::fill_holes,
-          &Surface_repairer_3::separate, &Surface_repairer_3::wrap}) {
+         {&Surface_repairer_3::clean, &Surface_repairer_3::stitch,
+          &Surface_repairer_3::split_at_t_junctions, &Surface_repairer_3::remove_fins,
+          &Surface_repairer_3::fill_holes, &Surface_repairer_3::unite, &Surface_repairer_3::wrap}) {
       attempt(step);
       if (!flaw()) {
         measure();
@@ -72,6 +95,18 @@ public:
     throw *flaw();
   }
 
+  // The wrap alone, even if the soup bounds a solid. Throws Invalid_surface_error if there is none.
+  void run_wrap() {
+    check_numbers(m_soup, 0);
+    prepare();
+    attempt(&Surface_repairer_3::wrap);
+    if (const auto error = flaw())
+      throw *error;
+    if (!m_report.is_wrapped)
+      throw Error("the surface cannot be wrapped: remove its finest details");
+    measure();
+  }
+
   const Triangle_soup_3& soup() const { return m_soup; }
   const Surface_repair_report_3& report() const { return m_report; }
 
@@ -79,6 +114,8 @@ private:
   using Point = Predicates_kernel::Point_3;
   using Mesh = Surface_mesh<Point>;
   using Halfedge = Mesh::Halfedge_index;
+
+  static constexpr double farthest = 2; // mean edges: what is left out does not stand out more
 
   // A step that CGAL cannot do is left out.
   void attempt(void (Surface_repairer_3::*step)()) {
@@ -95,8 +132,9 @@ private:
   }
 
   // Squares and reciprocals of lengths are numbers then.
-  void check_scale() const {
+  void prepare() {
     static constexpr double least = 1e-30, largest = 1e30; // mean edges
+    m_report.mean_edge = mean_side(m_soup);
     if (m_report.mean_edge == 0)
       throw *flaw();
     if (!(m_report.mean_edge >= least && diagonal(m_soup) <= largest))
@@ -151,7 +189,28 @@ private:
       merge_equal_points();
   }
 
+  // What is left open has vertices of one side on edges of the other.
+  void split_at_t_junctions() {
+    m_report.split_edges = T_junction_splitter_3(m_soup).run();
+    if (m_report.split_edges > 0)
+      merge_equal_points();
+  }
+
+  // All or nothing: they go if what they are attached to is closed and they do not stand out far.
+  void remove_fins() {
+    const Triangle_soup_3 before = merge_points(m_soup);
+    m_soup.points = before.points;
+    m_soup.triangles = triangles_without_fins(before);
+    const std::size_t removed = before.triangles.size() - m_soup.triangles.size();
+    if (removed > 0 && !m_soup.triangles.empty() && open_edges().empty() &&
+        distance_of_samples(before, m_soup, m_report.mean_edge) <= farthest * m_report.mean_edge)
+      m_report.removed_triangles += removed;
+    else
+      m_soup = before;
+  }
+
   void fill_holes() {
+    const Progress_phase phase("filling holes of a surface");
     const std::set<std::array<Coordinates_3, 2>> open = open_edges();
     if (open.empty())
       return;
@@ -168,10 +227,13 @@ private:
     }
     refuse_sheets(mesh, holes);
     for (Halfedge h : holes) {
+      Progress_scope::check();
       if (!is_border(h, mesh))
         continue;
       std::vector<Mesh::Face_index> faces;
-      Polygon_mesh_processing::triangulate_hole(mesh, h, std::back_inserter(faces));
+      Polygon_mesh_processing::triangulate_hole(
+          mesh, h, std::back_inserter(faces),
+          CGAL::parameters::visitor(Stopping_hole_visitor()));
       m_report.filled_holes += !faces.empty();
     }
     take(mesh);
@@ -190,70 +252,81 @@ private:
         length += std::sqrt(
             squared_distance(mesh.point(source(side, mesh)), mesh.point(target(side, mesh))));
       const double extent = diagonal(boxes[parts[mesh.face(mesh.opposite(h))]]);
-      if (length > m_options.largest_hole * extent)
-        refuse_sheet(length / extent);
+      if (length > m_options.largest_hole * extent || length > m_options.longest_border)
+        refuse_sheet(length, (std::min)(m_options.largest_hole * extent, m_options.longest_border));
     }
   }
 
-  [[noreturn]] void refuse_sheet(double diagonals) const {
+  [[noreturn]] void refuse_sheet(double length, double longest) const {
     const Invalid_surface_error error = *flaw();
-    throw Invalid_surface_error(
-        error.reason(),
-        "surface 0 bounds nothing: a border is " + std::to_string(diagonals) +
-            " diagonals of the bounding box of its part long, and is filled up to " +
-            std::to_string(m_options.largest_hole) + ", see the parameter largest_hole",
-        0, error.facets(), error.vertices());
+    throw Invalid_surface_error(error.reason(),
+                                "surface 0 bounds nothing: it has a hole with a border of length " +
+                                    text_of(length) + ", and only holes with borders of up to " +
+                                    text_of(longest) + " are filled there",
+                                0, error.facets(), error.vertices());
   }
 
-  // Triangles that cross are removed with their neighborhood, and the holes filled; all or nothing.
-  void separate() {
-    static constexpr double farthest = 2; // mean edges: CGAL may give up whole parts
-    m_report.crossing_pairs = crossings();
-    if (m_report.crossing_pairs == 0)
+  static std::string text_of(double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", number);
+    return text;
+  }
+
+  // What is inside the united parts counts as input no more.
+  void unite() {
+    const Progress_phase phase("uniting parts of a surface");
+    Triangle_soup_3 soup = merge_points(m_soup);
+    const std::size_t flat = remove_flat(soup);
+    const std::optional<United_surface_3> united = unite_parts(soup);
+    if (!united || distance_of_samples(united->sheets, united->soup, m_report.mean_edge) >
+                       farthest * m_report.mean_edge)
       return;
-    const Triangle_soup_3 before = m_soup;
-    Mesh mesh = oriented_mesh();
-    Polygon_mesh_processing::experimental::remove_self_intersections(
-        mesh, CGAL::parameters::preserve_genus(false));
-    Polygon_mesh_processing::remove_degenerate_faces(mesh);
-    take(mesh);
-    if (flaw() ||
-        distance_of_samples(before, m_soup, m_report.mean_edge) > farthest * m_report.mean_edge)
-      m_soup = before;
+    measure();
+    m_report.degenerate_triangles += flat;
+    m_report.crossing_pairs = united->crossing_pairs;
+    m_report.united_parts = united->crossing_parts;
+    m_report.removed_triangles += united->removed_triangles;
+    m_input = m_soup = united->soup;
+    append(m_input, united->sheets);
+  }
+
+  static std::size_t remove_flat(Triangle_soup_3& soup) {
+    const std::size_t before = soup.triangles.size();
+    std::vector<Triangle_indices> kept;
+    for (std::size_t t = 0; t < before; ++t)
+      if (!exact_triangle(soup, t).is_degenerate())
+        kept.push_back(soup.triangles[t]);
+    soup.triangles = std::move(kept);
+    return before - soup.triangles.size();
   }
 
   void wrap() {
-    if (m_options.alpha == 0)
+    if (m_options.wrap_alpha == 0)
       return;
+    const Progress_phase phase("wrapping a surface");
     static constexpr double finest = 1e-3; // in diagonals: millions of triangles
-    m_report.alpha = (std::max)(m_options.alpha * m_report.mean_edge, finest * diagonal(m_soup));
-    m_report.offset = m_options.offset * m_report.mean_edge;
+    m_report.alpha =
+        (std::max)(m_options.wrap_alpha * m_report.mean_edge, finest * diagonal(m_soup));
+    m_report.offset = m_options.wrap_offset * m_report.mean_edge;
     if (!std::isfinite(m_report.alpha) || !std::isfinite(m_report.offset) || !(m_report.offset > 0))
       throw Error("the alpha or the offset of the wrap is out of range: use about 1 and 0.1");
     std::vector<Point> points;
     for (const Coordinates_3& p : m_soup.points)
       points.push_back(exact_point(p));
     Mesh mesh;
-    alpha_wrap_3(points, m_soup.triangles, m_report.alpha, m_report.offset, mesh);
+    Stopping_wrap_visitor visitor;
+    alpha_wrap_3(points, m_soup.triangles, m_report.alpha, m_report.offset, mesh,
+                 CGAL::parameters::default_values(), CGAL::parameters::visitor(std::ref(visitor)));
     take(mesh);
     m_report.is_wrapped = true;
   }
 
+  // Distances of the steps before and after parts are united add up.
   void measure() {
     static constexpr double spacing = .5; // of samples, in mean edges
     const double s = spacing * m_report.mean_edge;
-    m_report.distance_from_input = distance_of_samples(m_input, m_soup, s);
-    m_report.distance_to_input = distance_of_samples(m_soup, m_input, s);
-  }
-
-  std::size_t crossings() const {
-    const Merged_soup_3 merged = merge_points(m_soup);
-    try {
-      check_areas(merged, 0);
-    } catch (const Invalid_surface_error&) {
-      return 0;
-    }
-    return crossing_triangles(merged).size();
+    m_report.distance_from_input += distance_of_samples(m_input, m_soup, s);
+    m_report.distance_to_input += distance_of_samples(m_soup, m_input, s);
   }
 
   static std::array<Coordinates_3, 2> edge(const Coordinates_3& a, const Coordinates_3& b) {
@@ -310,7 +383,7 @@ private:
     m_soup = merge_points(m_soup);
   }
 
-  Surface_repair_options m_options;
+  Surface_repair_options_3 m_options;
   Triangle_soup_3 m_input, m_soup;
   Surface_repair_report_3 m_report;
 };

@@ -6,10 +6,10 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_REPAIR_DISTANCE_OF_SAMPLES_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/soups/Triangle_soup_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/cgal_compat.h>
 
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,17 +26,18 @@ inline double distance_of_samples(const Triangle_soup_3& soup, const Triangle_so
                                   double spacing) {
   using Kernel = Predicates_kernel;
   using Triangles = std::vector<Kernel::Triangle_3>;
-  using Primitive = AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
   static constexpr double most_parts = 20; // of an edge: needles are long
   Triangles triangles;
   for (std::size_t t = 0; t < other.triangles.size(); ++t)
     if (!exact_triangle(other, t).is_degenerate())
       triangles.push_back(exact_triangle(other, t));
-  AABB_tree<AABB_traits<Kernel, Primitive>> tree(triangles.cbegin(), triangles.cend());
+  AABB_tree<Tree_traits_3<Kernel, Triangles::const_iterator>> tree(triangles.cbegin(),
+                                                                   triangles.cend());
   tree.do_not_accelerate_distance_queries(); // where many corners are equal, it recurses for ever
 
   double largest = 0;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    Progress_scope::check();
     const Kernel::Triangle_3 triangle = exact_triangle(soup, t);
     const auto a = triangle[0];
     const auto ab = triangle[1] - a, ac = triangle[2] - a;

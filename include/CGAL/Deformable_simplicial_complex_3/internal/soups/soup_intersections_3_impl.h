@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SOUPS_SOUP_INTERSECTIONS_3_IMPL_H
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/soups/soup_intersections_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/box_intersection_d.h>
@@ -76,6 +77,7 @@ std::vector<std::pair<std::size_t, std::size_t>> crossing_triangles(const Triang
   const Do_triangles_cross_3 do_cross(soup);
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+    Progress_scope::check();
     if (do_cross(a.info(), b.info()))
       pairs.push_back(std::minmax({a.info(), b.info()}));
   });

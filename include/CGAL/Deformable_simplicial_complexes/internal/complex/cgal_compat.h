@@ -14,11 +14,15 @@
 #include <CGAL/AABB_traits_3.h>
 #include <CGAL/AABB_triangle_primitive_3.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_count_stop_predicate.h>
+
+#include <variant>
 #else
 #include <CGAL/AABB_segment_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+
+#include <boost/variant/get.hpp>
 #endif
 
 namespace CGAL {
@@ -32,6 +36,10 @@ template <class Kernel, class Iterator>
 using Segment_tree_traits_3 = AABB_traits_3<Kernel, AABB_segment_primitive_3<Kernel, Iterator>>;
 template <class Mesh>
 using Edge_count_stop_predicate = Surface_mesh_simplification::Edge_count_stop_predicate<Mesh>;
+// The value of a variant if it has this type, else null.
+template <class Type, class Variant> const Type* get_alternative(const Variant& variant) {
+  return std::get_if<Type>(&variant);
+}
 #else
 template <class Kernel, class Iterator>
 using Tree_traits_3 = AABB_traits<Kernel, AABB_triangle_primitive<Kernel, Iterator>>;
@@ -39,6 +47,9 @@ template <class Kernel, class Iterator>
 using Segment_tree_traits_3 = AABB_traits<Kernel, AABB_segment_primitive<Kernel, Iterator>>;
 template <class Mesh>
 using Edge_count_stop_predicate = Surface_mesh_simplification::Count_stop_predicate<Mesh>;
+template <class Type, class Variant> const Type* get_alternative(const Variant& variant) {
+  return boost::get<Type>(&variant);
+}
 #endif
 
 } // namespace internal

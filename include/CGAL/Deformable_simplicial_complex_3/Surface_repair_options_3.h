@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_SURFACE_REPAIR_OPTIONS_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_SURFACE_REPAIR_OPTIONS_3_H
+
+#include <limits>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+is how far `repair_surface_3()` and `wrap_surface_3()` go.
+*/
+struct Surface_repair_options_3
+{
+  /// The longest border of holes that are filled, in diagonals of the bounding box of the part that
+  /// has it, at least 0. Borders of plane cuts are up to 1.6 diagonals long, borders of flat sheets
+  /// at least 2.
+  double largest_hole = 1.6;
+
+  /// The longest border of holes that are filled, in the unit of the coordinates, at least 0. A
+  /// hole is filled if both bounds permit that.
+  double longest_border = std::numeric_limits<double>::infinity();
+
+  /// The diameter of the ball that rolls around the surface to make a wrap, in mean edges of the
+  /// surface, at least 0; 0 for no wrap. At least a thousandth of the diagonal of the bounding box
+  /// is used. A coarser wrap closes gaps that are seen, a finer one has many more triangles.
+  double wrap_alpha = 1;
+
+  /// The distance of the wrap from the surface, in mean edges, more than 0.
+  double wrap_offset = .1;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_SURFACE_REPAIR_OPTIONS_3_H

@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "errors.h"
+#include "surface.h"
+#include "tracked_complex_3.h"
+
+#include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Tetgen_tetrahedralizer_3.h>
+#include <CGAL/make_deformable_simplicial_complex_3.h>
+#include <CGAL/make_patches_3.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+using Complex = Tracked_complex_3::Complex;
+using Patches = CGAL::Patches_of_surfaces_3<Surface_point>;
+using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
+using Reason = Invalid_surface_error::Reason;
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
+/// \param boundaries surfaces or patches
+template <class Boundaries>
+std::unique_ptr<Tracked_complex> fill(const Boundaries& boundaries,
+                                      const std::optional<std::array<double, 6>>& domain) {
+  const auto build = [&](const auto& np) {
+    return std::make_unique<Tracked_complex_3>(CGAL::make_deformable_simplicial_complex_3<Complex>(
+        boundaries, CGAL::Tetgen_tetrahedralizer_3(), np));
+  };
+  const auto normalized = parameters::normalize(true);
+  if (!domain)
+    return build(normalized);
+  const auto& [x0, y0, z0, x1, y1, z1] = *domain;
+  return build(normalized.enclosing_box(CGAL::Bbox_3(x0, y0, z0, x1, y1, z1)));
+}
+
+bool may_have_walls(Reason reason) {
+  return reason == Reason::non_manifold_edge || reason == Reason::self_intersection ||
+         reason == Reason::crossing_surfaces;
+}
+
+const char* hint(Reason reason) {
+  switch (reason) {
+  case Reason::degenerate_facet:
+  case Reason::open:
+  case Reason::non_manifold_edge:
+  case Reason::self_intersection:
+    return "; or use --repair";
+  case Reason::outside_enclosing_box:
+    return "; see --domain";
+  default:
+    return "";
+  }
+}
+
+[[noreturn]] void refuse(const Invalid_surface_error& error,
+                         const std::vector<std::string>& names) {
+  std::string message = names[error.surface()];
+  if (error.other_surface() != error.surface())
+    message += " and " + names[error.other_surface()];
+  if (error.reason() == Reason::crossing_surfaces)
+    throw Input_error(message +
+                      ": they overlap; separate them, as surfaces may be nested and share "
+                      "walls, but not cross");
+  throw Input_error(message + ": " + error.what() + hint(error.reason()));
+}
+
+std::optional<Patches> patches_of(const std::vector<Surface>& surfaces) {
+  try {
+    return CGAL::make_patches_3(surfaces);
+  } catch (const Invalid_surface_error&) {
+    return std::nullopt;
+  }
+}
+
+void tell_labels(const Patches& patches, const std::vector<std::string>& names,
+                 std::ostream& notes) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::vector<int>& labels = patches.labels[i];
+    if (labels.size() == 1)
+      continue;
+    notes << "dsc: " << names[i] << ": its walls divide it into " << labels.size()
+          << " regions, with the labels " << labels.front();
+    for (auto label = labels.begin() + 1; label != labels.end(); ++label)
+      notes << ", " << *label;
+    notes << '\n';
+  }
+}
+
+} // namespace
+
+std::unique_ptr<Tracked_complex> track_surfaces(const std::vector<Surface>& surfaces,
+                                                const std::vector<std::string>& names,
+                                                const std::optional<std::array<double, 6>>& domain,
+                                                std::ostream* notes) {
+  try {
+    return fill(surfaces, domain);
+  } catch (const Invalid_surface_error& error) {
+    const auto patches = may_have_walls(error.reason()) ? patches_of(surfaces) : std::nullopt;
+    if (!patches)
+      refuse(error, names);
+    if (notes)
+      tell_labels(*patches, names, *notes);
+    return fill(patches->patches, domain);
+  }
+}
+
+} // namespace dsc
