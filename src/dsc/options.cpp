@@ -7,6 +7,7 @@
 #include "files.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace dsc {
 
@@ -24,7 +25,9 @@ Input_kind input_kind(const Run_start& start) {
 }
 
 Input_kind input_kind(const std::string& input) {
-  if (input.find_first_of("<>") != std::string::npos)
+  const bool is_file = std::filesystem::exists(input);
+  if (input.find_first_of("<>") != std::string::npos ||
+      (input.find('=') != std::string::npos && !is_file))
     return Input_kind::inequalities;
   const std::string format = extension(input);
   if (format == "mesh" || format == "vtu")
