@@ -233,8 +233,7 @@ int run_like_sphere(const Cut_locus_options& options, const Embedding& embedding
 int execute(const Cut_locus_options& options) {
   if (!options.output.empty())
     require_writable(options.output);
-  if (!options.report.empty())
-    require_place_of_report(options.report, {options.output});
+  require_place("--report", options.report, {options.output});
   if (options.surface == "torus")
     return run_on_torus(options, CGAL::Embedded_surface_2<Torus>());
   if (options.surface == "ellipsoid")

@@ -53,11 +53,13 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return canonical(a) == canonical(b) || fs::equivalent(a, b, error);
 }
 
-void require_place_of_report(const std::string& path, const std::vector<std::string>& files) {
-  for (const std::string& file : files)
-    if (!file.empty() && is_same_file(path, file))
-      throw Usage_error("--report would replace '" + path +
-                        "'; choose another name for the report");
+void require_place(const std::string& option, const std::string& path,
+                   const std::vector<std::string>& others) {
+  if (path.empty())
+    return;
+  for (const std::string& other : others)
+    if (!other.empty() && is_same_file(path, other))
+      throw Usage_error(option + " would replace '" + path + "'; choose another name");
   require_writable(path);
 }
 

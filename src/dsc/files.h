@@ -20,10 +20,12 @@ void require_writable(const std::string& path);
 /// Returns whether two paths name one file, which need not exist.
 bool is_same_file(const std::string& a, const std::string& b);
 
-/// Finds out before a long computation whether its report can be written. \throws Usage_error if it
-/// would replace one of the files of that computation; empty names stand for none. \throws
+/// Checks before a long computation whether the file of an option can be written; an empty path
+/// stands for an option that is not given. \throws Usage_error if it would replace one of the
+/// `others`, inputs and outputs of the same computation; empty names stand for none. \throws
 /// Input_error as require_writable() does
-void require_place_of_report(const std::string& path, const std::vector<std::string>& files);
+void require_place(const std::string& option, const std::string& path,
+                   const std::vector<std::string>& others);
 
 /// `stem` + `extension`, with a number between if there is a file of that name.
 std::string unused_name(const std::string& stem, const std::string& extension);

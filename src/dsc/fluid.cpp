@@ -353,10 +353,8 @@ int execute(const Fluid_options& options) {
   std::optional<Output_folder> folder;
   if (!options.output.empty())
     folder.emplace(options.output, options.resume, options.subdivisions);
-  if (!options.report.empty())
-    require_place_of_report(options.report, {options.resume});
-  if (!options.picture.empty())
-    require_writable(options.picture);
+  require_place("--report", options.report, {options.resume, options.scene});
+  require_place("--picture", options.picture, {options.resume, options.scene, options.report});
 
   const auto begin = Clock::now();
   std::optional<Interruptible> interruptible(std::in_place, options.quiet);

@@ -64,8 +64,7 @@ Mesh_content content_to_carry(const Improve_options& options, Labelled_tetrahedr
 
 int execute(const Improve_options& options) {
   // What cannot work is refused before anything is computed.
-  if (!options.report.empty())
-    require_place_of_report(options.report, {options.input, options.output});
+  require_place("--report", options.report, {options.input, options.output});
   require_writable(options.output);
 
   std::optional<Interruptible> interruptible(std::in_place, options.quiet);

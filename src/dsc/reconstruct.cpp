@@ -119,11 +119,9 @@ void print_summary(const Reconstruction_report& report, const Statistics& statis
 
 int execute(const Reconstruct_options& options) {
   // What cannot work is refused before anything is computed.
-  if (!options.report.empty())
-    require_place_of_report(options.report, {options.input, options.output});
-  require_writable(options.output);
-  if (!options.picture.empty())
-    require_writable(options.picture);
+  require_place("-o", options.output, {options.input});
+  require_place("--report", options.report, {options.input, options.output});
+  require_place("--picture", options.picture, {options.input, options.output, options.report});
   std::optional<Step_folder> folder;
   if (!options.folder.empty())
     folder.emplace(options.folder);

@@ -123,18 +123,15 @@ int execute(const Run_options& asked) {
   std::optional<Output_folder> folder;
   if (!options.output.empty())
     folder.emplace(options.output, options.resume, options.subdivisions);
-  if (!options.report.empty()) {
-    std::vector<std::string> precious = options.start.inputs;
-    precious.push_back(options.resume);
-    if (folder)
-      precious.push_back(folder->checkpoint());
-    require_place_of_report(options.report, precious);
-  }
-
-  if (!options.picture.empty()) {
+  std::vector<std::string> precious = options.start.inputs;
+  precious.push_back(options.resume);
+  if (folder)
+    precious.push_back(folder->checkpoint());
+  require_place("--report", options.report, precious);
+  precious.push_back(options.report);
+  if (!options.picture.empty())
     require_extension(options.picture, {"png"});
-    require_writable(options.picture);
-  }
+  require_place("--picture", options.picture, precious);
 
   Run_position position;
   Repairs repairs;

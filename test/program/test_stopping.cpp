@@ -137,4 +137,19 @@ TEST_F(Stopping, standard_output_that_fails_is_told) {
   }
 }
 
+// The outputs of a command replace neither its inputs nor each other.
+TEST_F(Stopping, outputs_have_places_of_their_own) {
+  write("sphere.off", sphere(4));
+  write("scene.json", run("fluid --print droplet").out);
+  for (const char* arguments :
+       {"fluid scene.json --report scene.json", "fluid scene.json --report x.png --picture x.png",
+        "offset sphere.off --distance .01 --report x.png --picture x.png",
+        "offset sphere.off --distance .01 --report ./sphere.off",
+        "reconstruct sphere.off -o sphere.off", "reconstruct sphere.off -o x.off --report x.off"}) {
+    const auto before = files();
+    expect_error(arguments, 2);
+    EXPECT_EQ(files(), before);
+  }
+}
+
 } // namespace
