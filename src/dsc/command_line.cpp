@@ -55,7 +55,8 @@ std::string advice_on_arguments(const CLI::App& app, int argc, char** argv) {
   const CLI::App& command = chosen.empty() ? app : *chosen.front();
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i], name = argument.substr(0, argument.find('='));
-    if (argument[0] == '-' && argument.find_first_of("<>") != std::string::npos)
+    if (argument.rfind("-", 0) == 0 && argument.rfind("--", 0) != 0 &&
+        argument.find_first_of("<>") != std::string::npos)
       return "; write an inequality that begins with '-' in parentheses, like '(-x)<1'";
     const bool is_option = name.rfind("--", 0) == 0 && name.size() > 2;
     if (!is_option && (i > 1 || !chosen.empty()))
