@@ -238,9 +238,11 @@ TEST_F(Any_unit, surfaces_with_charts) {
   expect_same_in_any_unit(
       [](double u) {
         return "cut-locus --surface '" + digits(u) + "*x," + digits(.8 * u) + "*y," +
-               digits(.6 * u) + "*z' --point .3,.2,.7 --spacing .4 --report r.json --quiet";
+               digits(.6 * u) +
+               "*z' --point .3,.2,.7 --spacing .4 -o c.svg --report r.json --quiet" + " --radius " +
+               digits(1.5 * u);
       },
-      "", {{"distance", {1, 0, 0}}, {"position", {1, 0, 0}}});
+      "c.svg", on_surface);
 }
 
 namespace {
@@ -328,7 +330,8 @@ TEST_F(Any_unit, fluids) {
     return std::string(bubble).replace(bubble.find("EXPONENT"), 8, exponent);
   };
   for (const std::string& fields :
-       {std::string(R"({"cfl": 0.25, "interface_tolerance": 0.01, "adaptation_interval": 1})"),
+       {std::string(R"({"cfl": 0.25, "interface_tolerance": 0.01, "adaptation_interval": 1,
+                           "end": 0.03})"),
         std::string(R"({"solids": [{"type": "plane", "point": [0, 0, -1.02], "normal": [0, 0, 1],
                                        "contact_angle": 70}]})"),
         std::string(R"({"solids": [{"type": "plane", "point": [0, 0, -1.02], "normal": [0, 0, 1],
