@@ -221,7 +221,7 @@ private:
   // Makes the polyline the edges of the pixels.
   void follow_edges(double edge) {
     m_vertices.clear();
-    const std::size_t most = (std::max)(std::size_t(1), std::size_t(edge)); // in a segment
+    const auto most = std::size_t((std::min)(edge, double(m_steps))); // in a segment
     for (std::size_t i = 0; i < m_steps; ++i) {
       const Point b = corner(i), c = corner(i + 1),
                   a = i > 0             ? corner(i - 1)
