@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_PIXEL_POLYLINE_2_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_PIXEL_POLYLINE_2_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IMAGES_PIXEL_POLYLINE_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IMAGES_PIXEL_POLYLINE_2_H
 
-#include <CGAL/Deformable_simplicial_complex_2/internal/building/Pixel_chains_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/images/Pixel_chains_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
 #include <algorithm>
@@ -244,4 +244,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_PIXEL_POLYLINE_2_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IMAGES_PIXEL_POLYLINE_2_H
