@@ -6,7 +6,8 @@ set -euo pipefail
 cd "$1/CGAL"
 
 rooms=(accounts complex traversal geometry interface operations parameters topology motion improvement
-  remeshing deformation soups building repair conversion reconstruction geodesics values solvers flow fluids text grids IO)
+  remeshing deformation soups building images repair conversion reconstruction geodesics values solvers flow fluids text
+  grids curves IO)
 maximum_lines=2000
 
 rank_of() { # ROOM

@@ -10,10 +10,10 @@
 #include <CGAL/Deformable_simplicial_complex_2/Labelled_image_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/Seeded_segments_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/Curve_soup_2.h>
-#include <CGAL/Deformable_simplicial_complex_2/internal/building/Image_filling_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/Planar_filling_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/box_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/label_by_seeds_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/images/Image_filling_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/improvement/Mesh_care_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/improvement/Own_operations_2.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>

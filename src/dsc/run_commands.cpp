@@ -129,8 +129,8 @@ CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
       ->excludes(resume);
   command
       ->add_option("--edge", m_edge,
-                   "About how long interface edges are to be, of inequalities and images of "
-                   "voxels; a fortieth of the domain, or 2.5 voxels, if not given")
+                   "About how long interface edges are to be, of inequalities and images; a "
+                   "fortieth of the domain, or 2.5 voxels or pixels, if not given")
       ->excludes(resume);
   add_labels_option(*command, m_options.start.labels)->excludes(resume);
   CLI::Option* repairs =
@@ -255,9 +255,12 @@ void Run_commands::require_dimension(const Run_options& options, bool is_planar)
 void Run_commands::require_kind(const Run_options& options, bool is_planar) const {
   const Input_kind kind = input_kind(options.start);
   const auto is_given = [&](const char* name) { return options.given.count(name) > 0; };
-  const bool has_edge = kind == Input_kind::inequalities || kind == Input_kind::image;
-  if (is_given("--edge") && !(has_edge && !is_planar))
-    throw Usage_error("--edge has a meaning for inequalities and images of voxels only; leave it "
+  const std::string format =
+      options.start.inputs.empty() ? "" : extension(options.start.inputs.front());
+  const bool has_edge = kind == Input_kind::inequalities || kind == Input_kind::image ||
+                        format == "pgm" || format == "png";
+  if (is_given("--edge") && !has_edge)
+    throw Usage_error("--edge has a meaning for inequalities and images only; leave it "
                       "out");
   if (is_given("--labels"))
     require_file_with_arrays(options.start.inputs.empty() ? "" : options.start.inputs.front(),

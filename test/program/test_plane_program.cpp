@@ -138,10 +138,8 @@ TEST_F(Planar_program, moves_images_with_and_without_room_around) {
   expect_error("mean-curvature halves.pgm --domain 0,0,9,9", 1);
   write("gray.pgm", "P2 2 2 9\n3 3 3 3\n");
   expect_error("mean-curvature gray.pgm", 1);
-  EXPECT_NEAR(label(last_step("offset gray.pgm --domain=-5,-5,7,7 --distance .5 --steps 1"), 3)
-                  .at("area")
-                  .get<double>(),
-              9, 1.);
+  step = last_step("offset gray.pgm --domain=-5,-5,7,7 --distance .5 --steps 1");
+  EXPECT_NEAR(label(step, 3).at("area").get<double>(), 8, .5);
   expect_error("mean-curvature halves.pgm --edge .1", 1);
 }
 

@@ -75,6 +75,7 @@ public:
           result.labels.push_back(is_wide ? 256 * pixels[2 * x] + pixels[2 * x + 1] : pixels[x]);
       }
     png_read_end(m_png, nullptr);
+    m_unused.add("bytes after the image", m_bytes.size() - m_position);
     return result;
   }
 
@@ -94,12 +95,12 @@ private:
   static void read(png_structp png, png_bytep to, std::size_t size) {
     auto& self = *static_cast<Png_labels*>(png_get_io_ptr(png));
     if (size > self.m_bytes.size() - self.m_position)
-      png_error(png, "ends too early; is the file truncated?");
+      png_error(png, "it ends too early");
     std::memcpy(to, self.m_bytes.data() + self.m_position, size);
     self.m_position += size;
   }
   [[noreturn]] static void fail(png_structp, png_const_charp what) {
-    throw std::runtime_error(what);
+    throw std::runtime_error(std::string("cannot be read: ") + what + "; write the file again");
   }
   static void ignore(png_structp, png_const_charp) {}
 
@@ -123,7 +124,7 @@ colors in the palette, are the labels. Whoever includes this header links libpng
 
 \param path is the name of the file.
 \param unused gets what is in the file and not used: the transparency of gray values or colors in the
-palette.
+palette, and bytes after the image.
 \throws Deformable_simplicial_complexes::File_error if the file cannot be read, or is no such image.
 
 Linear in the number of pixels.

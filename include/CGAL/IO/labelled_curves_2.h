@@ -8,8 +8,8 @@
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/Labelled_curve_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/Seeded_segments_2.h>
-#include <CGAL/Deformable_simplicial_complex_2/internal/IO/read_poly.h>
-#include <CGAL/Deformable_simplicial_complex_2/internal/IO/read_wkt.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/curves/read_poly.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/curves/read_wkt.h>
 #include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>

@@ -322,7 +322,7 @@ TEST(Well_known_text, of_regions_with_common_borders) {
 
 TEST(Well_known_text, is_refused_with_its_line) {
   for (const std::string text :
-       {"POINT(1 1)", "POLYGON", "POLYGON((0 0,1 0,1 1", "POLYGON((0 0,1 0,1 1,0 1))",
+       {"POINT(1 1", "POLYGON", "POLYGON((0 0,1 0,1 1", "POLYGON((0 0,1 0,1 1,0 1))",
         "POLYGON((0 0,1 0,0 0))", "POLYGON((0 0,x 0,1 1,0 0))", "POLYGON((0 0,1e999 0,1 1,0 0))",
         "LINESTRING(0 0,1 0)", "1 2 3", "POLYGON((0 0 0,1 0 0,1 1 0,0 0 0))"}) {
     try {
@@ -369,7 +369,7 @@ TEST(Poly, with_seeds_that_contradict_each_other_is_refused) {
   auto segments = read_poly("3 2\n0 0 0\n1 1 0\n2 0 1\n3\n0 0 1\n1 1 2\n2 2 0\n0\n");
   EXPECT_TRUE(segments.seeds.empty());
   const auto build = [&] { return CGAL::make_deformable_simplicial_complex_2<Complex>(segments); };
-  EXPECT_EQ(build().labels(), std::vector<int>{0});
+  EXPECT_NEAR(build().area(1), .5, 1e-15);
   segments.seeds = {{Point(.2, .2), 1}, {Point(.3, .3), 1}};
   EXPECT_NEAR(build().area(1), .5, 1e-15);
   segments.seeds.push_back({Point(.1, .1), 2});

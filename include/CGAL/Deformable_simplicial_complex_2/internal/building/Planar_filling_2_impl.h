@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <memory>
 #include <numeric>
+#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -69,9 +70,11 @@ Planar_filling_2 fill_box_between(const Curve_soup_2& soup, const Bbox_2& box) {
   const Progress_phase phase("filling the box with triangles");
   const auto triangulation = std::make_shared<Triangulation>();
   const auto handles = insert_points(soup.points, *triangulation);
-  for (const auto& wall : soup.walls) { // several curves may have it
+  std::set<std::array<std::size_t, 2>> segments; // each once, though several curves may have it
+  for (const auto& wall : soup.walls) {
     Progress_scope::check();
-    triangulation->insert_constraint(handles[wall.vertices[0]], handles[wall.vertices[1]]);
+    if (segments.insert(wall.vertices).second)
+      triangulation->insert_constraint(handles[wall.vertices[0]], handles[wall.vertices[1]]);
   }
   insert_points(Graded_points_2(soup, box).points(), *triangulation);
 

@@ -2,11 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IO_READ_WKT_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IO_READ_WKT_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_CURVES_READ_WKT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_CURVES_READ_WKT_H
 
 #include <CGAL/Deformable_simplicial_complex_2/Labelled_curve_2.h>
-#include <CGAL/Deformable_simplicial_complex_2/internal/IO/check_rings.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/curves/check_rings.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
@@ -272,4 +272,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IO_READ_WKT_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_CURVES_READ_WKT_H

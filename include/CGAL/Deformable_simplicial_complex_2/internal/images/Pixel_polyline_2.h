@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_PIXEL_POLYLINE_2_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_PIXEL_POLYLINE_2_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IMAGES_PIXEL_POLYLINE_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IMAGES_PIXEL_POLYLINE_2_H
 
-#include <CGAL/Deformable_simplicial_complex_2/internal/building/Pixel_chains_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/images/Pixel_chains_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
 #include <algorithm>
@@ -221,7 +221,7 @@ private:
   // Makes the polyline the edges of the pixels.
   void follow_edges(double edge) {
     m_vertices.clear();
-    const std::size_t most = (std::max)(std::size_t(1), std::size_t(edge)); // in a segment
+    const auto most = std::size_t((std::min)(edge, double(m_steps))); // in a segment
     for (std::size_t i = 0; i < m_steps; ++i) {
       const Point b = corner(i), c = corner(i + 1),
                   a = i > 0             ? corner(i - 1)
@@ -244,4 +244,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_PIXEL_POLYLINE_2_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IMAGES_PIXEL_POLYLINE_2_H

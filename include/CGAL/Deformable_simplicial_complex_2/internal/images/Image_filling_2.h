@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_IMAGE_FILLING_2_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_IMAGE_FILLING_2_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IMAGES_IMAGE_FILLING_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IMAGES_IMAGE_FILLING_2_H
 
 #include <CGAL/Deformable_simplicial_complex_2/Labelled_image_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/Curve_soup_2.h>
@@ -42,7 +42,7 @@ inline Image_filling_2 fill_image(const Labelled_image_2& image, double edge,
 } // namespace CGAL
 
 #ifndef CGAL_DSC_EXTERN
-#include <CGAL/Deformable_simplicial_complex_2/internal/building/Image_filling_2_impl.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/images/Image_filling_2_impl.h>
 #endif
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_IMAGE_FILLING_2_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IMAGES_IMAGE_FILLING_2_H

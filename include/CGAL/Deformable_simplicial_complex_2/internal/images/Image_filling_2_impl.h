@@ -2,13 +2,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_IMAGE_FILLING_2_IMPL_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_IMAGE_FILLING_2_IMPL_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IMAGES_IMAGE_FILLING_2_IMPL_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IMAGES_IMAGE_FILLING_2_IMPL_H
 
-#include <CGAL/Deformable_simplicial_complex_2/internal/building/Image_filling_2.h>
-#include <CGAL/Deformable_simplicial_complex_2/internal/building/Pixel_chains_2.h>
-#include <CGAL/Deformable_simplicial_complex_2/internal/building/Pixel_polyline_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/building/Planar_filling_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/images/Image_filling_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/images/Pixel_chains_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/images/Pixel_polyline_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
@@ -147,4 +147,4 @@ Image_filling_2 fill_image(const Labelled_image_2& image, double edge,
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_BUILDING_IMAGE_FILLING_2_IMPL_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IMAGES_IMAGE_FILLING_2_IMPL_H

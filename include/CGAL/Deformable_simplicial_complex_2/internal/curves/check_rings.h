@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IO_CHECK_RINGS_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IO_CHECK_RINGS_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_CURVES_CHECK_RINGS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_CURVES_CHECK_RINGS_H
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -124,4 +124,4 @@ inline std::optional<Ring_fault> find_ring_fault(const std::vector<Polygon_ring>
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IO_CHECK_RINGS_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_CURVES_CHECK_RINGS_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IO_READ_POLY_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IO_READ_POLY_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_CURVES_READ_POLY_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_CURVES_READ_POLY_H
 
 #include <CGAL/Deformable_simplicial_complex_2/Seeded_segments_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
@@ -209,4 +209,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IO_READ_POLY_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_CURVES_READ_POLY_H
