@@ -198,7 +198,7 @@ TEST(Surface_repair, removes_walls_inside_solids) {
   const auto report = CGAL::repair_surface_3(surface);
   EXPECT_FALSE(report.is_wrapped);
   EXPECT_EQ(report.removed_triangles, 3u);
-  EXPECT_NEAR(report.distance(), 0, 1e-15);
+  EXPECT_NEAR(report.distance_to_input, 0, 1e-15);
   EXPECT_NEAR(volume(surface), 1, 1e-12);
 }
 

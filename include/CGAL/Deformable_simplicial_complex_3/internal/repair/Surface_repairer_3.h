@@ -309,7 +309,9 @@ private:
     m_report.alpha =
         (std::max)(m_options.wrap_alpha * m_report.mean_edge, finest * diagonal(m_soup));
     m_report.offset = m_options.wrap_offset * m_report.mean_edge;
-    if (!std::isfinite(m_report.alpha) || !std::isfinite(m_report.offset) || !(m_report.offset > 0))
+    static constexpr double largest = 1e6; // diagonals: CGAL fails with numbers that are too large
+    if (!((std::max)(m_report.alpha, m_report.offset) <= largest * diagonal(m_soup)) ||
+        !(m_report.offset > 0))
       throw Error("the alpha or the offset of the wrap is out of range: use about 1 and 0.1");
     std::vector<Point> points;
     for (const Coordinates_3& p : m_soup.points)
