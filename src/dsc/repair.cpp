@@ -9,6 +9,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/repair_surface_3.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <limits>
 #include <optional>
@@ -36,15 +37,14 @@ CGAL::Surface_repair_options_3 repair_options(const Surface& surface,
   return options;
 }
 
-} // namespace
-
-Repairs repair(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
-               const std::optional<Distance>& largest_hole) {
+/// Calls `repair_surface` for each of the surfaces.
+template <class Function>
+Repairs for_each(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
+                 const Function& repair_surface) {
   Repairs repairs;
   for (std::size_t i = 0; i < surfaces.size(); ++i)
     try {
-      const Surface& surface = surfaces[i];
-      repairs.push_back(CGAL::repair_surface_3(surfaces[i], repair_options(surface, largest_hole)));
+      repairs.push_back(repair_surface(surfaces[i]));
     } catch (const Interrupted_error&) {
       throw;
     } catch (const Invalid_surface_error& error) {
@@ -57,22 +57,56 @@ Repairs repair(std::vector<Surface>& surfaces, const std::vector<std::string>& n
   return repairs;
 }
 
+/// What a second repair did counts, too.
+void add(CGAL::Surface_repair_report_3& sum, const CGAL::Surface_repair_report_3& second) {
+  sum.merged_points += second.merged_points;
+  sum.degenerate_triangles += second.degenerate_triangles;
+  sum.repeated_triangles += second.repeated_triangles;
+  sum.stitched_points += second.stitched_points;
+  sum.split_edges += second.split_edges;
+  sum.filled_holes += second.filled_holes;
+  sum.crossing_pairs += second.crossing_pairs;
+  sum.united_parts += second.united_parts;
+  sum.removed_triangles += second.removed_triangles;
+  sum.is_wrapped |= second.is_wrapped;
+  sum.alpha += second.alpha;
+  sum.offset += second.offset;
+  if (sum.mean_edge == 0)
+    sum.mean_edge = second.mean_edge;
+  sum.distance_from_input += second.distance_from_input;
+  sum.distance_to_input += second.distance_to_input;
+}
+
+void add(Repairs& sums, const Repairs& second) {
+  sums.resize(second.size());
+  for (std::size_t i = 0; i < second.size(); ++i)
+    if (!second[i].was_sound())
+      add(sums[i], second[i]);
+}
+
+} // namespace
+
+Repairs repair(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
+               const std::optional<Distance>& largest_hole) {
+  return for_each(surfaces, names, [&](Surface& surface) {
+    return CGAL::repair_surface_3(surface, repair_options(surface, largest_hole));
+  });
+}
+
+bool merge_near_vertices(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
+                         Repairs& repairs) {
+  CGAL::Surface_repair_options_3 options;
+  options.merge_distance = 1e-6; // mean edges: what TetGen takes for equal in a large surface
+  const Repairs merged = for_each(
+      surfaces, names, [&](Surface& surface) { return CGAL::repair_surface_3(surface, options); });
+  add(repairs, merged);
+  return std::any_of(merged.begin(), merged.end(),
+                     [](const auto& report) { return !report.was_sound(); });
+}
+
 void wrap(std::vector<Surface>& surfaces, const std::vector<std::string>& names, Repairs& repairs) {
-  repairs.resize(surfaces.size());
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
-    try {
-      const auto report = CGAL::wrap_surface_3(surfaces[i]);
-      repairs[i].is_wrapped = true;
-      repairs[i].alpha = report.alpha;
-      repairs[i].offset = report.offset;
-      repairs[i].mean_edge = report.mean_edge;
-      repairs[i].distance_from_input += report.distance_from_input;
-      repairs[i].distance_to_input += report.distance_to_input;
-    } catch (const Interrupted_error&) {
-      throw;
-    } catch (const Error& error) {
-      throw Input_error(names[i] + ": " + error.what() + ", and cannot be repaired");
-    }
+  add(repairs,
+      for_each(surfaces, names, [](Surface& surface) { return CGAL::wrap_surface_3(surface); }));
 }
 
 std::string what_was_repaired(const CGAL::Surface_repair_report_3& report) {

@@ -105,6 +105,38 @@ std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path,
   }
 }
 
+/// Whether a tetrahedralizer may do better with another surface of the same size.
+bool is_of_surface(const Tetrahedralization_error& error) {
+  static constexpr int out_of_memory = 1; // of TetGen
+  return error.code() != out_of_memory;
+}
+
+/// Where surfaces bound solids and TetGen fails, further repairs follow if repairs are permitted.
+std::unique_ptr<Tracked_complex> track_surfaces_of_run(const Run_options& options,
+                                                       const std::vector<std::string>& names,
+                                                       Repairs& repairs) {
+  std::vector<Surface> surfaces = start_surfaces(options.start, &repairs);
+  std::ostream* notes = options.quiet ? nullptr : &std::cout;
+  try {
+    return track_surfaces(surfaces, names, options.domain, notes);
+  } catch (const Tetrahedralization_error& error) {
+    if (!options.start.repairs && is_of_surface(error))
+      throw Input_error(std::string(error.what()) +
+                        "; --repair may help: it merges near vertices or wraps surfaces then");
+    if (!is_of_surface(error))
+      throw;
+  }
+  try {
+    if (merge_near_vertices(surfaces, names, repairs))
+      return track_surfaces(surfaces, names, options.domain, notes);
+  } catch (const Tetrahedralization_error& error) {
+    if (!is_of_surface(error))
+      throw;
+  }
+  wrap(surfaces, names, repairs);
+  return track_surfaces(surfaces, names, options.domain, notes);
+}
+
 } // namespace
 
 std::unique_ptr<Tracked_complex> start_complex(const Run_options& options, Repairs& repairs) {
@@ -124,19 +156,7 @@ std::unique_ptr<Tracked_complex> start_complex(const Run_options& options, Repai
   std::vector<std::string> names = start.inputs;
   if (names.empty())
     names = {"the ball"};
-  std::vector<Surface> surfaces = start_surfaces(start, &repairs);
-  std::ostream* notes = options.quiet ? nullptr : &std::cout;
-  try {
-    return track_surfaces(surfaces, names, options.domain, notes);
-  } catch (const Tetrahedralization_error& error) {
-    static constexpr int out_of_memory = 1; // of TetGen: a wrap needs more of it
-    if (!start.repairs && error.code() != out_of_memory)
-      throw Input_error(std::string(error.what()) + "; --repair may help: it wraps surfaces then");
-    if (!start.repairs || error.code() == out_of_memory)
-      throw;
-  }
-  wrap(surfaces, names, repairs);
-  return track_surfaces(surfaces, names, options.domain, notes);
+  return track_surfaces_of_run(options, names, repairs);
 }
 
 } // namespace dsc

@@ -36,6 +36,12 @@ using Repairs = std::vector<CGAL::Surface_repair_report_3>;
 Repairs repair(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
                const std::optional<Distance>& largest_hole);
 
+/// Merges vertices that nearly coincide, and repairs what that breaks; tells so in what was done.
+/// \return whether there were any
+/// \throws Input_error if a surface cannot be repaired
+bool merge_near_vertices(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
+                         Repairs& repairs);
+
 /// Replaces surfaces by wraps around them, and tells so in what was done to them.
 /// \throws Input_error if one cannot be wrapped
 void wrap(std::vector<Surface>& surfaces, const std::vector<std::string>& names, Repairs& repairs);

@@ -184,6 +184,26 @@ TEST_F(Inputs, may_have_t_junctions) {
   EXPECT_EQ(Json::parse(contents(path("report.json")))["repairs"][0]["split_edges"], 1);
 }
 
+// Two octahedra, the tips of which are so near that TetGen fails.
+TEST_F(Inputs, may_have_vertices_that_nearly_coincide) {
+  std::ostringstream off;
+  off << "OFF\n12 16 0\n";
+  for (int side : {-1, 1})
+    off << "1 0 " << side << "\n0 1 " << side << "\n-1 0 " << side << "\n0 -1 " << side << "\n0 0 "
+        << side * 1e-15 << "\n0 0 " << 2 * side << '\n';
+  for (int first : {0, 6})
+    for (int i = 0; i < 4; ++i)
+      for (int tip : {4, 5})
+        off << "3 " << first + i << ' ' << first + (i + 1) % 4 << ' ' << first + tip << '\n';
+  write("tips.off", off.str());
+  const std::string tips = path("tips.off").string();
+  expect_refusal(tips, 1, "--repair");
+  EXPECT_NEAR(volumes(tips + " --repair").at(1), 8. / 3, 1e-9);
+  const Json repair = Json::parse(contents(path("report.json")))["repairs"][0];
+  EXPECT_EQ(repair["merged_points"], 1);
+  EXPECT_TRUE(repair["wrap"].is_null());
+}
+
 TEST_F(Inputs, may_have_holes_up_to_a_length) {
   std::string text = program::box(0, 0, 0, 1, 1, 1);
   text.replace(text.find("8 12 0"), 6, "8 11 0");

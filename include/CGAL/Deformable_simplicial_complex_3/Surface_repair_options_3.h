@@ -16,6 +16,11 @@ is how far `repair_surface_3()` and `wrap_surface_3()` go.
 */
 struct Surface_repair_options_3
 {
+  /// Vertices nearer to each other than this become one, even if the surface bounds a solid: in
+  /// mean edges of the surface, at least 0. Edges shorter than ten times the distance of two
+  /// vertices keep both. Tetrahedralizers may fail where vertices nearly coincide.
+  double merge_distance = 0;
+
   /// The longest border of holes that are filled, in diagonals of the bounding box of the part that
   /// has it, at least 0. Borders of plane cuts are up to 1.6 diagonals long, borders of flat sheets
   /// at least 2.

@@ -198,7 +198,7 @@ TEST(Surface_repair, removes_walls_inside_solids) {
   const auto report = CGAL::repair_surface_3(surface);
   EXPECT_FALSE(report.is_wrapped);
   EXPECT_EQ(report.removed_triangles, 3u);
-  EXPECT_NEAR(report.distance(), 0, 1e-15);
+  EXPECT_NEAR(report.distance_to_input, 0, 1e-15);
   EXPECT_NEAR(volume(surface), 1, 1e-12);
 }
 
@@ -445,6 +445,21 @@ TEST(Surface_repair, fills_holes_up_to_a_length) {
   EXPECT_THROW(CGAL::repair_surface_3(repaired, options), Invalid_surface_error);
   options.longest_border = 1.01;
   EXPECT_EQ(CGAL::repair_surface_3(repaired, options).filled_holes, 1u);
+}
+
+TEST(Surface_repair, merges_vertices_that_nearly_coincide) {
+  // An edge of one cube nearly on an edge of the other, which TetGen takes for one.
+  Surface surface = cube();
+  add_all(surface, box(Point(1 + 1e-15, 1, 0), Point(2, 2, 1)), false);
+  EXPECT_TRUE(CGAL::repair_surface_3(surface).was_sound());
+  CGAL::Surface_repair_options_3 options;
+  options.merge_distance = 1e-6;
+  const auto report = CGAL::repair_surface_3(surface, options);
+  EXPECT_EQ(report.merged_points, std::size_t(n) + 1);
+  EXPECT_LT(report.distance(), 2e-15);
+  EXPECT_NEAR(volume(surface), 2, 1e-12);
+  options.merge_distance = -1;
+  EXPECT_THROW(CGAL::repair_surface_3(surface, options), Error);
 }
 
 TEST(Surface_repair, does_not_depend_on_units) {

@@ -13,6 +13,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/repair/distance_of_samples_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/repair/remove_fins_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/repair/split_at_t_junctions_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/repair/stopping_visitors_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/repair/unite_parts_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/soups/Triangle_soup_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
@@ -51,21 +52,6 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Lets a wrap end early.
-struct Stopping_wrap_visitor : Alpha_wraps_3::internal::Wrapping_default_visitor
-{
-  template <class Wrap, class Gate> void before_facet_treatment(const Wrap&, const Gate&) {
-    Progress_scope::check();
-  }
-};
-
-// Lets the filling of a hole end early.
-struct Stopping_hole_visitor : Polygon_mesh_processing::Hole_filling::Default_visitor
-{
-  void quadratic_step() const { Progress_scope::check(); }
-  void cubic_step() const { Progress_scope::check(); }
-};
-
 // Makes a soup bound a solid by steps that change more and more; ends as soon as it does.
 class Surface_repairer_3
 {
@@ -78,9 +64,14 @@ public:
   // Throws Invalid_surface_error if nothing helps.
   void run() {
     check_numbers(m_soup, 0);
-    if (!flaw())
+    if (m_options.merge_distance == 0 && !flaw())
       return;
     prepare();
+    merge_near_vertices();
+    if (!flaw()) {
+      measure();
+      return;
+    }
     using Step = void (Surface_repairer_3::*)();
     for (Step step :
          {&Surface_repairer_3::clean, &Surface_repairer_3::stitch,
@@ -158,10 +149,20 @@ private:
     m_report.repeated_triangles += remove_repeated_triangles(m_soup);
   }
 
+  void merge_near_vertices() {
+    if (m_options.merge_distance == 0)
+      return;
+    m_soup = merge_points(m_soup);
+    m_report.merged_points = merge_near_points(
+        m_soup, m_options.merge_distance * m_report.mean_edge, Merged_points::ALL);
+    if (m_report.merged_points > 0)
+      merge_equal_points();
+  }
+
   void clean() {
     const std::size_t before = m_soup.points.size();
     merge_equal_points();
-    m_report.merged_points = before - m_soup.points.size();
+    m_report.merged_points += before - m_soup.points.size();
     remove_flat_triangles();
   }
 
@@ -184,7 +185,8 @@ private:
   // Borders that are a thousandth of an edge apart were one before coordinates were rounded.
   void stitch() {
     static constexpr double distance = 1e-3; // in mean edges
-    m_report.stitched_points = merge_near_border_points(m_soup, distance * m_report.mean_edge);
+    m_report.stitched_points =
+        merge_near_points(m_soup, distance * m_report.mean_edge, Merged_points::OF_OPEN_EDGES);
     if (m_report.stitched_points > 0)
       merge_equal_points();
   }
@@ -231,9 +233,8 @@ private:
       if (!is_border(h, mesh))
         continue;
       std::vector<Mesh::Face_index> faces;
-      Polygon_mesh_processing::triangulate_hole(
-          mesh, h, std::back_inserter(faces),
-          CGAL::parameters::visitor(Stopping_hole_visitor()));
+      Polygon_mesh_processing::triangulate_hole(mesh, h, std::back_inserter(faces),
+                                                CGAL::parameters::visitor(Stopping_hole_visitor()));
       m_report.filled_holes += !faces.empty();
     }
     take(mesh);
@@ -308,7 +309,9 @@ private:
     m_report.alpha =
         (std::max)(m_options.wrap_alpha * m_report.mean_edge, finest * diagonal(m_soup));
     m_report.offset = m_options.wrap_offset * m_report.mean_edge;
-    if (!std::isfinite(m_report.alpha) || !std::isfinite(m_report.offset) || !(m_report.offset > 0))
+    static constexpr double largest = 1e6; // diagonals: CGAL fails with numbers that are too large
+    if (!((std::max)(m_report.alpha, m_report.offset) <= largest * diagonal(m_soup)) ||
+        !(m_report.offset > 0))
       throw Error("the alpha or the offset of the wrap is out of range: use about 1 and 0.1");
     std::vector<Point> points;
     for (const Coordinates_3& p : m_soup.points)

@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_REPAIR_CLEAN_SOUP_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/soups/Triangle_soup_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
 #include <algorithm>
 #include <array>
@@ -92,15 +93,18 @@ inline std::size_t remove_repeated_triangles(Triangle_soup_3& soup) {
   return before - soup.triangles.size();
 }
 
-// Merges points of open edges that are nearer to each other than a distance and than a tenth of the
-// open edges there; a point is merged with the first one near. Returns how many were merged.
-inline std::size_t merge_near_border_points(Triangle_soup_3& soup, double distance) {
+enum class Merged_points { OF_OPEN_EDGES, ALL };
+
+// Merges points that are nearer to each other than a distance and than a tenth of the edges there;
+// a point is merged with the first one near. Edges and points are the open ones, or all. Returns
+// how many were merged.
+inline std::size_t merge_near_points(Triangle_soup_3& soup, double distance, Merged_points which) {
   static constexpr double part = .1; // of the shortest edge: its ends are never merged
   std::map<std::size_t, double> squared_limits;
   const auto sides = sorted_sides(soup.triangles);
   for (auto side = sides.begin(); side != sides.end();) {
     const auto end = end_of_edge(side, sides.end());
-    if ((end - side) % 2 == 1) {
+    if (which == Merged_points::ALL || (end - side) % 2 == 1) {
       const double squared_length = squared_distance(exact_point(soup.points[side->vertices[0]]),
                                                      exact_point(soup.points[side->vertices[1]]));
       for (std::size_t v : side->vertices) {
@@ -129,6 +133,7 @@ inline std::size_t merge_near_border_points(Triangle_soup_3& soup, double distan
   };
   std::size_t merged = 0;
   for (const auto& [v, limit] : squared_limits) {
+    Progress_scope::check();
     Box box;
     for (std::size_t i = 0; i < 3; ++i)
       box[i] = std::floor(soup.points[v][i] / distance);

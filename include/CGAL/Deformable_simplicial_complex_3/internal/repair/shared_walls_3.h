@@ -83,6 +83,8 @@ inline std::vector<Triangle_soup_3> surfaces_of_cells(const Triangle_soup_3& inp
       for (std::size_t r : {regions.in_front_of(t), regions.behind(t)})
         result[r].triangles.push_back(soup.triangles[t]);
   result.erase(result.begin() + Soup_regions_3::unbounded);
+  if (result.size() < 2) // nothing is divided: triangles are repeated by mistake
+    return {input};
   for (Triangle_soup_3& cell : result)
     cell = merge_points(cell);
   return result;

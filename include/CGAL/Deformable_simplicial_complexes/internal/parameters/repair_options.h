@@ -17,6 +17,8 @@ namespace internal {
 
 // Throws Error if a number is out of range.
 inline void check_options(const Surface_repair_options_3& options) {
+  if (!(options.merge_distance >= 0 && std::isfinite(options.merge_distance)))
+    throw Error("the distance of vertices that become one must be a number from 0 on");
   if (!(options.largest_hole >= 0 && options.longest_border >= 0 && options.wrap_alpha >= 0 &&
         std::isfinite(options.wrap_alpha)))
     throw Error("the largest hole and the alpha of a wrap must be numbers from 0 on");
