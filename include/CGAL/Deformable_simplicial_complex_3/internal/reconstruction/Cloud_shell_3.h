@@ -83,7 +83,7 @@ private:
   // be split across long cells, which become flat: most of a mesh, in the end.
   void choose_sizes() {
     static constexpr double least = 2;   // spacings
-    static constexpr double growth = .3; // of the distance between points
+    static constexpr double growth = .7; // of the distance between points
     static constexpr unsigned around = 8;
     const Point_cloud_3& cloud = m_surface.cloud();
     using Item = std::pair<double, std::size_t>; // a size and its point

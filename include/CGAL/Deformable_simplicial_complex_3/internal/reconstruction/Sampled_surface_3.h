@@ -211,7 +211,7 @@ private:
 
   // Of the points of a layer of noise, only some have large balls.
   void measure_rooms() {
-    static constexpr unsigned around = 8;
+    static constexpr unsigned around = 24; // within about three spacings
     m_rooms.assign(m_cloud.size(), 0);
     m_cloud.for_each()(m_cloud.size(), [&](std::size_t i) {
       Progress_scope::check();
