@@ -10,6 +10,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Reconstructor_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/collect_points.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
@@ -103,6 +104,8 @@ lists.
         lie in a plane, or what they enclose is nothing or too thin
 \throws Deformable_simplicial_complexes::Error if a parameter is out of its range. The report stays
         what it was if anything is thrown, by the observer or a map, too.
+\throws Deformable_simplicial_complexes::Interrupted_error if the callback of a
+        `Deformable_simplicial_complexes::Progress_scope` returns `false`
 
 n log n in the number of points, if their Delaunay triangulation is linear, and for each of some
 tens of steps a query for each point and the deformation of the interface. A cloud of 20 000 points
@@ -131,6 +134,7 @@ Complex reconstruct_point_set_3(
   Deformable_simplicial_complexes::Reconstruction_report_3<Complex> unwanted;
   auto report = internal::parameter_or(np, tags::report, std::ref(unwanted));
 
+  const Deformable_simplicial_complexes::Progress_phase phase("reconstructing a surface");
   const auto given = internal::collect_points(points, np);
   const internal::Sampled_surface_3 surface(given.points, given.normals, threads);
   const internal::Cloud_shell_3 shell(surface);

@@ -17,6 +17,8 @@
 #include <CGAL/property_map.h>
 #include <CGAL/reconstruct_point_set_3.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -102,13 +104,30 @@ Json json_of(const Reconstruction_report& report, const Complex& complex) {
           {"facets_without_points", facets}};
 }
 
-void print_summary(const Reconstruction_report& report, const Statistics& statistics,
-                   double seconds) {
+std::size_t number_of_normals(const std::vector<Point_and_normal_3>& points) {
+  return std::size_t(std::count_if(points.begin(), points.end(),
+                                   [](const auto& p) { return p.second != CGAL::NULL_VECTOR; }));
+}
+
+/// Tells where the surface is not known from points.
+void warn_of_openness(const Reconstruction_report& report, std::size_t triangles) {
+  static constexpr double many = .1; // of the triangles
+  const std::size_t n = report.facets_without_points.size();
+  if (double(n) > many * double(triangles))
+    std::fprintf(stderr,
+                 "dsc: %zu of %zu triangles have no points: the points may sample an open surface, "
+                 "which is closed there\n",
+                 n, triangles);
+}
+
+void print_summary(const Reconstruction_report& report, std::size_t normals,
+                   const Statistics& statistics, double seconds) {
   const Label_statistics& solid = statistics.labels.back();
-  std::printf("dsc: %zu points, %zu triangles, %zu %s, Euler characteristic %d; distances of "
+  std::printf("dsc: %zu points, %zu normals used, %zu triangles, %zu %s, Euler characteristic %d; "
+              "distances of "
               "points %.3g in the mean square, %.3g at the most (spacing %.3g); %zu unfit points, "
               "%zu triangles without points%s; %.3g s\n",
-              report.number_of_points, statistics.interface_facets, solid.components,
+              report.number_of_points, normals, statistics.interface_facets, solid.components,
               solid.components == 1 ? "part" : "parts", solid.euler_characteristic,
               report.root_mean_square, report.maximum_distance, report.spacing,
               report.unfit_points.size(), report.facets_without_points.size(),
@@ -118,6 +137,8 @@ void print_summary(const Reconstruction_report& report, const Statistics& statis
 } // namespace
 
 int execute(const Reconstruct_options& options) {
+  // Ends before anything is written: the result appears whole or not at all.
+  std::optional<Interruptible> interruptible(std::in_place, options.quiet);
   // What cannot work is refused before anything is computed.
   require_place("-o", options.output, {options.input});
   require_place("--report", options.report, {options.input, options.output});
@@ -135,7 +156,7 @@ int execute(const Reconstruct_options& options) {
     if (folder)
       folder->write(complex, step);
     progress.show(unsigned(step));
-    return !interrupted();
+    return true;
   };
   Reconstruction_report report;
   Tracked_complex_3 tracked(CGAL::reconstruct_point_set_3<Complex>(
@@ -147,21 +168,26 @@ int execute(const Reconstruct_options& options) {
                   .observer(observe)
                   .report(std::ref(report))));
   progress.clear();
+  interruptible.reset();
 
   tracked.write(options.output);
   if (!options.picture.empty())
     tracked.write(options.picture);
   const double seconds = seconds_since(begin);
   const Statistics statistics = tracked.statistics();
+  const std::size_t normals = number_of_normals(points);
   if (!options.report.empty()) {
     Json json = {{"input", options.input}, {"seconds", seconds}};
     json.update(json_of(report, tracked.complex));
+    json["normals"] = normals;
     json["state"] = statistics_json(statistics);
     write_json(options.report, json);
   }
-  if (!options.quiet)
-    print_summary(report, statistics, seconds);
-  return interrupted() ? exit_code_of_interrupt : 0;
+  if (!options.quiet) {
+    warn_of_openness(report, statistics.interface_facets);
+    print_summary(report, normals, statistics, seconds);
+  }
+  return 0;
 }
 
 } // namespace dsc

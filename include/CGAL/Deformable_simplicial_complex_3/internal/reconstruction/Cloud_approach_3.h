@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_facets_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
 #include <CGAL/Kernel/global_functions.h>
 
@@ -42,6 +43,7 @@ public:
     const For_each_index& for_each = surface.cloud().for_each();
     std::vector<double> steps(triangles.size(), 0);
     for_each(triangles.size(), [&](std::size_t f) {
+      Progress_scope::check();
       const auto& t = triangles[f];
       const Vector across = cross_product(t[1] - t[0], t[2] - t[0]);
       const double twice_area = std::sqrt(across.squared_length());
@@ -73,6 +75,7 @@ public:
     }
     ways.resize(positions.size());
     for_each(positions.size(), [&](std::size_t v) {
+      Progress_scope::check();
       ways[v] = corners[v].way();
       if (is_at_free[v] != 0 && !surface.is_inside(positions[v]))
         for (int i = 0; i < halvings && surface.is_inside(positions[v] + ways[v]); ++i)

@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_CLOUD_FACETS_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/cgal_compat.h>
 
 #include <CGAL/AABB_tree.h>
@@ -52,6 +53,7 @@ public:
     m_feet.resize(cloud.size());
     m_nearest.resize(cloud.size());
     cloud.for_each()(cloud.size(), [&](std::size_t i) {
+      Progress_scope::check();
       const auto found = tree.closest_point_and_primitive(cloud.points()[i]);
       m_feet[i] = found.first;
       m_nearest[i] = std::size_t(found.second - m_triangles.begin());
@@ -105,6 +107,7 @@ public:
       m_facets[triangles.nearest(i)].points.push_back(i);
     }
     surface.cloud().for_each()(m_facets.size(), [&](std::size_t f) {
+      Progress_scope::check();
       const Cloud_kernel::Triangle_3& t = triangles[f];
       const auto across = cross_product(t[1] - t[0], t[2] - t[0]);
       const double twice_area = std::sqrt(across.squared_length());

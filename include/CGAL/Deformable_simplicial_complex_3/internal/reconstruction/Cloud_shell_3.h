@@ -8,6 +8,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/box_grid_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Own_operations_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/fill_grid.h>
 #include <CGAL/Deformable_simplicial_complexes/manifold_interface.h>
@@ -18,6 +19,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <queue>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -46,6 +50,7 @@ public:
                  z = grown(m_bbox.zmin(), m_bbox.zmax());
     m_bbox = Bbox_3(m_bbox.xmin() - x, m_bbox.ymin() - y, m_bbox.zmin() - z, m_bbox.xmax() + x,
                     m_bbox.ymax() + y, m_bbox.zmax() + z);
+    choose_sizes();
   }
 
   const Bbox_3& bbox() const { return m_bbox; } // of the domain
@@ -53,13 +58,11 @@ public:
 
   // How long edges are to be: short in narrow gaps.
   template <class P> double size(const P& q) const {
-    static constexpr double least = 2;    // spacings
     static constexpr double grading = .7; // of the distance from points
     const Point p(q.x(), q.y(), q.z());
     const std::size_t i = m_surface.cloud().nearest(p);
     const double distance = std::sqrt((m_surface.cloud().points()[i] - p).squared_length());
-    return (std::max)({least * m_surface.cloud().spacing(), (std::min)(m_edge, m_surface.room(i)),
-                       grading * distance});
+    return (std::max)(m_sizes[i], grading * distance);
   }
 
   // 1 in the solid and near points, 0 elsewhere.
@@ -76,9 +79,41 @@ public:
   }
 
 private:
+  // Rooms jump from point to point where a cloud is open or noisy. Sizes that jump would make edges
+  // be split across long cells, which become flat: most of a mesh, in the end.
+  void choose_sizes() {
+    static constexpr double least = 2;   // spacings
+    static constexpr double growth = .7; // of the distance between points
+    static constexpr unsigned around = 8;
+    const Point_cloud_3& cloud = m_surface.cloud();
+    using Item = std::pair<double, std::size_t>; // a size and its point
+    std::priority_queue<Item, std::vector<Item>, std::greater<Item>> smallest;
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      m_sizes.push_back((std::max)(least * cloud.spacing(), (std::min)(m_edge, m_surface.room(i))));
+      if (m_sizes[i] < m_edge)
+        smallest.emplace(m_sizes[i], i);
+    }
+    while (!smallest.empty()) {
+      Progress_scope::check();
+      const auto [size, i] = smallest.top();
+      smallest.pop();
+      if (size > m_sizes[i])
+        continue;
+      const Point& p = cloud.points()[i];
+      for (std::size_t k : cloud.nearest(p, around)) {
+        const double bound = size + growth * std::sqrt((cloud.points()[k] - p).squared_length());
+        if (bound < m_sizes[k]) {
+          m_sizes[k] = bound;
+          smallest.emplace(bound, k);
+        }
+      }
+    }
+  }
+
   const Sampled_surface_3& m_surface;
   Bbox_3 m_bbox;
   double m_edge = 0;
+  std::vector<double> m_sizes; // of edges at the points
 };
 
 // A complex with that interface, and without pinches.
@@ -92,11 +127,14 @@ template <class Complex> Complex complex_of_shell(const Cloud_shell_3& shell) {
                              .split_length(longest)
                              .collapse_length(0.)
                              .number_of_iterations(rounds));
-  for (auto c : result.cells())
+  for (auto c : result.cells()) {
+    Progress_scope::check();
     result.relabel(c, shell.label(barycenter(result, c)));
+  }
   for (auto pinched = non_manifold_vertices(result); !pinched.empty();
        pinched = non_manifold_vertices(result))
     for (auto v : pinched) {
+      Progress_scope::check();
       if (is_manifold_at(result, v))
         continue;
       std::vector<typename Complex::Cell_handle> star, cells;

@@ -6,15 +6,19 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_CLOUD_SIDES_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Point_cloud_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Signed_union_find.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
 
 #include <algorithm>
 #include <array>
@@ -154,7 +158,7 @@ private:
   template <class Points> void triangulate(const Points& points) {
     static constexpr double away = 2; // extents of the cloud
     Bbox_3 box;
-    std::vector<std::pair<Point, std::size_t>> vertices;
+    std::vector<std::pair<Point, std::size_t>> vertices; // and their indices
     for (const auto& p : points) {
       vertices.emplace_back(Point(p.x(), p.y(), p.z()), vertices.size());
       box += p.bbox();
@@ -165,17 +169,26 @@ private:
       for (double y : {box.ymin() - margin, box.ymax() + margin})
         for (double z : {box.zmin() - margin, box.zmax() + margin})
           vertices.emplace_back(Point(x, y, z), box_corner);
-    m_delaunay.insert(vertices.begin(), vertices.end());
+    using By_point =
+        Spatial_sort_traits_adapter_3<Kernel,
+                                      First_of_pair_property_map<std::pair<Point, std::size_t>>>;
+    spatial_sort(vertices.begin(), vertices.end(), By_point());
     m_vertices.resize(points.size());
-    for (auto v : m_delaunay.finite_vertex_handles())
-      if (!is_of_box(v))
-        m_vertices[v->info()] = v;
+    Vertex_handle last;
+    for (const auto& [point, index] : vertices) {
+      Progress_scope::check();
+      last = m_delaunay.insert(point, last);
+      last->info() = index;
+      if (index != box_corner)
+        m_vertices[index] = last;
+    }
   }
 
   // Those of the finite cells, numbered from 1.
   std::vector<Ball> balls() {
     std::vector<Ball> result(1);
     for (auto c : m_delaunay.all_cell_handles()) {
+      Progress_scope::check();
       c->info() = outside;
       if (m_delaunay.is_infinite(c))
         continue;
@@ -215,6 +228,7 @@ private:
     for (auto v : m_delaunay.finite_vertex_handles()) {
       if (is_of_box(v))
         continue;
+      Progress_scope::check();
       star.clear();
       m_delaunay.incident_cells(v, std::back_inserter(star)); // all finite, within the box
       Vector across(0, 0, 0);
@@ -245,6 +259,7 @@ private:
         result.push_back({float(angle(-cosine)), p[0], p[1], true});
       }
     for (const auto& e : m_delaunay.finite_edges()) {
+      Progress_scope::check();
       const auto v = e.first->vertex(e.second), w = e.first->vertex(e.third);
       if (is_of_box(v) || is_of_box(w))
         continue;
@@ -260,6 +275,7 @@ private:
   std::vector<Relation> relations_of_neighbors(const std::vector<Ball>& balls) const {
     std::vector<Relation> result;
     for (const auto& f : m_delaunay.finite_facets()) {
+      Progress_scope::check();
       const Ball_index a = f.first->info(), b = f.first->neighbor(f.second)->info();
       if (a != outside && b != outside)
         result.push_back(
@@ -276,9 +292,17 @@ private:
   }
 
   static void join_by(std::vector<Relation> relations, Signed_union_find& sides) {
-    std::sort(relations.begin(), relations.end());
-    for (const Relation& r : relations)
+    static constexpr std::size_t often = 1024; // comparisons: a check takes as long as several
+    std::size_t comparisons = 0;
+    std::sort(relations.begin(), relations.end(), [&](const Relation& a, const Relation& b) {
+      if (++comparisons % often == 0)
+        Progress_scope::check();
+      return a < b;
+    });
+    for (const Relation& r : relations) {
+      Progress_scope::check();
       sides.unite(r.first, r.second, r.are_opposite);
+    }
   }
 
   Delaunay m_delaunay;

@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_facets_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
 #include <CGAL/Kernel/global_functions.h>
 
@@ -62,6 +63,7 @@ public:
               const std::vector<char>& rests, bool fits) {
     static constexpr double least = .4, half = .5; // of an edge; without points
     for (std::size_t f = 0; f < triangles.size(); ++f) {
+      Progress_scope::check();
       if (rests[f] == 0 || (planes[f].is_near && (!fits || planes[f].residual <= m_bound)))
         continue;
       const auto& t = triangles[f];

@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_facets_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
 #include <Eigen/Sparse>
 
@@ -18,6 +19,16 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
+
+// The diagonal of a matrix as its preconditioner; the iterations can be stopped.
+class Stoppable_preconditioner : public Eigen::DiagonalPreconditioner<double>
+{
+public:
+  template <class Right> auto solve(const Eigen::MatrixBase<Right>& right) const {
+    Progress_scope::check();
+    return Eigen::DiagonalPreconditioner<double>::solve(right);
+  }
+};
 
 // The ways of the vertices of an interface that bring its facets nearest to the points of a cloud,
 // by least squares over all of them. Vertices with few points go towards the middle of their
@@ -44,8 +55,9 @@ public:
     static constexpr double tolerance = 1e-4; // relative: what is left is for the next step
     Eigen::SparseMatrix<double> matrix(m_right.size(), m_right.size());
     matrix.setFromTriplets(m_entries.begin(), m_entries.end());
-    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver(
-        matrix);
+    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper,
+                             Stoppable_preconditioner>
+        solver(matrix);
     solver.setTolerance(tolerance);
     const Eigen::VectorXd solution = solver.solve(m_right);
     std::vector<Vector> result;
@@ -90,6 +102,7 @@ private:
     }
     std::vector<Sums> sums(triangles.size());
     for (std::size_t i = 0; i < cloud.size(); ++i) {
+      Progress_scope::check();
       const std::size_t f = triangles.nearest(i);
       const auto& t = triangles[f];
       const Point& foot = triangles.foot(i);
@@ -127,6 +140,7 @@ private:
     static constexpr double far = 1.4;          // spacings: from points, beyond an edge
     std::vector<char> is_loose;
     for (std::size_t v = 0; v < positions.size(); ++v) {
+      Progress_scope::check();
       m_is_far.push_back(m_weights[v] < some &&
                          surface.cloud().distance(positions[v]) > far * surface.cloud().spacing());
       is_loose.push_back(m_is_far[v] != 0 || m_weights[v] < few);

@@ -6,14 +6,17 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_POINT_CLOUD_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/local_fits_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Euclidean_distance.h>
 #include <CGAL/Kd_tree.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
+#include <CGAL/Splitters.h>
 #include <CGAL/property_map.h>
 
 #include <algorithm>
@@ -41,6 +44,18 @@ template <class T> void keep_marked(std::vector<T>& elements, const std::vector<
       elements[number++] = elements[i];
   elements.erase(elements.begin() + std::ptrdiff_t(number), elements.end());
 }
+
+// Splits the nodes of a kd-tree as CGAL does by default, and can be stopped.
+template <class Traits> struct Stoppable_splitter : Sliding_midpoint<Traits>
+{
+  using Base = Sliding_midpoint<Traits>;
+
+  void operator()(typename Base::Separator& separator, typename Base::Container& low,
+                  typename Base::Container& high) const {
+    Progress_scope::check();
+    Base::operator()(separator, low, high);
+  }
+};
 
 // Points by lexicographic order, and what is near them. Of points that are equal, the first counts.
 class Point_cloud_3
@@ -126,7 +141,9 @@ public:
 private:
   using Map = Pointer_property_map<Point>::const_type;
   using Traits = Search_traits_adapter<std::size_t, Map, Search_traits_3<Cloud_kernel>>;
-  using Search = Orthogonal_k_neighbor_search<Traits>;
+  using Search = Orthogonal_k_neighbor_search<
+      Traits, Distance_adapter<std::size_t, Map, Euclidean_distance<Search_traits_3<Cloud_kernel>>>,
+      Stoppable_splitter<Traits>>;
   using Tree = Search::Tree;
   using Distance = Search::Distance;
   using Reason = Invalid_points_error::Reason;
@@ -190,6 +207,7 @@ private:
   void measure() {
     m_reaches.resize(size());
     m_for_each(size(), [&](std::size_t i) {
+      Progress_scope::check();
       const Point& p = m_points[i];
       m_reaches[i] = std::sqrt((m_points[nearest(p, ring + 1).back()] - p).squared_length());
     });
@@ -200,6 +218,7 @@ private:
   double mean_distance() const {
     std::vector<double> sums(size(), 0);
     m_for_each(size(), [&](std::size_t i) {
+      Progress_scope::check();
       for (std::size_t k : nearest(m_points[i], ring + 1)) // itself among them
         sums[i] += std::sqrt((m_points[k] - m_points[i]).squared_length());
     });
@@ -215,6 +234,7 @@ private:
     std::vector<char> is_kept(size());
     std::vector<double> medians(size());
     m_for_each(size(), [&](std::size_t i) {
+      Progress_scope::check();
       std::vector<double> reaches;
       for (std::size_t k : nearest(m_points[i], around))
         reaches.push_back(m_reaches[k]);

@@ -16,6 +16,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
@@ -222,6 +223,7 @@ private:
     report.root_mean_square = front.triangles.residual(m_surface);
     const double bound = (std::max)(report.spacing, unfit * report.noise);
     for (std::size_t i = 0; i < cloud.size(); ++i) {
+      Progress_scope::check();
       const double distance =
           std::sqrt((front.triangles.foot(i) - cloud.points()[i]).squared_length());
       report.maximum_distance = (std::max)(report.maximum_distance, distance);

@@ -8,6 +8,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_sides_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Point_cloud_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/local_fits_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <CGAL/Origin.h>
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -102,8 +104,13 @@ private:
     std::vector<Point> points;
     for (const Point& p : m_cloud.points())
       points.push_back(p - shift);
+    const std::function<bool(double)> go_on = [](double) {
+      Progress_scope::check();
+      return true;
+    };
     for (int i = 0; i < rounds; ++i)
-      jet_smooth_point_set<Sequential_tag>(points, neighbors_to_smooth(layer));
+      jet_smooth_point_set<Sequential_tag>(points, neighbors_to_smooth(layer),
+                                           CGAL::parameters::callback(go_on));
     for (Point& p : points)
       p = p + shift;
     return points;
@@ -128,6 +135,7 @@ private:
     static constexpr unsigned around = 6;
     std::vector<char> is_kept(m_cloud.size());
     m_cloud.for_each()(m_cloud.size(), [&](std::size_t i) {
+      Progress_scope::check();
       const Point& p = m_cloud.points()[i];
       is_kept[i] = is_oriented(i) && m_is_off[i] == 0;
       if (!is_oriented(i) && m_is_off[i] == 0)
@@ -156,6 +164,7 @@ private:
     m_residuals.resize(points.size());
     m_curvatures.resize(points.size());
     m_cloud.for_each()(points.size(), [&](std::size_t i) {
+      Progress_scope::check();
       neighbors[i] = m_cloud.nearest(points[i], around + 1); // itself among them
       const auto is_on_other_side = [&](std::size_t k) {
         return m_sides->outward(k) * m_sides->outward(i) < 0;
@@ -183,6 +192,7 @@ private:
     static constexpr double off_plane = 3;    // residuals, and more than a spacing
     m_is_off.resize(points.size());
     m_cloud.for_each()(points.size(), [&](std::size_t i) {
+      Progress_scope::check();
       m_is_off[i] = std::all_of(neighbors[i].begin(), neighbors[i].end(), [&](std::size_t k) {
         return std::abs(planes[k].height(points[i])) >
                (std::max)(m_cloud.spacing(), off_plane * planes[k].residual);
@@ -201,9 +211,10 @@ private:
 
   // Of the points of a layer of noise, only some have large balls.
   void measure_rooms() {
-    static constexpr unsigned around = 8;
+    static constexpr unsigned around = 24; // within about three spacings
     m_rooms.assign(m_cloud.size(), 0);
     m_cloud.for_each()(m_cloud.size(), [&](std::size_t i) {
+      Progress_scope::check();
       for (std::size_t k : m_cloud.nearest(m_cloud.points()[i], around))
         if (is_oriented(k) && m_sides->outward(k) * m_sides->outward(i) >= 0)
           m_rooms[i] = (std::max)(m_rooms[i], m_sides->room(k));

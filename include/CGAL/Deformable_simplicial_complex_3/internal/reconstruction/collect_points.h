@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_COLLECT_POINTS_H
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <CGAL/number_utils.h>
@@ -62,6 +63,7 @@ Collected_points collect_points(const Range& range, const NamedParameters& np) {
   using CGAL::parameters::is_default_parameter;
   Collected_points result;
   for (const auto& key : range) {
+    Progress_scope::check();
     if constexpr (is_default_parameter<NamedParameters, CGAL::internal_np::point_t>::value)
       Own_maps<Range>::add_point(range, key, result);
     else

@@ -1,0 +1,140 @@
+// Points of scans: open, in any unit, and stopped at any moment.
+
+#include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Random.h>
+#include <CGAL/reconstruct_point_set_3.h>
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace test_reconstruction_of_scans {
+
+using Complex = CGAL::Deformable_simplicial_complex_3<>;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Report = CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Complex>;
+using CGAL::Deformable_simplicial_complexes::Interrupted_error;
+using CGAL::Deformable_simplicial_complexes::Progress_scope;
+namespace internal = CGAL::Deformable_simplicial_complexes::internal;
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
+// The walls of a house without a roof, and the ground around and below it, whose points are denser.
+std::vector<Point> house(std::size_t n) {
+  CGAL::Random random(3);
+  std::vector<Point> points;
+  while (points.size() < n) {
+    const double part = random.get_double(), u = random.uniform_real(-1., 1.),
+                 v = random.uniform_real(-1., 1.), side = random.get_bool() ? 1 : -1;
+    if (part < .4)
+      points.emplace_back(2 * u, 2 * v, 0);
+    else if (part < .7)
+      points.emplace_back(side, u, (v + 1) / 2);
+    else
+      points.emplace_back(u, side, (v + 1) / 2);
+  }
+  return points;
+}
+
+// A ball about a point that is not the origin.
+std::vector<Point> ball(int n, double scale) {
+  std::vector<Point> points;
+  for (int i = 0; i < n; ++i) {
+    const double z = 1 - (2 * i + 1.) / n, r = std::sqrt(1 - z * z), a = 2.399963229728653 * i;
+    points.emplace_back(scale * (r * std::cos(a) + 3), scale * (r * std::sin(a) - 2),
+                        scale * (z + .5));
+  }
+  return points;
+}
+
+// Of an open scan, the sizes of cells that the points ask for differ much between neighbors. Cells
+// of such sizes would be flat, and then nearly all time goes into improving them.
+TEST(Reconstruction_of_scans, begins_with_cells_of_graded_sizes) {
+  static constexpr double growth = .31; // .3, and rounding
+  std::vector<internal::Sampled_surface_3::Point> points;
+  for (const Point& p : house(8000))
+    points.emplace_back(p.x(), p.y(), p.z());
+  const internal::Sampled_surface_3 surface(points, {}, 1);
+  const internal::Cloud_shell_3 shell(surface);
+  const internal::Point_cloud_3& cloud = surface.cloud();
+  std::size_t smaller = 0;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const auto& p = cloud.points()[i];
+    smaller += shell.size(p) < shell.edge();
+    for (std::size_t k : cloud.nearest(p, 6)) {
+      const auto& q = cloud.points()[k];
+      ASSERT_LE(shell.size(q),
+                shell.size(p) + growth * std::sqrt(CGAL::squared_distance(p, q)) + 1e-12);
+    }
+  }
+  EXPECT_GT(smaller, cloud.size() / 10); // this is an input that matters
+  EXPECT_LT(smaller, cloud.size());
+}
+
+TEST(Reconstruction_of_scans, begins_with_cells_of_good_shape) {
+  static constexpr double flat = .05;
+  Complex complex;
+  const auto observer = [&](const Complex& start, std::size_t) {
+    complex = start;
+    return false;
+  };
+  const std::vector<Point> points = house(12000);
+  CGAL::reconstruct_point_set_3<Complex>(points, parameters::observer(observer));
+  std::size_t number_of_flat = 0;
+  for (auto c : complex.cells())
+    number_of_flat += c->quality() < flat;
+  EXPECT_LT(double(number_of_flat), .002 * double(complex.number_of_cells()));
+  EXPECT_LT(complex.number_of_cells(), 8 * points.size());
+}
+
+TEST(Reconstruction_of_scans, stops_at_any_moment) {
+  const std::vector<Point> points = ball(500, 1);
+  const auto reconstruct = [&](const std::function<bool()>& go_on) {
+    Report report;
+    report.number_of_points = 17;
+    const Progress_scope scope([&](const char*) { return go_on(); }, std::chrono::milliseconds(0));
+    try {
+      CGAL::reconstruct_point_set_3<Complex>(points, parameters::report(std::ref(report)));
+    } catch (const Interrupted_error&) {
+      EXPECT_EQ(report.number_of_points, 17); // it stays what it was
+      return false;
+    }
+    return true;
+  };
+  std::size_t checks = 0;
+  EXPECT_TRUE(reconstruct([&] { return ++checks > 0; }));
+  EXPECT_GT(checks, 10 * points.size());
+  for (const double part : {0., .001, .01, .1, .5, .99}) {
+    std::size_t left = std::size_t(part * double(checks));
+    EXPECT_FALSE(reconstruct([&] { return left-- > 0; })) << part;
+  }
+}
+
+TEST(Reconstruction_of_scans, does_not_depend_on_the_unit) {
+  const int n = 700;
+  const Complex one = CGAL::reconstruct_point_set_3<Complex>(ball(n, 1));
+  const auto points = [](const Complex& complex, double scale) {
+    std::vector<Point> result;
+    for (auto v : complex.interface_vertices())
+      result.push_back(CGAL::ORIGIN + scale * (v->point() - CGAL::ORIGIN));
+    return result;
+  };
+  for (const int exponent : {-30, 30}) {
+    const double unit = std::ldexp(1., exponent);
+    const Complex other = CGAL::reconstruct_point_set_3<Complex>(ball(n, unit));
+    EXPECT_EQ(points(other, 1 / unit), points(one, 1)) << exponent;
+  }
+  for (const double unit : {1e-9, 1e-4, 1e4, 1e9}) {
+    const Complex other = CGAL::reconstruct_point_set_3<Complex>(ball(n, unit));
+    EXPECT_EQ(other.euler_characteristic(1), 2) << unit;
+    EXPECT_NEAR(other.volume(1) / (unit * unit * unit), one.volume(1), 1e-3 * one.volume(1))
+        << unit;
+  }
+}
+
+} // namespace test_reconstruction_of_scans
