@@ -12,6 +12,8 @@
 #include <CGAL/Origin.h>
 
 #include <Eigen/Dense>
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
 
 #include <boost/container/flat_map.hpp>
 
@@ -150,11 +152,14 @@ private:
     return way * (normal(a) + 4 * normal(m) + normal(b)) / 6;
   }
 
-  // One step of Newton's method.
-  static void advance(const Directions& gradients, const Directions& directions,
-                      const Eigen::VectorXd& missing, std::vector<Point>& positions) {
+  // Up to here the cube of the number of labels is a short time.
+  static constexpr Eigen::Index few_labels = 64;
+
+  // Lengths of the ways in the directions that change volumes as they are missing.
+  static Eigen::VectorXd solve_directly(const Directions& gradients, const Directions& directions,
+                                        const Eigen::VectorXd& missing) {
     Eigen::MatrixXd products = Eigen::MatrixXd::Zero(missing.size(), missing.size());
-    for (std::size_t v = 0; v < positions.size(); ++v)
+    for (std::size_t v = 0; v < gradients.size(); ++v)
       for (const auto& [i, a] : gradients[v])
         for (const auto& [j, b] : directions[v])
           products(i, j) += a * b;
@@ -163,7 +168,33 @@ private:
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
     decomposition.setThreshold(rounding);
     decomposition.compute(products);
-    const Eigen::VectorXd lengths = decomposition.solve(missing);
+    return decomposition.solve(missing);
+  }
+
+  // The same by the method of least squares, with the products of labels that share vertices only.
+  static Eigen::VectorXd solve_iteratively(const Directions& gradients,
+                                           const Directions& directions,
+                                           const Eigen::VectorXd& missing) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t v = 0; v < gradients.size(); ++v)
+      for (const auto& [i, a] : gradients[v])
+        for (const auto& [j, b] : directions[v])
+          entries.emplace_back(int(i), int(j), a * b);
+    Eigen::SparseMatrix<double> products(missing.size(), missing.size());
+    products.setFromTriplets(entries.begin(), entries.end());
+    static constexpr double residual = 1e-12; // relative; the next step corrects what is left
+    Eigen::LeastSquaresConjugateGradient<Eigen::SparseMatrix<double>> solver;
+    solver.setTolerance(residual);
+    solver.compute(products);
+    return solver.solve(missing);
+  }
+
+  // One step of Newton's method.
+  static void advance(const Directions& gradients, const Directions& directions,
+                      const Eigen::VectorXd& missing, std::vector<Point>& positions) {
+    const Eigen::VectorXd lengths = missing.size() <= few_labels
+                                        ? solve_directly(gradients, directions, missing)
+                                        : solve_iteratively(gradients, directions, missing);
     for (std::size_t v = 0; v < positions.size(); ++v)
       for (const auto& [i, direction] : directions[v])
         positions[v] = positions[v] + lengths(i) * direction;
