@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -29,10 +31,11 @@ public:
   using Point = typename Complex::Approximate_point;
   using Vector = typename Complex::Approximate_vector;
 
-  // A vertex stays within `reach` of its place, along each axis.
+  // A vertex stays within half its shortest edge from its place, along each axis.
   Stairs_smoother_3(const Interface_snapshot<Complex>& interface_, std::vector<Point> places,
-                    const std::array<double, 3>& reach)
-      : m_places(std::move(places)), m_reach(reach) {
+                    const std::array<double, 3>& voxel)
+      : m_places(std::move(places)), m_voxel(voxel),
+        m_reach(m_places.size(), std::numeric_limits<double>::infinity()) {
     std::vector<Edge> edges; // each once for each facet
     for (const auto& facet : interface_.facets())
       for (int i = 0; i < 3; ++i)
@@ -53,6 +56,11 @@ public:
       ++lines_at[b];
     }
     const auto is_on_line = [&](std::size_t v) { return lines_at[v] >= 2; };
+    for (const auto& [a, b] : all) {
+      const double half = .5 * length(a, b);
+      m_reach[a] = (std::min)(m_reach[a], half);
+      m_reach[b] = (std::min)(m_reach[b], half);
+    }
     for (const auto& [a, b] : all)
       if (!is_on_line(a) || !is_on_line(b)) {
         if (!is_on_line(a))
@@ -84,7 +92,7 @@ public:
       const Vector way = positions[v] + sums[v] * (part / double(numbers[v])) - m_places[v];
       std::array<double, 3> kept;
       for (int axis = 0; axis < 3; ++axis)
-        kept[axis] = (std::clamp)(way[axis], -m_reach[axis], m_reach[axis]);
+        kept[axis] = std::clamp(way[axis], -m_reach[v] * m_voxel[axis], m_reach[v] * m_voxel[axis]);
       positions[v] = m_places[v] + Vector(kept[0], kept[1], kept[2]);
     }
   }
@@ -92,9 +100,18 @@ public:
 private:
   using Edge = std::pair<std::size_t, std::size_t>;
 
+  // Along the axis where it is longest, in sides of voxels.
+  double length(std::size_t a, std::size_t b) const {
+    double result = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      result = (std::max)(result, std::abs(m_places[a][axis] - m_places[b][axis]) / m_voxel[axis]);
+    return result;
+  }
+
   std::vector<Point> m_places;
-  std::array<double, 3> m_reach;
-  std::vector<Edge> m_ties; // a vertex, and a neighbor that it follows
+  std::array<double, 3> m_voxel; // its sides
+  std::vector<double> m_reach;   // of vertices, in these
+  std::vector<Edge> m_ties;      // a vertex, and a neighbor that it follows
 };
 
 } // namespace internal

@@ -35,10 +35,10 @@ public:
         fill(labels, first, front);
   }
 
-  // The box with a layer of voxels of label 0 around.
-  const Place& size() const { return m_size; }
-  int operator()(std::size_t x, std::size_t y, std::size_t z) const {
-    return m_components[(z * m_size[1] + y) * m_size[0] + x];
+  // Of the box of the labels.
+  Place size() const { return {m_size[0] - 2, m_size[1] - 2, m_size[2] - 2}; }
+  int operator()(const Place& p) const {
+    return m_components[((p[2] + 1) * m_size[1] + p[1] + 1) * m_size[0] + p[0] + 1];
   }
   std::size_t number() const { return m_labels.size(); }
   int label(std::size_t component) const { return m_labels[component]; }
@@ -86,7 +86,7 @@ private:
     }
   }
 
-  Place m_size;
+  Place m_size;                  // with a layer of voxels of label 0 around
   std::vector<int> m_components; // of voxels
   std::vector<int> m_labels;     // of components
   std::vector<std::size_t> m_voxels;

@@ -9,6 +9,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Voxel_components_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Voxel_frame_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Voxel_octree_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Voxel_pyramid_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/conversion/octree_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
@@ -48,7 +49,9 @@ public:
 
   Complex build() const {
     const Progress_phase phase("filling the voxels with tetrahedra");
-    const Voxel_octree_3 octree(m_components, m_frame.longest_side());
+    const Voxel_pyramid_3 pyramid(
+        m_components, m_edge / (std::max)({m_frame.side(0), m_frame.side(1), m_frame.side(2)}));
+    const Voxel_octree_3 octree(pyramid, m_frame.longest_side());
     const Octree_tetrahedra_3 mesh(octree);
     Complex result;
     const auto construct_point = result.geom_traits().construct_exact_point_3_object();
@@ -69,20 +72,18 @@ public:
   void smooth(Complex& dsc) const {
     const Progress_phase phase("smoothing the interface between voxels");
     static constexpr int rounds = 10;
-    static constexpr double reach = .5; // halfway between the centers of voxels
     const Interface_snapshot<Complex> interface_(dsc);
     const auto places = interface_.positions(dsc);
     auto positions = places;
-    const Stairs_smoother_3<Complex> smoother(
-        interface_, places,
-        {reach * m_frame.side(0), reach * m_frame.side(1), reach * m_frame.side(2)});
+    const Stairs_smoother_3<Complex> smoother(interface_, places,
+                                              {m_frame.side(0), m_frame.side(1), m_frame.side(2)});
     const Volume_changer<Complex> changer(interface_);
     for (int round = 0; round < rounds; ++round) {
       smoother.relax(positions);
       std::map<int, double> missing;
-      const auto changes = changer.changes(positions, places);
+      const auto changes = changer.changes(places, positions);
       for (const auto& [component, volume] : m_volumes)
-        missing[component] = changes.at(component);
+        missing[component] = volume - dsc.measure(component) - changes.at(component);
       changer.change_by(missing, positions);
     }
     deform_interface_to(dsc, interface_, positions, kept());

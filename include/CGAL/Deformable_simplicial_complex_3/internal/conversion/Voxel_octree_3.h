@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CONVERSION_VOXEL_OCTREE_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CONVERSION_VOXEL_OCTREE_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Voxel_components_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Voxel_pyramid_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
@@ -35,9 +35,9 @@ inline Grid_place_3 grid_place(std::uint64_t key) {
           std::uint32_t(key >> 2 * grid_coordinate_bits)};
 }
 
-// An octree over the components of voxels and the space around them. Voxels that touch one of
-// another component, if only in a vertex, are leaves; other leaves are blocks of one component, the
-// larger the farther away. Leaves that touch differ by one level at the most.
+// An octree over the components of voxels and the space around them. Leaves at the interface are
+// the blocks of a pyramid that are not mixed; others are blocks of one component, the larger the
+// farther away. Leaves that touch differ by one level at the most.
 class Voxel_octree_3
 {
 public:
@@ -48,26 +48,26 @@ public:
   static constexpr unsigned most_levels = 20;
 
   // The root is at least so many voxels long, if possible, and has the voxels in its middle.
-  Voxel_octree_3(const Voxel_components_3& components, double least_side)
-      : m_components(components) {
-    const std::size_t longest =
-        *std::max_element(components.size().begin(), components.size().end());
+  Voxel_octree_3(const Voxel_pyramid_3& pyramid, double least_side) : m_pyramid(pyramid) {
+    const std::size_t longest = *std::max_element(pyramid.size(0).begin(), pyramid.size(0).end());
     if (longest > (std::size_t(1) << most_levels))
       throw Error("the image has more than 2^20 voxels in a row: divide it");
-    while ((std::size_t(1) << m_levels) < longest ||
+    while ((std::size_t(1) << m_levels) < longest || m_levels <= pyramid.last_level() ||
            (m_levels < most_levels && double(std::size_t(1) << m_levels) < least_side))
       ++m_levels;
+    const std::size_t margin = pyramid.margin(); // which divides all sides
     for (int axis = 0; axis < 3; ++axis)
-      m_first[axis] = ((1u << m_levels) - std::uint32_t(components.size()[axis])) / 2;
+      m_first[axis] = std::uint32_t((side() - pyramid.size(0)[axis]) / 2 / margin * margin);
     m_split.resize(m_levels + 1);
+    split_mixed_blocks();
     split_at_interfaces();
     for (unsigned level = 1; level < m_levels; ++level)
       split_around(level);
   }
 
   std::uint32_t side() const { return 1u << m_levels; }
-  // Where the first voxel with a label other than 0 may be, behind the layer around.
-  std::uint32_t first(int axis) const { return m_first[axis] + 1; }
+  // Where the box of the labels begins.
+  std::uint32_t first(int axis) const { return m_first[axis] + std::uint32_t(m_pyramid.margin()); }
 
   bool is_split(unsigned level, const Place& block) const {
     return level > 0 &&
@@ -90,45 +90,69 @@ public:
   }
 
 private:
-  // Of the first voxel of a block.
   int component(unsigned level, const Place& block) const {
-    Place at;
+    const unsigned known = (std::min)(level, m_pyramid.last_level());
+    Voxel_pyramid_3::Place at;
     for (int axis = 0; axis < 3; ++axis) {
-      const std::uint32_t x = block[axis] << level;
-      if (x < m_first[axis] || x - m_first[axis] >= m_components.size()[axis])
+      const std::uint32_t x = block[axis] << (level - known), first = m_first[axis] >> known;
+      if (x < first || x - first >= m_pyramid.size(known)[axis])
         return 0;
-      at[axis] = x - m_first[axis];
+      at[axis] = x - first;
     }
-    return m_components(at[0], at[1], at[2]);
+    return m_pyramid.component(known, at);
   }
 
-  // Blocks of two voxels a side around each vertex of voxels where several components meet.
-  void split_at_interfaces() {
-    const auto& size = m_components.size();
-    for (std::uint32_t z = 1; z < size[2]; ++z)
-      for (std::uint32_t y = 1; y < size[1]; ++y) {
+  // Calls visit(place) for places below `size`.
+  template <class Visit>
+  static void for_each_place(const Voxel_pyramid_3::Place& size, const Visit& visit) {
+    Voxel_pyramid_3::Place p;
+    for (p[2] = 0; p[2] < size[2]; ++p[2])
+      for (p[1] = 0; p[1] < size[1]; ++p[1]) {
         Progress_scope::check();
-        for (std::uint32_t x = 1; x < size[0]; ++x) {
-          const auto corner = [&](unsigned i) {
-            return Place{x - (i & 1), y - (i >> 1 & 1), z - (i >> 2)};
-          };
-          bool is_same = true;
-          for (unsigned i = 1; i < 8 && is_same; ++i) {
-            const Place p = corner(i);
-            is_same = m_components(p[0], p[1], p[2]) == m_components(x, y, z);
-          }
-          for (unsigned i = 0; i < 8 && !is_same; ++i) {
-            const Place p = corner(i);
-            m_split[1].push_back(grid_key(
-                {(p[0] + m_first[0]) / 2, (p[1] + m_first[1]) / 2, (p[2] + m_first[2]) / 2}));
-          }
-        }
+        for (p[0] = 0; p[0] < size[0]; ++p[0])
+          visit(p);
       }
-    sort(m_split[1]);
+  }
+
+  // The block of a level that a block of the pyramid at another one is in.
+  std::uint64_t block_of(const Voxel_pyramid_3::Place& p, unsigned from, unsigned level) const {
+    Place result;
+    for (int axis = 0; axis < 3; ++axis)
+      result[axis] = std::uint32_t((m_first[axis] >> from) + p[axis]) >> (level - from);
+    return grid_key(result);
+  }
+
+  void split_mixed_blocks() {
+    for (unsigned level = 1; level <= m_pyramid.last_level(); ++level)
+      for_each_place(m_pyramid.size(level), [&](const Voxel_pyramid_3::Place& p) {
+        if (m_pyramid(level, p) == Voxel_pyramid_3::mixed)
+          m_split[level].push_back(block_of(p, level, level));
+      });
+  }
+
+  // No leaf around a vertex where several components meet is larger than blocks of the pyramid:
+  // lengths of edges of the interface are bounded.
+  void split_at_interfaces() {
+    const unsigned last = m_pyramid.last_level();
+    auto vertices = m_pyramid.size(last);
+    for (std::size_t& n : vertices)
+      --n;
+    for_each_place(vertices, [&](const Voxel_pyramid_3::Place& p) {
+      const auto block = [&](std::size_t i) {
+        return Voxel_pyramid_3::Place{p[0] + (i & 1), p[1] + (i >> 1 & 1), p[2] + (i >> 2)};
+      };
+      const int component = m_pyramid(last, p);
+      bool is_same = component != Voxel_pyramid_3::mixed;
+      for (std::size_t i = 1; i < 8 && is_same; ++i)
+        is_same = m_pyramid(last, block(i)) == component;
+      for (std::size_t i = 0; i < 8 && !is_same; ++i)
+        m_split[last + 1].push_back(block_of(block(i), last, last + 1));
+    });
   }
 
   // The blocks around those split at a level exist: their parents are split.
   void split_around(unsigned level) {
+    sort(m_split[level]);
     const std::uint32_t end = 1u << (m_levels - level);
     for (const std::uint64_t block : m_split[level]) {
       Progress_scope::check();
@@ -147,9 +171,9 @@ private:
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
   }
 
-  const Voxel_components_3& m_components;
+  const Voxel_pyramid_3& m_pyramid;
   unsigned m_levels = 1;
-  Place m_first;                                   // of the padded voxels, in the root
+  Place m_first;                                   // of the voxels of the pyramid, in the root
   std::vector<std::vector<std::uint64_t>> m_split; // keys of blocks, for each level
 };
 
