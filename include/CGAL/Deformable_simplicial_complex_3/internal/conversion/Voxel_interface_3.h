@@ -132,8 +132,12 @@ private:
     std::string names;
     for (const int label : labels)
       names += (names.empty() ? "" : ", ") + std::to_string(label);
+    const double scale = m_frame.scale,
+                 side = (std::min)({m_frame.side(0), m_frame.side(1), m_frame.side(2)});
     throw Error(std::to_string(number) + " components of the labels " + names +
-                " do not get the volumes of their voxels");
+                " are too fine for edges of " + std::to_string(scale * m_edge) +
+                " to get the volumes of their voxels: use edges of at most " +
+                std::to_string(scale * side));
   }
 
   const Voxel_components_3& m_components;
