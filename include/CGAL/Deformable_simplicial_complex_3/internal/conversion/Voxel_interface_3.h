@@ -72,6 +72,7 @@ public:
   void smooth(Complex& dsc) const {
     const Progress_phase phase("smoothing the interface between voxels");
     static constexpr int rounds = 10;
+    static constexpr int iterations = 2; // a measurement and a correction; the last round has all
     const Interface_snapshot<Complex> interface_(dsc);
     const auto places = interface_.positions(dsc);
     auto positions = places;
@@ -84,7 +85,8 @@ public:
       const auto changes = changer.changes(places, positions);
       for (const auto& [component, volume] : m_volumes)
         missing[component] = volume - dsc.measure(component) - changes.at(component);
-      changer.change_by(missing, positions);
+      changer.change_by(missing, positions,
+                        round + 1 < rounds ? iterations : changer.most_iterations);
     }
     deform_interface_to(dsc, interface_, positions, kept());
   }

@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 
 #include <CGAL/Origin.h>
@@ -81,14 +82,16 @@ public:
     return result;
   }
 
+  static constexpr int most_iterations = 10; // Newton's method doubles the digits in each
+
   // Labels that are not mentioned take what is left.
   void change_by(const std::map<Label, double>& amounts, const Directions& directions,
-                 std::vector<Point>& positions) const {
-    static constexpr int iterations = 10; // Newton's method doubles the digits in each
+                 std::vector<Point>& positions, int iterations = most_iterations) const {
     const std::vector<Point> start = positions;
     std::vector<Point> candidate = positions;
     double least_error = std::numeric_limits<double>::infinity();
     for (int k = 0; k < iterations; ++k) {
+      Progress_scope::check();
       const auto changed = changes(start, candidate);
       Eigen::VectorXd missing(amounts.size());
       Eigen::Index row = 0;
@@ -101,12 +104,14 @@ public:
         return;
       least_error = error;
       positions = candidate;
-      advance(gradients(amounts, candidate), directions, missing, candidate);
+      if (k + 1 < iterations)
+        advance(gradients(amounts, candidate), directions, missing, candidate);
     }
   }
 
   // Along the normals: flat parts between two labels stay flat and go equally far.
-  void change_by(const std::map<Label, double>& amounts, std::vector<Point>& positions) const {
+  void change_by(const std::map<Label, double>& amounts, std::vector<Point>& positions,
+                 int iterations = most_iterations) const {
     Directions directions = gradients(amounts, positions);
     std::vector<double> areas(positions.size(), 0); // a third of each facet around
     for (const auto& facet : m_interface.facets()) {
@@ -117,7 +122,7 @@ public:
     for (std::size_t v = 0; v < positions.size(); ++v)
       for (auto& [i, direction] : directions[v])
         direction = areas[v] > 0 ? direction / areas[v] : Vector(NULL_VECTOR);
-    change_by(amounts, directions, positions);
+    change_by(amounts, directions, positions, iterations);
   }
 
 private:
@@ -182,7 +187,7 @@ private:
           entries.emplace_back(int(i), int(j), a * b);
     Eigen::SparseMatrix<double> products(missing.size(), missing.size());
     products.setFromTriplets(entries.begin(), entries.end());
-    static constexpr double residual = 1e-12; // relative; the next step corrects what is left
+    static constexpr double residual = 1e-6; // relative; the next iteration corrects what is left
     Eigen::LeastSquaresConjugateGradient<Eigen::SparseMatrix<double>> solver;
     solver.setTolerance(residual);
     solver.compute(products);
