@@ -3,6 +3,8 @@
 #include <CGAL/convert_labelled_image_3.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/number_utils.h>
 
 #include <gtest/gtest.h>
 
@@ -74,8 +76,9 @@ void expect_volumes_and_components(const CGAL::Image_3& voxels, const Complex& d
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_EQ(dsc.labels().size(), volumes.size());
   for (const auto& [label, wanted] : volumes) {
-    if (label != 0) // the space around has no voxels
+    if (label != 0) { // the space around has no voxels
       EXPECT_NEAR(volume(dsc, label), wanted, 1e-3 * wanted) << "label " << label;
+    }
     EXPECT_EQ(dsc.number_of_components(label), numbers[label]) << "label " << label;
   }
 }
@@ -222,7 +225,8 @@ TEST(Image_conversion, refuses_what_holds_no_labels) {
 TEST(Octree_tetrahedra, fill_the_voxels_and_the_space_around) {
   for (const double side : {8., 100.}) {
     const internal::Voxel_components_3 components(internal::labelled_voxels(image(7, Noise{3})));
-    const internal::Voxel_octree_3 octree(components, side);
+    const internal::Voxel_pyramid_3 pyramid(components, 1);
+    const internal::Voxel_octree_3 octree(pyramid, side);
     const internal::Octree_tetrahedra_3 mesh(octree);
     double all = 0;
     std::vector<double> volumes(components.number(), 0);
