@@ -6,16 +6,21 @@
 #define CGAL_CONVERT_LABELLED_IMAGE_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Labelled_voxels_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/conversion/mesh_of_image_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Voxel_components_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Voxel_frame_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Voxel_interface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/improve_new_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
-#include <CGAL/convert_mesh_complex_3.h>
+#include <CGAL/control_detail_3.h>
+#include <CGAL/improve_interface_3.h>
+#include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/restore_volumes_3.h>
 
 #include <CGAL/Image_3.h>
 
 #include <cmath>
-#include <string>
 
 namespace CGAL {
 
@@ -23,52 +28,55 @@ namespace CGAL {
 \ingroup PkgDeformableSimplicialComplex3Ref
 
 Makes a complex of a labelled image, such as a segmented scan: the values of voxels are the labels,
-0 is the outside. Mesh_3 finds the interface halfway between the centers of voxels, tetrahedra fill
-the box around, then `restore_volumes()` gives each label the volume of its voxels. So small parts
-and thin ones are found, but the interface is smoother than the voxels.
+0 is the outside. A voxel is the box about its point of the image, with its spacings as sides.
+
+Each connected component of a label, through common faces of voxels, becomes a component of the
+complex with the volume of its voxels. Components with a common edge or vertex only touch there.
+The interface is smooth, within half a voxel of the faces of voxels.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
-\tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`, such as `Tetgen_tetrahedralizer_3`
 \tparam NP a sequence of named parameters
 
-\param image holds whole numbers from 0 to 2^24
+\param image holds whole numbers from 0 to 2^31 - 1
 \param edge about how long interface edges are to be, in the unit of the image, more than 0; or 0 for
-       two and a half times the longest side of a voxel
-\param tetrahedralizer fills the space around
-\param np named parameters of `make_deformable_simplicial_complex_3()` from surfaces
+       two and a half times the longest side of a voxel. Edges are shorter where components are
+       small.
+\param np named parameters `normalize`, `enclosing_box`, `improve`, `quality_threshold`,
+       `number_of_iterations` of `make_deformable_simplicial_complex_3()` from surfaces. The default
+       box is the cube about the center of the box of the voxels with labels other than 0 whose half
+       side is 2.5 times half the diagonal of the latter.
 
 \throws Deformable_simplicial_complexes::Error if the image has no voxels, holds other values, or all
-        of them are 0, or `edge` is negative, or so long that a label would be lost; or as
-`make_deformable_simplicial_complex_3()` from tetrahedra in a box
+        of them are 0, or a voxel with another label reaches the box, or `edge` is negative, or
+        volumes differ by more than a thousandth
 
-Linear in the number of voxels, plus the meshing.
+n log n in the number of voxels at the interface, linear in that of the others.
 */
-template <class Complex, class Tetrahedralizer,
+template <class Complex,
           class NP = Deformable_simplicial_complexes::parameters::Default_named_parameters>
 Complex make_complex_from_labelled_image_3(
-    const Image_3& image, double edge, const Tetrahedralizer& tetrahedralizer,
+    const Image_3& image, double edge,
     const NP& np = Deformable_simplicial_complexes::parameters::default_values()) {
   namespace internal = Deformable_simplicial_complexes::internal;
+  namespace tags = Deformable_simplicial_complexes::internal_np;
   static constexpr double voxels_of_edge = 2.5; // shorter ones would follow the stairs
   if (!(edge >= 0) || !std::isfinite(edge))
     throw Deformable_simplicial_complexes::Error(
         "the length of edges is negative or not finite: use more than 0, or 0 for the default");
-  const internal::Labelled_voxels_3 voxels(image);
-  auto volumes = voxels.volumes();
-  if (volumes.empty())
-    throw Deformable_simplicial_complexes::Error("the image holds no label but 0: there is nothing "
-                                                 "to be found in it");
-  const internal::Mesh_of_image_3 meshed(
-      voxels, edge > 0 ? edge : voxels_of_edge * voxels.largest_spacing());
-  auto dsc = make_complex_from_mesh_complex_3<Complex>(meshed.mesh(), tetrahedralizer, np);
-  for (auto& [label, volume] : volumes) {
-    if (dsc.number_of_cells(label) == 0)
-      throw Deformable_simplicial_complexes::Error(
-          "label " + std::to_string(label) +
-          " of the image is in parts too small for these edges: use shorter ones");
-    volume /= std::pow(dsc.normalization().scale, 3);
-  }
-  restore_volumes(dsc, volumes);
+  const auto options = internal::new_mesh_options(np);
+  const internal::Labelled_voxels_3 voxels = internal::labelled_voxels(image);
+  const internal::Voxel_components_3 components(voxels);
+  const internal::Voxel_frame_3 frame(voxels, internal::parameter_or(np, tags::normalize, false),
+                                      CGAL::parameters::get_parameter(np, tags::enclosing_box));
+  const internal::Voxel_interface_3<Complex> interface_(
+      components, frame,
+      (edge > 0 ? edge : voxels_of_edge * voxels.largest_spacing()) / frame.scale);
+  Complex dsc = interface_.build();
+  interface_.smooth(dsc);
+  interface_.coarsen(dsc);
+  interface_.restore(dsc);
+  internal::label_by_components(dsc, components);
+  internal::improve_new_mesh(dsc, options);
   dsc.measure_interface_edges();
   dsc.take_component_events();
   return dsc;

@@ -8,7 +8,6 @@
 #include "tracked_complex_3.h"
 
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/convert_labelled_image_3.h>
 
 #include <CGAL/Bbox_3.h>
@@ -24,8 +23,7 @@ std::unique_ptr<Tracked_complex> track_image(const std::string& path, double edg
     throw Input_error(path + " cannot be read as an image of voxels");
   const auto build = [&](const auto& np) {
     return std::make_unique<Tracked_complex_3>(
-        CGAL::make_complex_from_labelled_image_3<Tracked_complex_3::Complex>(
-            image, edge, CGAL::Tetgen_tetrahedralizer_3(), np));
+        CGAL::make_complex_from_labelled_image_3<Tracked_complex_3::Complex>(image, edge, np));
   };
   const auto normalized = parameters::normalize(true);
   try {

@@ -1,6 +1,5 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/convert_labelled_image_3.h>
 #include <CGAL/convert_mesh_complex_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -93,59 +92,6 @@ TEST(Mesh_conversion, of_a_complex_and_back_is_the_same) {
 TEST(Mesh_conversion, of_nothing_is_refused) {
   EXPECT_THROW(CGAL::make_complex_from_mesh_complex_3<Complex>(Mesh(), tetgen),
                CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error);
-}
-
-// Voxels of 1 x 1 x 2 with labels that a function tells.
-template <class LabelAt> CGAL::Image_3 image(unsigned n, const LabelAt& label_at) {
-  _image* voxels = _createImage(n, n, n, 1, 1, 1, 2, 1, WK_FIXED, SGN_UNSIGNED);
-  auto* const values = static_cast<unsigned char*>(voxels->data);
-  for (unsigned i = 0; i < n * n * n; ++i)
-    values[i] = static_cast<unsigned char>(label_at(i % n, i / n % n, i / (n * n)));
-  return CGAL::Image_3(voxels);
-}
-
-TEST(Image_conversion, keeps_labels_parts_and_volumes) {
-  // Two slabs side by side that reach the border, and a single voxel apart.
-  const auto voxels = image(10, [](unsigned i, unsigned j, unsigned k) {
-    return i == 8 && j == 8 && k == 8 ? 9 : i >= 5 ? 0 : k < 3 ? 2 : k < 6 ? 5 : 0;
-  });
-  const auto dsc = CGAL::make_complex_from_labelled_image_3<Complex>(voxels, 0, tetgen,
-                                                                     parameters::normalize(true));
-  EXPECT_TRUE(dsc.is_valid());
-  EXPECT_EQ(dsc.labels(), (std::vector<int>{0, 2, 5, 9}));
-  const double unit = std::pow(dsc.normalization().scale, 3);
-  EXPECT_NEAR(dsc.volume(2) * unit, 300, 1e-6);
-  EXPECT_NEAR(dsc.volume(5) * unit, 300, 1e-6);
-  EXPECT_NEAR(dsc.volume(9) * unit, 2, 1e-6);
-  for (const int label : {2, 5, 9})
-    EXPECT_EQ(dsc.number_of_components(label), 1u);
-}
-
-TEST(Image_conversion, finds_the_deepest_voxel_of_each_part) {
-  const CGAL::Deformable_simplicial_complexes::internal::Labelled_voxels_3 voxels(
-      image(9, [](unsigned i, unsigned j, unsigned k) {
-        return i < 5 && j < 5 && k < 5 ? 1 : i == 7 && j == 7 ? 3 : 0;
-      }));
-  const auto deepest = voxels.deepest_voxels();
-  ASSERT_EQ(deepest.size(), 2u);
-  EXPECT_EQ(voxels.center(deepest[0]), (std::array<double, 3>{2, 2, 4}));
-  EXPECT_EQ(voxels.center(deepest[1])[0], 7);
-  EXPECT_EQ(voxels.volumes(), (std::map<int, double>{{1, 250}, {3, 18}}));
-}
-
-TEST(Image_conversion, refuses_what_holds_no_labels) {
-  using CGAL::Deformable_simplicial_complexes::Error;
-  const auto convert = [](const CGAL::Image_3& voxels, double edge) {
-    CGAL::make_complex_from_labelled_image_3<Complex>(voxels, edge, tetgen);
-  };
-  EXPECT_THROW(convert(CGAL::Image_3(), 0), Error);
-  const auto nothing = image(3, [](unsigned, unsigned, unsigned) { return 0; });
-  EXPECT_THROW(convert(nothing, 0), Error);
-  const auto one = image(3, [](unsigned, unsigned, unsigned) { return 1; });
-  EXPECT_THROW(convert(one, -1), Error);
-  _image* gray = _createImage(2, 2, 2, 1, 1, 1, 1, 4, WK_FLOAT, SGN_SIGNED);
-  std::fill_n(static_cast<float*>(gray->data), 8, .5f);
-  EXPECT_THROW(convert(CGAL::Image_3(gray), 0), Error);
 }
 
 } // namespace test_mesh_conversion

@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CONVERSION_LABELLED_VOXELS_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CONVERSION_LABELLED_VOXELS_3_H
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <CGAL/Image_3.h>
@@ -15,167 +16,112 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <map>
+#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The voxels of an image and their labels; voxels are numbered with x running fastest.
-class Labelled_voxels_3
+// The labels of the voxels in a box of an image, x running fastest, and where the box is.
+struct Labelled_voxels_3
 {
-public:
-  // Throws Error if there are no voxels, or values are no labels.
-  explicit Labelled_voxels_3(const Image_3& image) {
-    if (!image.is_valid() || image.size() == 0)
-      throw Error("the image has no voxels: read one");
-    m_size = {image.xdim(), image.ydim(), image.zdim()};
-    m_spacing = {image.vx(), image.vy(), image.vz()};
-    m_origin = {image.tx(), image.ty(), image.tz()};
-    for (const double spacing : m_spacing)
-      if (!(spacing > 0) || !std::isfinite(spacing))
-        throw Error("the voxels of the image have no volume: their sides have to be longer than 0");
-    m_labels.reserve(image.size());
-    for (std::size_t k = 0; k < m_size[2]; ++k)
-      for (std::size_t j = 0; j < m_size[1]; ++j)
-        for (std::size_t i = 0; i < m_size[0]; ++i) {
-          // All integers up to that are numbers of type float, which images return.
-          static constexpr float largest_label = 1 << 24;
-          const float value = image.value(i, j, k);
-          if (!(value >= 0 && value <= largest_label) || value != std::floor(value))
-            throw Error("the image holds values that are no labels: use whole numbers from 0 on");
-          m_labels.push_back(int(value));
-        }
-  }
+  std::array<std::size_t, 3> size; // number of voxels along each axis
+  std::array<double, 3> spacing;   // sides of a voxel, in the unit of the image
+  std::array<double, 3> center;    // of the box, in the coordinates of the image
+  std::vector<int> labels;
 
-  // The image with a layer of voxels of label 0 around: at its border, too, the interface is then
-  // halfway between the centers of voxels.
-  Image_3 padded_image() const {
-    std::array<std::size_t, 3> size;
-    for (int axis = 0; axis < 3; ++axis)
-      size[axis] = m_size[axis] + 2;
-    _image* image =
-        _createImage(unsigned(size[0]), unsigned(size[1]), unsigned(size[2]), 1, m_spacing[0],
-                   m_spacing[1], m_spacing[2], sizeof(std::uint32_t), WK_FIXED, SGN_UNSIGNED);
-    image->tx = float(m_origin[0] - m_spacing[0]);
-    image->ty = float(m_origin[1] - m_spacing[1]);
-    image->tz = float(m_origin[2] - m_spacing[2]);
-    std::uint32_t* const values = static_cast<std::uint32_t*>(image->data);
-    std::fill_n(values, size[0] * size[1] * size[2], 0);
-    for (std::size_t v = 0; v < m_labels.size(); ++v) {
-      const auto at = place(v);
-      values[((at[2] + 1) * size[1] + at[1] + 1) * size[0] + at[0] + 1] =
-          std::uint32_t(m_labels[v]);
-    }
-    return Image_3(image);
-  }
-
-  double largest_spacing() const { return *std::max_element(m_spacing.begin(), m_spacing.end()); }
-
-  std::array<double, 3> center(std::size_t voxel) const {
-    const auto at = place(voxel);
-    std::array<double, 3> result;
-    for (int axis = 0; axis < 3; ++axis)
-      result[axis] = m_origin[axis] + double(at[axis]) * m_spacing[axis];
-    return result;
-  }
-
-  // The length of the diagonal of the image.
-  double diameter() const {
-    double squared = 0;
-    for (int axis = 0; axis < 3; ++axis)
-      squared += std::pow(double(m_size[axis]) * m_spacing[axis], 2);
-    return std::sqrt(squared);
-  }
-
-  // Of labels other than 0.
-  std::map<int, double> volumes() const {
-    std::map<int, double> result;
-    const double unit = m_spacing[0] * m_spacing[1] * m_spacing[2];
-    for (const int label : m_labels)
-      if (label != 0)
-        result[label] += unit;
-    return result;
-  }
-
-  // For each connected part with a label other than 0, a voxel that is farthest from others.
-  std::vector<std::size_t> deepest_voxels() const {
-    std::vector<std::size_t> component = components();
-    // Rings of voxels, from the borders inwards: the last one of a component is deepest.
-    std::vector<char> is_reached(m_labels.size(), 0);
-    std::vector<std::size_t> reached, deepest;
-    for (std::size_t v = 0; v < m_labels.size(); ++v) {
-      if (m_labels[v] == 0)
-        continue;
-      std::size_t same = 0;
-      for_each_neighbor(v, [&](std::size_t w) { same += m_labels[w] == m_labels[v]; });
-      if (same < 6) {
-        is_reached[v] = 1;
-        reached.push_back(v);
-      }
-    }
-    for (std::size_t i = 0; i < reached.size(); ++i) {
-      const std::size_t v = reached[i];
-      if (deepest.size() <= component[v])
-        deepest.resize(component[v] + 1);
-      deepest[component[v]] = v;
-      for_each_neighbor(v, [&](std::size_t w) {
-        if (m_labels[w] == m_labels[v] && !is_reached[w]) {
-          is_reached[w] = 1;
-          reached.push_back(w);
-        }
-      });
-    }
-    return deepest;
-  }
-
-private:
-  std::array<std::size_t, 3> place(std::size_t voxel) const {
-    return {voxel % m_size[0], voxel / m_size[0] % m_size[1], voxel / (m_size[0] * m_size[1])};
-  }
-
-  template <class F> void for_each_neighbor(std::size_t voxel, const F& f) const {
-    const auto at = place(voxel);
-    std::size_t stride = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (at[axis] > 0)
-        f(voxel - stride);
-      if (at[axis] + 1 < m_size[axis])
-        f(voxel + stride);
-      stride *= m_size[axis];
-    }
-  }
-
-  // The number of its component for each voxel with a label other than 0.
-  std::vector<std::size_t> components() const {
-    static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-    std::vector<std::size_t> result(m_labels.size(), none), part;
-    std::size_t number = 0;
-    for (std::size_t first = 0; first < m_labels.size(); ++first) {
-      if (m_labels[first] == 0 || result[first] != none)
-        continue;
-      result[first] = number;
-      part = {first};
-      while (!part.empty()) {
-        const std::size_t v = part.back();
-        part.pop_back();
-        for_each_neighbor(v, [&](std::size_t w) {
-          if (result[w] == none && m_labels[w] == m_labels[v]) {
-            result[w] = number;
-            part.push_back(w);
-          }
-        });
-      }
-      ++number;
-    }
-    return result;
-  }
-
-  std::array<std::size_t, 3> m_size;
-  std::array<double, 3> m_spacing, m_origin;
-  std::vector<int> m_labels;
+  double largest_spacing() const { return *std::max_element(spacing.begin(), spacing.end()); }
 };
+
+// Calls a function with a pointer to the values of an image, in their own type.
+template <class Function> void with_values(const _image& image, const Function& function) {
+  const void* const data = image.data;
+  const bool is_signed = image.sign == SGN_SIGNED;
+  const auto as = [&](auto signed_value, auto unsigned_value) {
+    if (is_signed)
+      function(static_cast<const decltype(signed_value)*>(data));
+    else
+      function(static_cast<const decltype(unsigned_value)*>(data));
+  };
+  if (image.wordKind == WK_FLOAT && image.wdim == sizeof(float))
+    function(static_cast<const float*>(data));
+  else if (image.wordKind == WK_FLOAT && image.wdim == sizeof(double))
+    function(static_cast<const double*>(data));
+  else if (image.wordKind == WK_FIXED && image.wdim == 1)
+    as(std::int8_t(), std::uint8_t());
+  else if (image.wordKind == WK_FIXED && image.wdim == 2)
+    as(std::int16_t(), std::uint16_t());
+  else if (image.wordKind == WK_FIXED && image.wdim == 4)
+    as(std::int32_t(), std::uint32_t());
+  else if (image.wordKind == WK_FIXED && image.wdim == 8)
+    as(std::int64_t(), std::uint64_t());
+  else
+    throw Error("the values of the image are of an unknown type: use integers of 1, 2, 4 or 8 "
+                "bytes, or numbers of 4 or 8");
+}
+
+// The label that a value tells. Throws Error if it is none.
+template <class Value> int label_of(Value value) {
+  static constexpr int largest_label = (std::numeric_limits<int>::max)();
+  const double number = double(value); // exact up to 2^53, far above labels
+  if (!(number >= 0 && number <= largest_label) || number != std::floor(number))
+    throw Error("the image holds values that are no labels: use whole numbers from 0 to " +
+                std::to_string(largest_label));
+  return int(number);
+}
+
+// The smallest box of voxels that holds all labels other than 0. Throws Error if there are no
+// voxels, or values are no labels, or all of them are 0.
+inline Labelled_voxels_3 labelled_voxels(const Image_3& image) {
+  if (!image.is_valid() || image.size() == 0)
+    throw Error("the image has no voxels: read one");
+  if (image.image()->vdim != 1)
+    throw Error("the voxels of the image have several values: use an image with one label each");
+  using Place = std::array<std::size_t, 3>;
+  const Place all = {image.xdim(), image.ydim(), image.zdim()};
+  const std::array<double, 3> origin = {image.tx(), image.ty(), image.tz()};
+  Labelled_voxels_3 result;
+  result.spacing = {image.vx(), image.vy(), image.vz()};
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(result.spacing[axis] > 0) || !std::isfinite(result.spacing[axis]) ||
+        !std::isfinite(origin[axis]))
+      throw Error("the voxels of the image have no place or no volume: their sides have to be "
+                  "longer than 0");
+  const auto index = [&](const Place& p) { return (p[2] * all[1] + p[1]) * all[0] + p[0]; };
+  const auto for_each_row = [](const Place& first, const Place& end, const auto& visit) {
+    for (Place p = first; p[2] < end[2]; ++p[2])
+      for (p[1] = first[1]; p[1] < end[1]; ++p[1]) {
+        Progress_scope::check();
+        visit(p);
+      }
+  };
+  with_values(*image.image(), [&](const auto* values) {
+    Place first = all, end = {0, 0, 0};
+    for_each_row({0, 0, 0}, all, [&](Place p) {
+      for (; p[0] < all[0]; ++p[0])
+        if (label_of(values[index(p)]) != 0)
+          for (int axis = 0; axis < 3; ++axis) {
+            first[axis] = (std::min)(first[axis], p[axis]);
+            end[axis] = (std::max)(end[axis], p[axis] + 1);
+          }
+    });
+    if (end[0] == 0)
+      throw Error("the image holds no label but 0: there is nothing to be found in it");
+    for (int axis = 0; axis < 3; ++axis) {
+      result.size[axis] = end[axis] - first[axis];
+      // Voxels are about the points of the image.
+      result.center[axis] =
+          origin[axis] + .5 * double(first[axis] + end[axis] - 1) * result.spacing[axis];
+    }
+    result.labels.reserve(result.size[0] * result.size[1] * result.size[2]);
+    for_each_row(first, end, [&](Place p) {
+      for (; p[0] < end[0]; ++p[0])
+        result.labels.push_back(label_of(values[index(p)]));
+    });
+  });
+  return result;
+}
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes

@@ -7,11 +7,14 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 
 #include <CGAL/Origin.h>
 
 #include <Eigen/Dense>
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
 
 #include <boost/container/flat_map.hpp>
 
@@ -79,14 +82,16 @@ public:
     return result;
   }
 
+  static constexpr int most_iterations = 10; // Newton's method doubles the digits in each
+
   // Labels that are not mentioned take what is left.
   void change_by(const std::map<Label, double>& amounts, const Directions& directions,
-                 std::vector<Point>& positions) const {
-    static constexpr int iterations = 10; // Newton's method doubles the digits in each
+                 std::vector<Point>& positions, int iterations = most_iterations) const {
     const std::vector<Point> start = positions;
     std::vector<Point> candidate = positions;
     double least_error = std::numeric_limits<double>::infinity();
     for (int k = 0; k < iterations; ++k) {
+      Progress_scope::check();
       const auto changed = changes(start, candidate);
       Eigen::VectorXd missing(amounts.size());
       Eigen::Index row = 0;
@@ -99,12 +104,14 @@ public:
         return;
       least_error = error;
       positions = candidate;
-      advance(gradients(amounts, candidate), directions, missing, candidate);
+      if (k + 1 < iterations)
+        advance(gradients(amounts, candidate), directions, missing, candidate);
     }
   }
 
   // Along the normals: flat parts between two labels stay flat and go equally far.
-  void change_by(const std::map<Label, double>& amounts, std::vector<Point>& positions) const {
+  void change_by(const std::map<Label, double>& amounts, std::vector<Point>& positions,
+                 int iterations = most_iterations) const {
     Directions directions = gradients(amounts, positions);
     std::vector<double> areas(positions.size(), 0); // a third of each facet around
     for (const auto& facet : m_interface.facets()) {
@@ -115,7 +122,7 @@ public:
     for (std::size_t v = 0; v < positions.size(); ++v)
       for (auto& [i, direction] : directions[v])
         direction = areas[v] > 0 ? direction / areas[v] : Vector(NULL_VECTOR);
-    change_by(amounts, directions, positions);
+    change_by(amounts, directions, positions, iterations);
   }
 
 private:
@@ -150,11 +157,14 @@ private:
     return way * (normal(a) + 4 * normal(m) + normal(b)) / 6;
   }
 
-  // One step of Newton's method.
-  static void advance(const Directions& gradients, const Directions& directions,
-                      const Eigen::VectorXd& missing, std::vector<Point>& positions) {
+  // Up to here the cube of the number of labels is a short time.
+  static constexpr Eigen::Index few_labels = 64;
+
+  // Lengths of the ways in the directions that change volumes as they are missing.
+  static Eigen::VectorXd solve_directly(const Directions& gradients, const Directions& directions,
+                                        const Eigen::VectorXd& missing) {
     Eigen::MatrixXd products = Eigen::MatrixXd::Zero(missing.size(), missing.size());
-    for (std::size_t v = 0; v < positions.size(); ++v)
+    for (std::size_t v = 0; v < gradients.size(); ++v)
       for (const auto& [i, a] : gradients[v])
         for (const auto& [j, b] : directions[v])
           products(i, j) += a * b;
@@ -163,7 +173,33 @@ private:
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
     decomposition.setThreshold(rounding);
     decomposition.compute(products);
-    const Eigen::VectorXd lengths = decomposition.solve(missing);
+    return decomposition.solve(missing);
+  }
+
+  // The same by the method of least squares, with the products of labels that share vertices only.
+  static Eigen::VectorXd solve_iteratively(const Directions& gradients,
+                                           const Directions& directions,
+                                           const Eigen::VectorXd& missing) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t v = 0; v < gradients.size(); ++v)
+      for (const auto& [i, a] : gradients[v])
+        for (const auto& [j, b] : directions[v])
+          entries.emplace_back(int(i), int(j), a * b);
+    Eigen::SparseMatrix<double> products(missing.size(), missing.size());
+    products.setFromTriplets(entries.begin(), entries.end());
+    static constexpr double residual = 1e-6; // relative; the next iteration corrects what is left
+    Eigen::LeastSquaresConjugateGradient<Eigen::SparseMatrix<double>> solver;
+    solver.setTolerance(residual);
+    solver.compute(products);
+    return solver.solve(missing);
+  }
+
+  // One step of Newton's method.
+  static void advance(const Directions& gradients, const Directions& directions,
+                      const Eigen::VectorXd& missing, std::vector<Point>& positions) {
+    const Eigen::VectorXd lengths = missing.size() <= few_labels
+                                        ? solve_directly(gradients, directions, missing)
+                                        : solve_iteratively(gradients, directions, missing);
     for (std::size_t v = 0; v < positions.size(); ++v)
       for (const auto& [i, direction] : directions[v])
         positions[v] = positions[v] + lengths(i) * direction;
