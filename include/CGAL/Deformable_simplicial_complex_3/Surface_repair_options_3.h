@@ -17,8 +17,8 @@ is how far `repair_surface_3()` and `wrap_surface_3()` go.
 struct Surface_repair_options_3
 {
   /// Vertices nearer to each other than this become one, even if the surface bounds a solid: in
-  /// mean edges of the surface, at least 0. Edges shorter than ten times the distance of two
-  /// vertices keep both. Tetrahedralizers may fail where vertices nearly coincide.
+  /// mean edges of the surface, at least 0. Shorter edges vanish. Tetrahedralizers may fail where
+  /// vertices nearly coincide.
   double merge_distance = 0;
 
   /// The longest border of holes that are filled, in diagonals of the bounding box of the part that

@@ -95,9 +95,9 @@ inline std::size_t remove_repeated_triangles(Triangle_soup_3& soup) {
 
 enum class Merged_points { OF_OPEN_EDGES, ALL };
 
-// Merges points that are nearer to each other than a distance and than a tenth of the edges there;
-// a point is merged with the first one near. Edges and points are the open ones, or all. Returns
-// how many were merged.
+// Merges points that are nearer to each other than a distance: all, or those of open edges if they
+// are also nearer than a tenth of the open edges there. A point is merged with the first one near.
+// Returns how many were merged.
 inline std::size_t merge_near_points(Triangle_soup_3& soup, double distance, Merged_points which) {
   static constexpr double part = .1; // of the shortest edge: its ends are never merged
   std::map<std::size_t, double> squared_limits;
@@ -109,7 +109,8 @@ inline std::size_t merge_near_points(Triangle_soup_3& soup, double distance, Mer
                                                      exact_point(soup.points[side->vertices[1]]));
       for (std::size_t v : side->vertices) {
         double& limit = squared_limits.emplace(v, distance * distance).first->second;
-        limit = (std::min)(limit, part * part * squared_length);
+        if (which == Merged_points::OF_OPEN_EDGES)
+          limit = (std::min)(limit, part * part * squared_length);
       }
     }
     side = end;
