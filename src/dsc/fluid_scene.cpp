@@ -14,8 +14,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
+#include <filesystem>
 #include <limits>
 #include <utility>
 
@@ -344,15 +343,14 @@ Fluid_scene find_scene(const std::string& name) {
     if (scene.name == name)
       text = scene.json;
   if (text.empty()) {
-    std::ifstream in(name, std::ios::binary);
-    if (!in) {
+    if (!std::filesystem::exists(name)) {
       std::vector<std::string> names;
       for (const Named_scene& scene : named_scenes())
         names.push_back(scene.name);
       throw Input_error("there is no file and no scene '" + name + "'" +
                         advice_on_name(name, names, "scenes"));
     }
-    text.assign(std::istreambuf_iterator<char>(in), {});
+    text = CGAL::Deformable_simplicial_complexes::internal::file_contents(name);
   }
   return read_scene(parse_json(text, name));
 }

@@ -12,6 +12,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/grids/Medit_reader.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/grids/medit_text.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/open_input.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Vertex_numbering.h>
 #include <CGAL/extract_interface_3.h>
 
@@ -180,10 +181,7 @@ void read_MEDIT(const std::string& path, std::vector<Point>& points,
                 std::vector<std::array<std::size_t, 4>>& tetrahedra, std::vector<int>& labels,
                 Deformable_simplicial_complexes::Mesh_entities* entities = nullptr,
                 Deformable_simplicial_complexes::Unused_content* unused = nullptr) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in)
-    throw Deformable_simplicial_complexes::File_error(
-        "cannot open " + path + ": check that it exists and may be read", path);
+  std::ifstream in = Deformable_simplicial_complexes::internal::open_input(path, ".mesh");
   read_MEDIT(in, points, tetrahedra, labels, path, entities, unused);
 }
 

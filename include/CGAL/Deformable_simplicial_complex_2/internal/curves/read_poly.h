@@ -32,10 +32,9 @@ namespace internal {
 class Triangle_lines
 {
 public:
-  explicit Triangle_lines(const std::string& path) : m_in(path), m_scanner(m_in, path) {
+  explicit Triangle_lines(const std::string& path)
+      : m_in(open_input(path, lower_case_extension(path))), m_scanner(m_in, path) {
     m_in.imbue(std::locale::classic());
-    if (!m_in)
-      throw File_error("cannot open " + path + ": check that it exists and may be read", path);
   }
 
   // Returns whether there is another line.
