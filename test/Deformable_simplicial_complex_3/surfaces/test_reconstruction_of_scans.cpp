@@ -55,7 +55,7 @@ std::vector<Point> ball(int n, double scale) {
 // Of an open scan, the sizes of cells that the points ask for differ much between neighbors. Cells
 // of such sizes would be flat, and then nearly all time goes into improving them.
 TEST(Reconstruction_of_scans, begins_with_cells_of_graded_sizes) {
-  static constexpr double growth = .31; // .3, and rounding
+  static constexpr double growth = .71; // .7, and rounding
   std::vector<internal::Sampled_surface_3::Point> points;
   for (const Point& p : house(8000))
     points.emplace_back(p.x(), p.y(), p.z());
