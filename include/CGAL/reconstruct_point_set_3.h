@@ -6,10 +6,10 @@
 #define CGAL_RECONSTRUCT_POINT_SET_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Reconstruction_report_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/clouds/Sampled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/clouds/collect_points.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_shell_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Reconstructor_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/collect_points.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>

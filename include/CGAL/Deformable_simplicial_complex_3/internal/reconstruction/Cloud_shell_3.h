@@ -6,8 +6,8 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_CLOUD_SHELL_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/box_grid_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/clouds/Sampled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Own_operations_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/fill_grid.h>

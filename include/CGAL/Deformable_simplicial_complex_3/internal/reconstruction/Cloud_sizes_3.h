@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_CLOUD_SIZES_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_CLOUD_SIZES_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/internal/clouds/Sampled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_facets_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
 #include <CGAL/Kernel/global_functions.h>

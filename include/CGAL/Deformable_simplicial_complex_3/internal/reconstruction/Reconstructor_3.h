@@ -6,12 +6,12 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_RECONSTRUCTOR_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Reconstruction_report_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/clouds/Sampled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Mesh_care_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_approach_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_facets_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_sizes_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Least_squares_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/remeshing/Interface_improver_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>

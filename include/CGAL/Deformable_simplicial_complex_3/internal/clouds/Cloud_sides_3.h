@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_CLOUD_SIDES_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_CLOUD_SIDES_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CLOUDS_CLOUD_SIDES_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CLOUDS_CLOUD_SIDES_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Point_cloud_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/clouds/Point_cloud_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Signed_union_find.h>
 
@@ -316,4 +316,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_CLOUD_SIDES_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CLOUDS_CLOUD_SIDES_3_H

@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_COLLECT_POINTS_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_COLLECT_POINTS_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CLOUDS_COLLECT_POINTS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CLOUDS_COLLECT_POINTS_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Sampled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/clouds/Sampled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
@@ -80,4 +80,4 @@ Collected_points collect_points(const Range& range, const NamedParameters& np) {
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_COLLECT_POINTS_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CLOUDS_COLLECT_POINTS_H

@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_POINT_CLOUD_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_POINT_CLOUD_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CLOUDS_POINT_CLOUD_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CLOUDS_POINT_CLOUD_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/local_fits_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/clouds/local_fits_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
@@ -261,4 +261,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_POINT_CLOUD_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CLOUDS_POINT_CLOUD_3_H

@@ -2,12 +2,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_SAMPLED_SURFACE_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_SAMPLED_SURFACE_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CLOUDS_SAMPLED_SURFACE_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CLOUDS_SAMPLED_SURFACE_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_sides_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Point_cloud_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/local_fits_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/clouds/Cloud_sides_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/clouds/Point_cloud_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/clouds/local_fits_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
@@ -233,4 +233,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_SAMPLED_SURFACE_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CLOUDS_SAMPLED_SURFACE_3_H
