@@ -14,6 +14,9 @@ cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEAS
 cmake --build build --parallel "$jobs"
 ctest --test-dir build --output-on-failure --no-tests=error --parallel "$jobs"
 
+echo "== Inputs that were once lost, misread or refused for a wrong reason"
+/usr/bin/python3 scripts/check_inputs.py build/dsc
+
 # Optimized a little, or it would be too slow to run. Sanitizers take two thirds of the time that
 # compilation takes with them, so they watch what meets the worst input, which is short and needs no
 # optimization; scripts/check_more.sh has them watch everything.
