@@ -244,9 +244,8 @@ void Run_commands::require_dimension(const Run_options& options, bool is_planar)
     if (!is_planar && is_given(name))
       throw Usage_error(std::string(name) + " has a meaning in the plane only; leave it out");
   const std::string format = options.start.inputs.empty() ? "" : extension(options.start.inputs[0]);
-  for (const char* name : {"--segments", "--domain"})
-    if ((format == "pgm" || format == "png") && is_given(name))
-      throw Usage_error(std::string(name) + " has no effect on an image of pixels; leave it out");
+  if ((format == "pgm" || format == "png") && is_given("--segments"))
+    throw Usage_error("--segments has no effect on an image of pixels; leave it out");
   if (!is_planar && *m_rotate && !is_given("--axis"))
     throw Usage_error("--axis is required; see dsc rotate --help");
 }

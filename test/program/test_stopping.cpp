@@ -73,8 +73,8 @@ TEST_F(Stopping, building_stops) {
 }
 
 TEST_F(Stopping, a_long_step_stops_and_the_one_before_is_kept) {
-  expect_success("enright --dt .01 --steps 1 --output out --quiet");
-  const Outcome outcome = run("enright --resume out/checkpoint.dsc --dt 3 --steps 5 --output out "
+  expect_success("enright --period 50 --dt .01 --steps 1 --output out --quiet");
+  const Outcome outcome = run("enright --resume out/checkpoint.dsc --dt 5 --steps 5 --output out "
                               "--report r.json",
                               "timeout --preserve-status -s INT 2");
   EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
@@ -93,7 +93,11 @@ TEST_F(Stopping, improvement_stops_and_keeps_its_input) {
 
 TEST_F(Stopping, other_commands_stop) {
   expect_stops("cut-locus --point 0.4,0.3 --spacing .05 -o out.svg", "INT", "0.4");
-  expect_stops("fluid dam-break --report r.json --quiet", "TERM", "0.3");
+  const Outcome outcome = run("fluid dam-break --report r.json --quiet",
+                              "timeout --preserve-status -s TERM 1.5");
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+  EXPECT_EQ(outcome.err.rfind("dsc: interrupted after step", 0), 0u) << outcome.err;
+  expect_success("fluid --resume dsc_interrupted.dsc --steps 1 --quiet");
 }
 
 TEST_F(Stopping, a_reconstruction_keeps_the_previous_result) {

@@ -98,12 +98,13 @@ inline void expect_near(const Json& expected, const Json& result, double part) {
                     part);
     } else if (expected.is_object()) {
       const std::string& key = i.key();
-      if (key == "volume" || key == "area" || key == "length")
+      if (key == "volume" || key == "area" || key == "length") {
         EXPECT_NEAR(result.at(key).get<double>(), i->get<double>(),
                     part * std::abs(i->get<double>()))
             << key;
-      else if (key == "label" || key == "components" || key == "euler_characteristic")
+      } else if (key == "label" || key == "components" || key == "euler_characteristic") {
         EXPECT_EQ(result.at(key), *i) << key;
+      }
     }
   }
 }
