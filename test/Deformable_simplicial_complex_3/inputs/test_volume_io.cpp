@@ -208,8 +208,8 @@ TEST(Read_vtu, compression_of_text_does_not_matter) {
 TEST(Read_vtu, other_files_are_refused) {
   EXPECT_THROW(read_vtu("/no/such/file.vtu"), File_error);
   const std::string text = labelled_cells().text(sizes);
-  expect_refusal("", "no element VTKFile");
-  expect_refusal("MeshVersionFormatted 2\n", "is it a VTK XML file");
+  expect_refusal("", "is empty");
+  expect_refusal("MeshVersionFormatted 2\n", "is a MEDIT mesh");
   expect_refusal("<html></html>", "no element VTKFile");
   expect_refusal(text.substr(0, text.size() / 2), "is it a VTK XML file, and whole?");
   expect_refusal("<VTKFile type=\"PolyData\"><PolyData/></VTKFile>", "type 'PolyData'");

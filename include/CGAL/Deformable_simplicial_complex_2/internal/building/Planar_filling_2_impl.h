@@ -45,8 +45,9 @@ insert_points(const std::vector<Planar_kernel::Point_2>& points,
   using Points = Pointer_property_map<Planar_kernel::Point_2>::const_type;
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  spatial_sort(order.begin(), order.end(),
-               Spatial_sort_traits_adapter_2<Planar_kernel, Points>(make_property_map(points)));
+  spatial_sort(
+      order.begin(), order.end(),
+      Spatial_sort_traits_adapter_2<Planar_kernel, Points>(make_property_map(points.data())));
   std::vector<Planar_triangulation_2::Vertex_handle> vertices(points.size());
   Planar_triangulation_2::Face_handle near;
   for (std::size_t i : order) {

@@ -78,7 +78,8 @@ public:
 
   // Moves all vertices at once.
   void relax(std::vector<Point>& positions) const {
-    static constexpr double part = .5; // of the way: more would overshoot where stairs alternate
+    // Of the way: a single voxel then keeps enough of its volume for one correction to restore it.
+    static constexpr double part = .25;
     std::vector<Vector> sums(positions.size(), NULL_VECTOR);
     std::vector<std::size_t> numbers(positions.size(), 0);
     for (const auto& [v, neighbor] : m_ties) {

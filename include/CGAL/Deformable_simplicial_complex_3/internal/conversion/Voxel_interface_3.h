@@ -71,7 +71,7 @@ public:
   // Volumes stay in each round, as small components would vanish else.
   void smooth(Complex& dsc) const {
     const Progress_phase phase("smoothing the interface between voxels");
-    static constexpr int rounds = 10;
+    static constexpr int rounds = 20;
     static constexpr int iterations = 2; // a measurement and a correction; the last round has all
     const Interface_snapshot<Complex> interface_(dsc);
     const auto places = interface_.positions(dsc);
