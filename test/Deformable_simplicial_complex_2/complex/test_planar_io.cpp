@@ -304,7 +304,8 @@ TEST(Well_known_text, of_all_kinds) {
   EXPECT_NEAR(dsc.area(2), 1, 1e-13);
   EXPECT_NEAR(dsc.area(3), .5, 1e-13);
   EXPECT_EQ(dsc.number_of_components(2), 2u);
-  EXPECT_TRUE(read_wkt("").empty());
+  EXPECT_THROW(read_wkt(""), File_error);
+  EXPECT_TRUE(read_wkt("POLYGON EMPTY").empty());
   EXPECT_THROW(make({}), Error);
 }
 
