@@ -50,7 +50,8 @@ The interface is smooth, within half a voxel of the faces of voxels.
         of them are 0, or a voxel with another label reaches the box, or `edge` is negative, or
         volumes differ by more than a thousandth
 
-n log n in the number of voxels at the interface, linear in that of the others.
+n log n in the number of voxels at the interface, linear in that of the others. Memory: up to 6 kB
+for each voxel of noise, below 70 bytes for each voxel of large smooth objects.
 */
 template <class Complex,
           class NP = Deformable_simplicial_complexes::parameters::Default_named_parameters>

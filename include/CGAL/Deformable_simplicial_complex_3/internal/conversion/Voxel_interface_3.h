@@ -71,7 +71,7 @@ public:
   // Volumes stay in each round, as small components would vanish else.
   void smooth(Complex& dsc) const {
     const Progress_phase phase("smoothing the interface between voxels");
-    static constexpr int rounds = 20;
+    static constexpr int rounds = 16;
     static constexpr int iterations = 2; // a measurement and a correction; the last round has all
     const Interface_snapshot<Complex> interface_(dsc);
     const auto places = interface_.positions(dsc);
@@ -95,7 +95,7 @@ public:
   // a voxel.
   void coarsen(Complex& dsc) const {
     const Progress_phase phase("coarsening the interface between voxels");
-    static constexpr unsigned rounds = 3;
+    static constexpr unsigned rounds = 2;
     static constexpr double short_edges = .7, long_edges = 1.5;
     const double voxel = m_frame.side(0) * m_frame.side(1) * m_frame.side(2);
     static constexpr double swept = .2; // voxels

@@ -176,7 +176,7 @@ private:
     return decomposition.solve(missing);
   }
 
-  // The same by the method of least squares, with the products of labels that share vertices only.
+  // The same by iterations, with the products of labels that share vertices only.
   static Eigen::VectorXd solve_iteratively(const Directions& gradients,
                                            const Directions& directions,
                                            const Eigen::VectorXd& missing) {
@@ -188,10 +188,17 @@ private:
     Eigen::SparseMatrix<double> products(missing.size(), missing.size());
     products.setFromTriplets(entries.begin(), entries.end());
     static constexpr double residual = 1e-6; // relative; the next iteration corrects what is left
-    Eigen::LeastSquaresConjugateGradient<Eigen::SparseMatrix<double>> solver;
+    Eigen::BiCGSTAB<Eigen::SparseMatrix<double>> solver;
     solver.setTolerance(residual);
     solver.compute(products);
-    return solver.solve(missing);
+    const Eigen::VectorXd lengths = solver.solve(missing);
+    if (solver.info() == Eigen::Success && lengths.allFinite())
+      return lengths;
+    // Slower, but right where all labels are given and the system is singular.
+    Eigen::LeastSquaresConjugateGradient<Eigen::SparseMatrix<double>> least_squares;
+    least_squares.setTolerance(residual);
+    least_squares.compute(products);
+    return least_squares.solve(missing);
   }
 
   // One step of Newton's method.
