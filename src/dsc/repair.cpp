@@ -21,7 +21,6 @@ namespace dsc {
 namespace {
 
 using CGAL::Deformable_simplicial_complexes::Error;
-using CGAL::Deformable_simplicial_complexes::Interrupted_error;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 
 CGAL::Surface_repair_options_3 repair_options(const Surface& surface,
@@ -45,8 +44,6 @@ Repairs for_each(std::vector<Surface>& surfaces, const std::vector<std::string>&
   for (std::size_t i = 0; i < surfaces.size(); ++i)
     try {
       repairs.push_back(repair_surface(surfaces[i]));
-    } catch (const Interrupted_error&) {
-      throw;
     } catch (const Invalid_surface_error& error) {
       const bool has_hole = error.reason() == Invalid_surface_error::Reason::open;
       throw Input_error(names[i] + ": " + error.what() + ", and cannot be repaired" +

@@ -89,8 +89,6 @@ std::unique_ptr<Tracked_complex> track_image_2(const Run_start& start, const std
       throw Input_error(path + ": all pixels have the same label, so that nothing would move; give "
                                "a --domain around the image, where label 0 is");
     return result;
-  } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {
-    throw;
   } catch (const CGAL::Deformable_simplicial_complexes::Error& error) {
     throw Input_error(path + ": " + error.what());
   }
@@ -132,8 +130,6 @@ std::unique_ptr<Tracked_complex> track_figure(const Run_start& start,
         box ? build(parameters::enclosing_box(*box)) : build(parameters::default_values());
     check_bounds(curves, start.inputs.empty() ? "the figure" : start.inputs[0], result->complex);
     return result;
-  } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {
-    throw;
   } catch (const Invalid_surface_error& error) {
     throw Input_error((curves.seeded ? start.inputs[0] : curves.names[error.surface()]) + ": " +
                       error.what());

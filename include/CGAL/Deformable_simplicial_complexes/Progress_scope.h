@@ -5,9 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_PROGRESS_SCOPE_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_PROGRESS_SCOPE_H
 
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-
 #include <chrono>
+#include <exception>
 #include <functional>
 #include <utility>
 
@@ -18,13 +17,16 @@ namespace Deformable_simplicial_complexes {
 \ingroup PkgDeformableSimplicialComplex3Ref
 
 is thrown by a function of this package when the callback of a `Progress_scope` returned `false`. A
-complex that the function was changing is valid; whatever it was making does not exist.
+complex that the function was changing is valid; whatever it was making does not exist. It is no
+`Error`, as the input is not to blame.
 */
-class Interrupted_error : public Error
+class Interrupted_error : public std::exception
 {
 public:
-  /// constructs the error.
-  Interrupted_error() : Error("interrupted: the progress callback returned false") {}
+  /// returns what happened.
+  const char* what() const noexcept override {
+    return "interrupted: the progress callback returned false";
+  }
 };
 
 /*!
