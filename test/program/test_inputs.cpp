@@ -297,7 +297,6 @@ TEST_F(Inputs, have_no_options_without_effect) {
        {std::pair("vortex --plane x.wkt", "--plane"),
         std::pair("vortex --plane --resume x.dsc", "--plane"),
         std::pair("vortex --plane --improve-interface --tolerance .1", "--tolerance"),
-        std::pair("rotate x.png --angle 5 --domain 0,0,1,1", "--domain"),
         std::pair("offset x.pgm --distance 1 --segments 100", "--segments"),
         std::pair("cut-locus --surface ellipsoid --point 1,0,0 --periods 1,2", "--periods"),
         std::pair("cut-locus --surface x,y,z --point 1,0,0 --periods 1,2", "--periods"),
