@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -492,7 +493,7 @@ TEST(Surface_repair, stops_when_asked) {
   Surface surface = cube();
   add_all(surface, box(Point(.3, .2, .1), Point(2.1, 3.3, .7)), false);
   const Surface before = surface;
-  Progress_scope scope([](const char*) { return false; });
+  const Progress_scope scope([](const char*) { return false; }, std::chrono::milliseconds(0));
   EXPECT_THROW(CGAL::repair_surface_3(surface), Interrupted_error);
   EXPECT_THROW(CGAL::wrap_surface_3(surface), Interrupted_error);
   EXPECT_EQ(surface.points, before.points);
