@@ -192,16 +192,7 @@ private:
       if (!entities.vertex_references.empty())
         references.push_back(is_old ? entities.vertex_references[before] : 0);
     }
-    const auto renumber = [&](auto& indices) {
-      for (std::size_t& v : indices)
-        v = now[v];
-    };
-    for (auto& edge : entities.edges)
-      renumber(edge.vertices);
-    for (auto& triangle : entities.triangles)
-      renumber(triangle.vertices);
-    renumber(entities.corners);
-    renumber(entities.required_vertices);
+    renumber_vertices(entities, now);
     entities.vertex_references = references;
   }
 

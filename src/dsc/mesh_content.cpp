@@ -186,22 +186,26 @@ Mesh_content content_of(Labelled_tetrahedra mesh, const Complex& complex, Unused
   const std::vector<int> references = entities.vertex_references;
   for (std::size_t i = 0; i < references.size(); ++i)
     entities.vertex_references[i] = references[points[i]];
-  const auto follow = [&](auto& indices) {
-    for (std::size_t& v : indices)
-      v = vertex_of_point[v];
-  };
-  for (auto& edge : entities.edges)
-    follow(edge.vertices);
-  for (auto& triangle : entities.triangles)
-    follow(triangle.vertices);
-  follow(entities.corners);
-  follow(entities.required_vertices);
+  renumber_vertices(entities, vertex_of_point);
   unused.add("triangles of no tetrahedron",
              remove_foreign(entities.triangles, {&entities.required_triangles}, vertices, complex));
   unused.add("edges of no tetrahedron",
              remove_foreign(entities.edges, {&entities.ridges, &entities.required_edges}, vertices,
                             complex));
   return content;
+}
+
+void renumber_vertices(Mesh_entities& entities, const std::vector<std::size_t>& new_indices) {
+  const auto renumber = [&](auto& indices) {
+    for (std::size_t& v : indices)
+      v = new_indices[v];
+  };
+  for (auto& edge : entities.edges)
+    renumber(edge.vertices);
+  for (auto& triangle : entities.triangles)
+    renumber(triangle.vertices);
+  renumber(entities.corners);
+  renumber(entities.required_vertices);
 }
 
 } // namespace dsc

@@ -30,6 +30,9 @@ Mesh_content content_of(Labelled_tetrahedra mesh,
                         const CGAL::Deformable_simplicial_complex_3<>& complex,
                         Unused_content& unused);
 
+/// Gives the vertices of edges, triangles and corners, and required vertices, their new indices.
+void renumber_vertices(Mesh_entities& entities, const std::vector<std::size_t>& new_indices);
+
 } // namespace dsc
 
 #endif // DSC_MESH_CONTENT_H
