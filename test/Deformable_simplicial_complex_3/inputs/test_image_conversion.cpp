@@ -227,7 +227,10 @@ TEST(Octree_tetrahedra, fill_the_voxels_and_the_space_around) {
     const internal::Voxel_components_3 components(internal::labelled_voxels(image(7, Noise{3})));
     const internal::Voxel_pyramid_3 pyramid(components, 1);
     const internal::Voxel_octree_3 octree(pyramid, side);
-    const internal::Octree_tetrahedra_3 mesh(octree);
+    const internal::Octree_tetrahedra_3 mesh(
+        octree.tree(), [&](unsigned level, const internal::Octree_3::Place& block) {
+          return octree.component(level, block);
+        });
     double all = 0;
     std::vector<double> volumes(components.number(), 0);
     std::map<std::set<std::size_t>, int> facets;
@@ -240,20 +243,20 @@ TEST(Octree_tetrahedra, fill_the_voxels_and_the_space_around) {
       const double volume = CGAL::volume(corner(0), corner(1), corner(2), corner(3));
       EXPECT_GT(volume, 0);
       all += volume;
-      volumes[mesh.components[t]] += volume;
+      volumes[mesh.labels[t]] += volume;
       for (int i = 0; i < 4; ++i) {
         std::set<std::size_t> facet(v.begin(), v.end());
         facet.erase(v[i]);
         ++facets[facet];
       }
     }
-    EXPECT_NEAR(all, std::pow(double(octree.side()), 3), 1e-6);
+    EXPECT_NEAR(all, std::pow(double(octree.tree().side()), 3), 1e-6);
     for (std::size_t c = 1; c < components.number(); ++c)
       EXPECT_NEAR(volumes[c], double(components.number_of_voxels(c)), 1e-9);
     for (const auto& [facet, number] : facets) {
       bool is_on_side = false;
       for (int axis = 0; axis < 3; ++axis)
-        for (const unsigned end : {0u, octree.side()})
+        for (const unsigned end : {0u, octree.tree().side()})
           is_on_side = is_on_side || std::all_of(facet.begin(), facet.end(), [&](std::size_t v) {
                          return mesh.points[v][axis] == end;
                        });

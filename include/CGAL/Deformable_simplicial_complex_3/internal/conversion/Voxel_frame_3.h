@@ -82,9 +82,9 @@ public:
     if (x < first)
       result = x == 0 ? m_low[axis] : -half + (m_low[axis] + half) * ((first - x) / first);
     else if (x > last)
-      result = x == octree.side()
+      result = x == octree.tree().side()
                    ? m_high[axis]
-                   : half + (m_high[axis] - half) * ((x - last) / (octree.side() - last));
+                   : half + (m_high[axis] - half) * ((x - last) / (octree.tree().side() - last));
     else
       result = (x - first - m_half[axis]) * m_side[axis];
     return scale == m_unit ? result : m_center[axis] + m_unit * result;

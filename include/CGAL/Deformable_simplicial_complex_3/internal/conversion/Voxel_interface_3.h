@@ -5,12 +5,12 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CONVERSION_VOXEL_INTERFACE_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CONVERSION_VOXEL_INTERFACE_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/internal/building/Octree_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Stairs_smoother_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Voxel_components_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Voxel_frame_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Voxel_octree_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Voxel_pyramid_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/conversion/octree_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/control_detail.h>
@@ -52,7 +52,10 @@ public:
     const Voxel_pyramid_3 pyramid(
         m_components, m_edge / (std::max)({m_frame.side(0), m_frame.side(1), m_frame.side(2)}));
     const Voxel_octree_3 octree(pyramid, m_frame.longest_side());
-    const Octree_tetrahedra_3 mesh(octree);
+    const Octree_tetrahedra_3 mesh(octree.tree(),
+                                   [&](unsigned level, const Octree_3::Place& block) {
+                                     return octree.component(level, block);
+                                   });
     Complex result;
     const auto construct_point = result.geom_traits().construct_exact_point_3_object();
     std::vector<typename Complex::Point> points;
@@ -61,7 +64,7 @@ public:
       points.push_back(
           construct_point({m_frame.coordinate(octree, 0, p[0]), m_frame.coordinate(octree, 1, p[1]),
                            m_frame.coordinate(octree, 2, p[2])}));
-    result.assign(points, mesh.tetrahedra, mesh.components);
+    result.assign(points, mesh.tetrahedra, mesh.labels);
     const auto& t = m_frame.translation;
     result.set_normalization({{t[0], t[1], t[2]}, m_frame.scale});
     result.measure_interface_edges();

@@ -5,30 +5,28 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_CLOUD_SHELL_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_CLOUD_SHELL_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/building/box_grid_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/building/Octree_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/building/Octree_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/clouds/Sampled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Own_operations_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
-#include <CGAL/Deformable_simplicial_complexes/fill_grid.h>
 #include <CGAL/Deformable_simplicial_complexes/manifold_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <queue>
-#include <utility>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Where an interface begins that is to find a surface: around its solid and all points.
+// Where an interface begins that is to find a surface: around its solid and all points, in the
+// leaves of an octree, which are small in narrow gaps.
 class Cloud_shell_3
 {
 public:
@@ -38,99 +36,109 @@ public:
     static constexpr double edges = 12;  // on the longest side: few, as large parts need few facets
     static constexpr double least = 2.5; // spacings: shorter edges would have no points
     static constexpr double fewest = 4;  // edges on the longest side
-    static constexpr double margin = 2;  // edges between the solid and the border of the domain
+    static constexpr double margin = 2;  // leaves between the points and the border of the domain
+    const double shortest = least * surface.cloud().spacing();
+    Bbox_3 box;
     for (const Point& p : surface.cloud().points())
-      m_bbox += p.bbox();
-    const double side = (std::max)({m_bbox.x_span(), m_bbox.y_span(), m_bbox.z_span()});
-    m_edge = (std::min)(side / fewest, (std::max)(side / edges, least * surface.cloud().spacing()));
-    const auto grown = [&](double low, double high) {
-      return (std::ceil((high - low) / m_edge + 2 * margin) * m_edge - (high - low)) / 2;
-    };
-    const double x = grown(m_bbox.xmin(), m_bbox.xmax()), y = grown(m_bbox.ymin(), m_bbox.ymax()),
-                 z = grown(m_bbox.zmin(), m_bbox.zmax());
-    m_bbox = Bbox_3(m_bbox.xmin() - x, m_bbox.ymin() - y, m_bbox.zmin() - z, m_bbox.xmax() + x,
-                    m_bbox.ymax() + y, m_bbox.zmax() + z);
-    choose_sizes();
+      box += p.bbox();
+    const double side = (std::max)({box.x_span(), box.y_span(), box.z_span()});
+    m_edge = (std::min)(side / fewest, (std::max)(side / edges, shortest));
+    m_unit = (std::min)(m_edge, shortest);
+    while (m_level < Octree_3::most_levels / 2 && side_of(m_level) * rounding < m_edge)
+      ++m_level;
+    m_largest = side_of(m_level + 1) <= side / fewest ? m_level + 1 : m_level;
+    m_last_level = m_largest + 1;
+    while (side_of(m_last_level) < side + 2 * margin * side_of(m_level))
+      ++m_last_level;
+    for (int axis = 0; axis < 3; ++axis)
+      m_low[axis] = box.min(axis) + (box.max(axis) - box.min(axis)) / 2 - side_of(m_last_level) / 2;
   }
 
-  const Bbox_3& bbox() const { return m_bbox; } // of the domain
-  double edge() const { return m_edge; }        // of the cells to begin with
+  // Of the largest facets to begin with.
+  double edge() const { return m_edge; }
 
-  // How long edges are to be: short in narrow gaps.
-  template <class P> double size(const P& q) const {
-    static constexpr double grading = .7; // of the distance from points
-    const Point p(q.x(), q.y(), q.z());
-    const std::size_t i = m_surface.cloud().nearest(p);
-    const double distance = std::sqrt((m_surface.cloud().points()[i] - p).squared_length());
-    return (std::max)(m_sizes[i], grading * distance);
+  // Leaves at points are about as large as the edge, or the room there; elsewhere they are so small
+  // that those in the solid are not at the border of the domain.
+  Octree_3 octree() const {
+    Octree_3 result(m_last_level);
+    const auto& points = m_surface.cloud().points();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      Progress_scope::check();
+      unsigned level = m_level;
+      while (level > 0 && side_of(level) > rounding * m_surface.room(i))
+        --level;
+      result.split(level + 1, block_of(points[i], level + 1));
+    }
+    const std::uint32_t end = 1u << (m_last_level - m_largest - 1);
+    Octree_3::Place p;
+    for (p[2] = 0; p[2] < end; ++p[2])
+      for (p[1] = 0; p[1] < end; ++p[1])
+        for (p[0] = 0; p[0] < end; ++p[0])
+          result.split(m_largest + 1, p);
+    result.complete();
+    return result;
   }
 
-  // 1 in the solid and near points, 0 elsewhere.
-  template <class P> int label(const P& q) const {
-    static constexpr double thickness =
-        .6;                            // edges: cells with points are within, by their barycenter
-    static constexpr double part = .5; // of the room
+  std::array<double, 3> coordinates(const Octree_3::Place& p) const {
+    std::array<double, 3> result;
+    for (int axis = 0; axis < 3; ++axis)
+      result[axis] = m_low[axis] + p[axis] * m_unit;
+    return result;
+  }
+
+  // 1 in the solid and near points, 0 elsewhere: of a cell of a leaf with that barycenter.
+  template <class P> int label(const P& q, unsigned level) const {
+    static constexpr double thickness = .6; // sides of leaves: the layer has few holes
     const Point p(q.x(), q.y(), q.z());
-    if (m_surface.is_inside(p))
-      return 1;
-    const std::size_t i = m_surface.cloud().nearest(p);
-    const double reach = (std::min)(thickness * m_edge, part * m_surface.room(i));
-    return (m_surface.cloud().points()[i] - p).squared_length() < reach * reach ? 1 : 0;
+    return m_surface.is_inside(p) || m_surface.cloud().distance(p) < thickness * side_of(level);
   }
 
 private:
-  // Rooms jump from point to point where a cloud is open or noisy. Sizes that jump would make edges
-  // be split across long cells, which become flat: most of a mesh, in the end.
-  void choose_sizes() {
-    static constexpr double least = 2;   // spacings
-    static constexpr double growth = .7; // of the distance between points
-    static constexpr unsigned around = 8;
-    const Point_cloud_3& cloud = m_surface.cloud();
-    using Item = std::pair<double, std::size_t>; // a size and its point
-    std::priority_queue<Item, std::vector<Item>, std::greater<Item>> smallest;
-    for (std::size_t i = 0; i < cloud.size(); ++i) {
-      m_sizes.push_back((std::max)(least * cloud.spacing(), (std::min)(m_edge, m_surface.room(i))));
-      if (m_sizes[i] < m_edge)
-        smallest.emplace(m_sizes[i], i);
-    }
-    while (!smallest.empty()) {
-      Progress_scope::check();
-      const auto [size, i] = smallest.top();
-      smallest.pop();
-      if (size > m_sizes[i])
-        continue;
-      const Point& p = cloud.points()[i];
-      for (std::size_t k : cloud.nearest(p, around)) {
-        const double bound = size + growth * std::sqrt((cloud.points()[k] - p).squared_length());
-        if (bound < m_sizes[k]) {
-          m_sizes[k] = bound;
-          smallest.emplace(bound, k);
-        }
-      }
-    }
+  static constexpr double rounding = 1.4142135623730951; // from one level to the middle of the next
+
+  double side_of(unsigned level) const { return std::ldexp(m_unit, int(level)); }
+
+  Octree_3::Place block_of(const Point& p, unsigned level) const {
+    Octree_3::Place result;
+    for (int axis = 0; axis < 3; ++axis)
+      result[axis] = std::uint32_t((p[axis] - m_low[axis]) / side_of(level));
+    return result;
   }
 
   const Sampled_surface_3& m_surface;
-  Bbox_3 m_bbox;
   double m_edge = 0;
-  std::vector<double> m_sizes; // of edges at the points
+  double m_unit = 0;           // the side of the smallest leaves
+  unsigned m_level = 0;        // of the largest leaves at points
+  unsigned m_largest = 0;      // the level of the largest leaves
+  unsigned m_last_level = 0;   // of the root
+  std::array<double, 3> m_low; // corner of the domain
 };
 
 // A complex with that interface, and without pinches.
 template <class Complex> Complex complex_of_shell(const Cloud_shell_3& shell) {
-  static constexpr double longest = 1.7; // of what is asked for; of a grid, 1.15
-  static constexpr unsigned rounds = 60; // three for each halving; most need none
-  Complex result = fill_grid(
-      Complex(), box_grid(shell.bbox(), shell.edge()), [](const auto&) { return 0; },
-      parameters::default_values());
-  control_detail(result, parameters::size_field([&](const auto& p) { return shell.size(p); })
-                             .split_length(longest)
-                             .collapse_length(0.)
-                             .number_of_iterations(rounds));
-  for (auto c : result.cells()) {
-    Progress_scope::check();
-    result.relabel(c, shell.label(barycenter(result, c)));
+  Complex result;
+  const Octree_3 octree = shell.octree();
+  const Octree_tetrahedra_3 mesh(
+      octree, [](unsigned level, const Octree_3::Place& /*block*/) { return int(level); });
+  const auto construct_point = result.geom_traits().construct_exact_point_3_object();
+  std::vector<typename Complex::Point> points;
+  points.reserve(mesh.points.size());
+  for (const auto& place : mesh.points) {
+    const std::array<double, 3> p = shell.coordinates(place);
+    points.push_back(construct_point({p[0], p[1], p[2]}));
   }
+  std::vector<int> labels;
+  labels.reserve(mesh.tetrahedra.size());
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+    Progress_scope::check();
+    std::array<double, 3> sum = {0, 0, 0};
+    for (const std::size_t v : mesh.tetrahedra[t])
+      for (int axis = 0; axis < 3; ++axis)
+        sum[axis] += shell.coordinates(mesh.points[v])[axis] / 4;
+    labels.push_back(
+        shell.label(Cloud_shell_3::Point(sum[0], sum[1], sum[2]), unsigned(mesh.labels[t])));
+  }
+  result.assign(points, mesh.tetrahedra, labels);
   for (auto pinched = non_manifold_vertices(result); !pinched.empty();
        pinched = non_manifold_vertices(result))
     for (auto v : pinched) {

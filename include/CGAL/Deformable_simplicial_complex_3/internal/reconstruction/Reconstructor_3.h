@@ -17,6 +17,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
@@ -68,7 +69,8 @@ private:
   // Moves the vertices: while many facets are free, by what the facets around them know; then where
   // all facets are nearest to all points. Returns whether that is not the end.
   bool advance() {
-    static constexpr double many = .1; // of the facets
+    static constexpr double many = .1;                 // of the facets
+    static constexpr std::size_t steps_to_coarsen = 5; // what the interface has left behind
     const Front front(m_complex, m_surface);
     const Cloud_planes_3 planes(m_surface, front.triangles);
     Cloud_approach_3 approach(m_surface, front.facets(), front.positions, front.triangles, planes);
@@ -85,6 +87,8 @@ private:
     refine(front, planes, ways, fits);
     deform(front, ways);
     improve();
+    if (m_report.number_of_steps % steps_to_coarsen == 0)
+      control_detail(m_complex);
     if (fits) {
       m_residuals.push_back(front.triangles.residual(m_surface));
       m_free.push_back(std::size_t(free));
@@ -176,9 +180,11 @@ private:
       const Point q = front.positions[v] + ways[v];
       destinations.emplace_back(q.x(), q.y(), q.z());
     }
-    const Deformation_report<Complex> report =
-        deform_interface_to(m_complex, front.snapshot, destinations,
-                            parameters::manifold_interface(true).number_of_threads(m_threads));
+    static constexpr unsigned passes = 3; // who is not there by then is sent anew
+    const Deformation_report<Complex> report = deform_interface_to(
+        m_complex, front.snapshot, destinations,
+        parameters::manifold_interface(true).maximum_number_of_passes(passes).number_of_threads(
+            m_threads));
     m_report.changes =
         m_report.changes + Improvement_report{report.split, report.collapsed, report.flipped,
                                               report.smoothed, report.inserted};
@@ -200,11 +206,11 @@ private:
   // Whether points come no nearer, or are much nearer than they have to be.
   bool has_settled() const {
     static constexpr std::size_t steps = 5;
-    static constexpr double part = .9;   // of the distance before these steps
+    static constexpr double part = .9;   // of what was before these steps
     static constexpr double enough = .2; // of the tolerance
     const std::size_t n = m_residuals.size();
     // Narrow tunnels have few points.
-    if (n <= steps || (m_free[n - 1] > 0 && m_free[n - 1] < m_free[n - 1 - steps]))
+    if (n <= steps || double(m_free[n - 1]) < part * double(m_free[n - 1 - steps]))
       return false;
     return (m_residuals[n - 1] >= part * m_residuals[n - 1 - steps] ||
             m_residuals[n - 1] <= enough * m_tolerance);

@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CONVERSION_OCTREE_TETRAHEDRA_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CONVERSION_OCTREE_TETRAHEDRA_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_OCTREE_TETRAHEDRA_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_OCTREE_TETRAHEDRA_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Voxel_octree_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/building/Octree_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
 #include <algorithm>
@@ -24,13 +24,15 @@ namespace internal {
 class Octree_tetrahedra_3
 {
 public:
-  using Point = Voxel_octree_3::Place; // in voxels
+  using Point = Octree_3::Place; // in units of the octree
 
-  explicit Octree_tetrahedra_3(const Voxel_octree_3& octree) : m_octree(octree) {
+  // The label of a block of a level.
+  template <class LabelOf>
+  Octree_tetrahedra_3(const Octree_3& octree, const LabelOf& label_of) : m_octree(octree) {
     std::vector<std::array<std::uint64_t, 4>> corners;
-    octree.for_each_leaf([&](unsigned level, const Point& block, int component) {
+    octree.for_each_leaf([&](unsigned level, const Point& block) {
       add_leaf(level, block, corners);
-      components.resize(corners.size(), component);
+      labels.resize(corners.size(), label_of(level, block));
     });
     std::vector<std::uint64_t> keys;
     keys.reserve(4 * corners.size());
@@ -51,7 +53,7 @@ public:
 
   std::vector<Point> points;
   std::vector<std::array<std::size_t, 4>> tetrahedra; // positively oriented
-  std::vector<int> components;                        // of tetrahedra
+  std::vector<int> labels;                            // of tetrahedra
 
 private:
   using Triangle = std::array<Point, 3>;
@@ -149,7 +151,7 @@ private:
     return false;
   }
 
-  const Voxel_octree_3& m_octree;
+  const Octree_3& m_octree;
   std::vector<Triangle> m_surface; // of a leaf
 };
 
@@ -157,4 +159,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CONVERSION_OCTREE_TETRAHEDRA_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_OCTREE_TETRAHEDRA_3_H
