@@ -37,14 +37,15 @@ public:
     static constexpr double least = 2.5; // spacings: shorter edges would have no points
     static constexpr double fewest = 4;  // edges on the longest side
     static constexpr double margin = 2;  // leaves between the points and the border of the domain
+    static constexpr int most_halvings = 10; // of the edge, where spacings differ as much
     const double shortest = least * surface.cloud().spacing();
     Bbox_3 box;
     for (const Point& p : surface.cloud().points())
       box += p.bbox();
     const double side = (std::max)({box.x_span(), box.y_span(), box.z_span()});
     m_edge = (std::min)(side / fewest, (std::max)(side / edges, shortest));
-    m_unit = (std::min)(m_edge, shortest);
-    while (m_level < Octree_3::most_levels / 2 && side_of(m_level) * rounding < m_edge)
+    m_unit = (std::min)(m_edge, (std::max)(shortest, std::ldexp(m_edge, -most_halvings)));
+    while (side_of(m_level) * rounding < m_edge)
       ++m_level;
     m_largest = side_of(m_level + 1) <= side / fewest ? m_level + 1 : m_level;
     m_last_level = m_largest + 1;
@@ -87,9 +88,8 @@ public:
   }
 
   // 1 in the solid and near points, 0 elsewhere: of a cell of a leaf with that barycenter.
-  template <class P> int label(const P& q, unsigned level) const {
+  int label(const Point& p, unsigned level) const {
     static constexpr double thickness = .6; // sides of leaves: the layer has few holes
-    const Point p(q.x(), q.y(), q.z());
     return m_surface.is_inside(p) || m_surface.cloud().distance(p) < thickness * side_of(level);
   }
 
