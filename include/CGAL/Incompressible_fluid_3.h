@@ -69,8 +69,9 @@ struct Fluid_state_3
   std::vector<std::array<double, 6>> motion; ///< velocities and accelerations of finite vertices,
                                              ///< by time stamp
   std::vector<std::pair<std::uint32_t, double>> volumes; ///< that components are to have
-  std::vector<std::pair<std::uint32_t, std::array<double, 2>>> gases; ///< a pressure of components,
-                                                                      ///< and the volume with it
+  std::vector<std::pair<std::uint32_t, std::array<double, 2>>> gases; ///< of components of gas: a
+                                                                      ///< pressure, and the volume
+                                                                      ///< at that pressure
 };
 
 /*!

@@ -31,8 +31,9 @@ Makes a complex of a labelled image, such as a segmented scan: the values of vox
 0 is the outside. A voxel is the box about its point of the image, with its spacings as sides.
 
 Each connected component of a label, through common faces of voxels, becomes a component of the
-complex with the volume of its voxels. Components with a common edge or vertex only touch there.
-The interface is smooth, within half a voxel of the faces of voxels.
+complex with the volume of its voxels. Components whose voxels share only edges or vertices remain
+different components; they have these edges or vertices in common. The interface is smooth. Its
+distance from the faces of voxels is of the order of `edge` at most.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 \tparam NP a sequence of named parameters
@@ -46,9 +47,14 @@ The interface is smooth, within half a voxel of the faces of voxels.
        box is the cube about the center of the box of the voxels with labels other than 0 whose half
        side is 2.5 times half the diagonal of the latter.
 
-\throws Deformable_simplicial_complexes::Error if the image has no voxels, holds other values, or all
-        of them are 0, or a voxel with another label reaches the box, or `edge` is negative, or
-        volumes differ by more than a thousandth
+\throws Deformable_simplicial_complexes::Error if the image has no voxels, has several values for a
+        voxel, holds a value that is not a label, or holds label 0 only; if the sides of voxels are
+        not positive and finite; if more than 2^20 voxels are in a row; if voxels with other labels
+        than 0 reach the boundary of the box; if `edge` is negative or not finite; or if the volume
+of a component differs from that of its voxels by more than a thousandth, since `edge` is too long
+for it
+\throws Deformable_simplicial_complexes::Interrupted_error if the callback of a
+        `Deformable_simplicial_complexes::Progress_scope` returns `false`
 
 n log n in the number of voxels at the interface, linear in that of the others. Memory: up to 6 kB
 for each voxel of noise, below 70 bytes for each voxel of large smooth objects.

@@ -227,10 +227,10 @@ common touch there. Away from the interface, triangles are large.
 \param image the labels of square pixels of side 1, from the origin
 \param edge about how long the segments of the interface are to be, in pixels; at least 1
 \param np the named parameters above, but `enclosing_box`, which is the rectangle of all pixels by
-       default; around the image in a larger box is label 0
-\throws Deformable_simplicial_complexes::Error if the image is empty, `edge` is less than 1, the image
-        is not strictly inside the box, or more than 2^20 edges of pixels are between different
-labels
+       default; the space between the image and a larger box has label 0
+\throws Deformable_simplicial_complexes::Error if the image has no pixels, more than 2^20 of them in a
+        row or column, or not one label for each pixel; if `edge` is less than 1; if the image is
+not strictly inside the box; or if more than 2^20 edges of pixels are between different labels
 
 Linear in the number of pixels, with a byte of memory for each, and n log n in the number of edges
 of pixels between different labels, with about a kilobyte for each segment of the interface.

@@ -22,12 +22,13 @@ namespace CGAL {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-are the patches between the regions that surfaces with shared walls enclose.
+The patches between the regions that closed surfaces bound, and the labels of these regions.
 */
 template <class Point> struct Patches_of_surfaces_3
 {
   std::vector<Labelled_patch_3<Point>> patches; ///< one for each pair of labels that share a wall
-  std::vector<std::vector<int>> labels; ///< of the regions of each surface, the first one its own
+  std::vector<std::vector<int>> labels;         ///< for each surface, the labels of its
+                                                ///< regions; the first one is that of the surface
 };
 
 /*!
@@ -37,7 +38,8 @@ Makes patches of closed surfaces that share walls, such as the boundaries of sev
 `make_deformable_simplicial_complex_3()`.
 
 Surfaces may touch in any way: walls that two surfaces share may be triangulated differently. They
-may be nested; the innermost surface determines the label. Surfaces must not overlap otherwise.
+may be nested; the innermost surface determines the label. Otherwise surfaces must not overlap.
+Walls between regions of the same label are left out.
 
 A single surface may have walls, too: triangles that are there twice, as between closed parts that
 touch, or edges of three triangles. Each bounded region of such a surface gets a label of its own:
@@ -48,8 +50,12 @@ Triangles are split where they meet, by exact arithmetic; the points of intersec
 
 \tparam Point a point type with `double` coordinates, as that of `Labelled_surface_3`
 
-\throws Deformable_simplicial_complexes::Invalid_surface_error if a surface is not closed, crosses
-        itself, or overlaps another one
+\throws Deformable_simplicial_complexes::Invalid_surface_error if coordinates are not finite, indices
+        are wrong, a triangle has no area, or a surface is not closed, intersects itself, or
+overlaps another one
+\throws Deformable_simplicial_complexes::Interrupted_error if the callback of a
+        `Deformable_simplicial_complexes::Progress_scope` returns `false`
+\pre Labels are small enough that the labels of further regions are values of type `int`.
 
 n log n in the number of triangles, times the number of regions.
 */

@@ -40,16 +40,16 @@ struct Reconstruction_observer_3
 \ingroup PkgDeformableSimplicialComplex3Ref
 
 Reconstructs the solid whose surface points sample (section 4.3 of the paper): the interface begins
-around the points and moves inwards, to the planes of the points that its facets touch; then all of
-its vertices go to where the facets are nearest to all points, by least squares, and facets that do
-not fit are divided. Parts separate, tunnels open, and the result is closed, with label 1 inside.
-Sharp edges stay sharp.
+in an octree, around the points and the solid, and moves inwards, to the planes of the points that
+its facets touch; then all of its vertices go to where the facets are nearest to all points, by
+least squares, and facets that do not fit are divided. Parts separate, tunnels open, and the result
+is closed, with label 1 inside. Sharp edges stay sharp.
 
-Where is inside is decided beforehand, from the largest empty balls at the points (R. Kolluri,
-J. R. Shewchuk and J. F. O'Brien, "Spectral surface reconstruction from noisy point clouds",
-SGP 2004): hence the interface does not leak through holes of the cloud that are narrow beside the
-solid behind them, and voids are found. A hole is closed by facets without points, which the report
-lists.
+The sides are determined first: the largest empty Delaunay balls at the points are labelled inside
+or outside (R. Kolluri, J. R. Shewchuk and J. F. O'Brien, "Spectral surface reconstruction from
+noisy point clouds", SGP 2004). The interface does not leak through holes of the cloud that are
+narrow compared with the solid behind them, and voids are found. A hole is closed by facets without
+points, which the report lists.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 \tparam PointRange a range whose value type is the key type of the point map, or a `Point_set_3`, of

@@ -9,6 +9,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/Surface_repair_options_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Surface_repair_report_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/repair/Surface_repairer_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/repair_options.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
@@ -39,7 +40,9 @@ void assign(Labelled_surface_3<Point>& surface, const Triangle_soup_3& soup) {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Makes a surface bound a solid: the same as the overload below, with plain options.
+Makes a surface bound a solid, as the overload below. Only this overload takes `merge_distance` and
+`longest_border`. If `merge_distance` is more than 0, near vertices are merged first, even if the
+surface bounds a solid.
 */
 template <class Point>
 Surface_repair_report_3 repair_surface_3(Labelled_surface_3<Point>& surface,
@@ -65,10 +68,14 @@ corners one is kept, or none if they are a wall between parts that touch.
 - T-junctions are closed: a boundary edge is split at a boundary vertex if the distance of the
 vertex from the edge is less than a thousandth of that edge and of the shortest boundary edge at the
   vertex.
+- Fins are removed: triangles with a boundary edge that hang on an otherwise closed surface. They
+stay if they reach farther than two mean edges from it.
 - Holes are filled. A surface with a long border is refused: it is a sheet, not a solid with a hole.
 - Parts that cross each other or themselves are united: triangles are split where they cross, by
 exact arithmetic, and those that do not bound the union are removed. A closed part that is inside an
 odd number of other parts without crossing them stays a cavity. Walls inside a solid are removed.
+The step is omitted if it would remove triangles outside the solid farther than two mean edges from
+it.
 - The surface is replaced by an alpha wrap, which is closed and has no crossings; cavities are
 filled.
 
@@ -80,7 +87,7 @@ CGAL's polygon mesh processing and alpha wrapping do the work.
 \tparam Point a point type with `double` coordinates, as that of `Labelled_surface_3`
 \tparam NP a sequence of named parameters
 
-\param surface is replaced by the repaired one, unless it bounds a solid: then it stays bit for bit
+\param surface is replaced by the repaired one; if it bounds a solid already, it is unchanged
 \param np named parameters:
 
 \cgalNamedParamsBegin
@@ -92,9 +99,10 @@ CGAL's polygon mesh processing and alpha wrapping do the work.
     \cgalParamDefault{1.6}
   \cgalParamNEnd
   \cgalParamNBegin{wrap_alpha}
-    \cgalParamDescription{The diameter of the ball that rolls around, in mean edges of the surface,
-                          at least 0; 0 for no wrap. Not less than a thousandth of the diagonal of
-                          the bounding box is used.}
+    \cgalParamDescription{The parameter alpha of CGAL's alpha wrap, in mean edges of the surface,
+                          at least 0; 0 for no wrap. A ball of this radius does not pass holes that
+                          are smaller than it. At least a thousandth of the diagonal of the bounding
+                          box is used.}
     \cgalParamType{`double`}
     \cgalParamDefault{1}
   \cgalParamNEnd
@@ -125,22 +133,28 @@ repair_surface_3(Labelled_surface_3<Point>& surface,
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Replaces a surface by its alpha wrap, even if it bounds a solid: where surfaces nearly meet, a
-tetrahedralizer may fail that fills the wrap.
+Replaces a surface by its alpha wrap, even if it bounds a solid. Where surfaces nearly meet, a
+tetrahedralizer may fail on the surface and succeed on the wrap.
 
 \tparam Point a point type with `double` coordinates, as that of `Labelled_surface_3`
 
 \param surface is replaced by the wrap
-\param options `wrap_alpha` and `wrap_offset` are used; `wrap_alpha` must not be 0
+\param options `wrap_alpha` and `wrap_offset` are used
 
-\return how far the surface is from the input
+\return the distances to the input, and the alpha and the offset of the wrap
 
-\throws Deformable_simplicial_complexes::Error as `repair_surface_3()`. The surface is unchanged then.
+\throws Deformable_simplicial_complexes::Invalid_surface_error if coordinates are not finite, indices
+        are wrong, there are no triangles, or the wrap does not bound a solid
+\throws Deformable_simplicial_complexes::Error if `wrap_alpha` is 0, an option is out of range, CGAL
+        cannot wrap the surface, or the mean edge is less than 1e-30 or the extent more than 1e30.
+        The surface is unchanged if an exception is thrown.
 */
 template <class Point>
 Surface_repair_report_3 wrap_surface_3(Labelled_surface_3<Point>& surface,
                                        const Surface_repair_options_3& options = {}) {
   namespace internal = Deformable_simplicial_complexes::internal;
+  if (options.wrap_alpha == 0)
+    throw Deformable_simplicial_complexes::Error("the alpha of a wrap is 0: use more than 0");
   internal::Surface_repairer_3 repairer(internal::soup_of(surface), options);
   repairer.run_wrap();
   internal::assign(surface, repairer.soup());

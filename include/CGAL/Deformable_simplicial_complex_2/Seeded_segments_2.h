@@ -16,9 +16,9 @@ namespace CGAL {
 \ingroup PkgDeformableSimplicialComplex3Ref
 
 is a set of segments that divide the plane, together with points in some of the regions between them
-and the labels of these regions. Other regions that segments enclose get one label, which is 0 unless
-told; the outside without a point gets 0. Any number of segments may meet in a point,
-as in a foam or in files of the format of Triangle (`.poly`).
+and the labels of these regions. Enclosed regions without such a point get the label
+`enclosed_label`; the unbounded region without such a point gets label 0. Any number of segments may
+meet in a point, as in a foam or in files of the format of Triangle (`.poly`).
 
 \tparam Point is a point type such as `Deformable_simplicial_complex_2::Point_2`.
 */

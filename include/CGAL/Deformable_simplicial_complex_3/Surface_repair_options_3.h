@@ -12,7 +12,7 @@ namespace CGAL {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-is how far `repair_surface_3()` and `wrap_surface_3()` go.
+Options of `repair_surface_3()` and `wrap_surface_3()`.
 */
 struct Surface_repair_options_3
 {
@@ -30,9 +30,10 @@ struct Surface_repair_options_3
   /// hole is filled if both bounds permit that.
   double longest_border = std::numeric_limits<double>::infinity();
 
-  /// The diameter of the ball that rolls around the surface to make a wrap, in mean edges of the
-  /// surface, at least 0; 0 for no wrap. At least a thousandth of the diagonal of the bounding box
-  /// is used. A coarser wrap closes gaps that are seen, a finer one has many more triangles.
+  /// The parameter alpha of CGAL's alpha wrap, in mean edges of the surface, at least 0; 0 for no
+  /// wrap. A ball of this radius does not pass holes that are smaller than it. At least a
+  /// thousandth of the diagonal of the bounding box is used. A larger alpha closes larger gaps, a
+  /// smaller one gives many more triangles.
   double wrap_alpha = 1;
 
   /// The distance of the wrap from the surface, in mean edges, more than 0.

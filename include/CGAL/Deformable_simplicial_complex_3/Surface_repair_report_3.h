@@ -12,7 +12,8 @@ namespace CGAL {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-tells what `repair_surface_3()` has done to a surface: nothing, if all of its numbers are 0.
+What `repair_surface_3()` or `wrap_surface_3()` did to a surface. If `was_sound()` is true, the
+surface is unchanged.
 */
 struct Surface_repair_report_3
 {

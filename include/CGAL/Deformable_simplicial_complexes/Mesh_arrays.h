@@ -15,7 +15,8 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-A named array of numbers on the points or the cells of a mesh: a row of numbers for each of them.
+A named array of numbers on the points or the cells of a mesh, with one row of `components` numbers
+(a tuple of VTK) for each point or cell.
 */
 struct Mesh_array
 {
@@ -27,10 +28,11 @@ struct Mesh_array
   /// Returns whether the type is one of integers.
   bool is_integer() const { return type.find("Int") != std::string::npos; }
 
-  /// Returns the number of rows.
+  /// Returns the number of rows. \pre `components` is not 0
   std::size_t rows() const { return values.size() / components; }
 
-  /// Returns an array of the same name and type that has these rows, in this order.
+  /// Returns an array of the same name and type with the given rows, in this order.
+  /// \pre each of them is less than `rows()`
   Mesh_array selected(const std::vector<std::size_t>& rows) const {
     Mesh_array result{name, type, components, {}};
     result.values.reserve(rows.size() * components);

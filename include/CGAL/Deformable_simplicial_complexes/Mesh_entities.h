@@ -15,9 +15,9 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-What a MEDIT file tells of a mesh of tetrahedra besides points and labels: edges and triangles with
-references, which tell boundary conditions for example, and what a remesher has to keep. Indices
-start from 0.
+The entities of a MEDIT file other than points, tetrahedra and their labels: edges and triangles
+with references, for boundary conditions for example, and corners, ridges and required entities,
+which remeshing must preserve. Indices start from 0.
 */
 struct Mesh_entities
 {

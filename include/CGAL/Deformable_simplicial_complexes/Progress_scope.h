@@ -16,9 +16,9 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-is thrown by a function of this package when the callback of a `Progress_scope` returned `false`. A
-complex that the function was changing is valid; whatever it was making does not exist. It is no
-`Error`, as the input is not to blame.
+Exception thrown by functions of this package when the callback of a `Progress_scope` returned
+`false`. A complex that the function was changing is valid; the object or file that the function was
+making does not exist. The class does not derive from `Error`, since the input is not the cause.
 */
 class Interrupted_error : public std::exception
 {
@@ -44,7 +44,8 @@ CGAL::Deformable_simplicial_complexes::Progress_scope scope(
 auto complex = CGAL::make_deformable_simplicial_complex_3<Complex>(surface, tetrahedralizer);
 \endcode
 
-Scopes nest: the callbacks of all scopes of the thread are asked, the innermost one first.
+Scopes nest: the callbacks of all scopes of the thread are called, the innermost one first, at the
+interval of the innermost scope.
 */
 class Progress_scope
 {
@@ -53,9 +54,13 @@ public:
   /// tells whether to go on.
   using Callback = std::function<bool(const char* phase)>;
 
-  /// Begins the scope. The callback may throw: the exception leaves the function of the package.
-  /// \param callback asked whether to go on
-  /// \param interval shortest time between two calls of the callback; 0 for a call at each check
+  /// Begins the scope. If the callback throws, the function of the package throws the same
+  /// exception.
+  /// \param callback called to ask whether to go on
+  /// \param interval shortest time between two calls while this scope is the innermost one; 0 for a
+  ///        call at each check
+  /// \pre `callback` is not empty. Scopes of a thread are destroyed in the reverse order of their
+  ///      construction, in that thread.
   explicit Progress_scope(Callback callback,
                           std::chrono::milliseconds interval = std::chrono::milliseconds(50))
       : m_callback(std::move(callback)), m_interval(interval),
@@ -67,9 +72,9 @@ public:
   Progress_scope(const Progress_scope&) = delete;
   Progress_scope& operator=(const Progress_scope&) = delete;
 
-  /// Asks the callbacks of all scopes of this thread, unless the interval of the innermost one has
-  /// not passed. For loops of users, and of this package. \throws Interrupted_error if one of them
-  /// returned `false`
+  /// Calls the callbacks of all scopes of this thread if the interval of the innermost scope has
+  /// passed since the last call. Loops of users may call it, too.
+  /// \throws Interrupted_error if one of the callbacks returned `false`
   static void check() {
     if (innermost() != nullptr)
       innermost()->check_now_and_then();
@@ -108,15 +113,22 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-Names what the thread is doing, for the callbacks of `Progress_scope`, until the end of its life.
+Name of the current phase of the thread, for the callbacks of `Progress_scope`. The phase ends with
+the object.
 */
 class Progress_phase
 {
 public:
-  /// Begins a phase. \pre `name` outlives the phase; string literals do.
+  /// Begins a phase. \pre `name` is valid until the phase ends; string literals are.
+  /// \throws Interrupted_error as `Progress_scope::check()`; the phase before is current then.
   explicit Progress_phase(const char* name)
       : m_outer(std::exchange(Progress_scope::phase(), name)) {
-    Progress_scope::check();
+    try {
+      Progress_scope::check();
+    } catch (...) {
+      Progress_scope::phase() = m_outer;
+      throw;
+    }
   }
 
   /// Returns to the phase that was going on before.

@@ -15,8 +15,8 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-The content of a file that a reader recognized and did not use, by kind. What would change the
-result is never listed here: a reader refuses it.
+The content of a file that a reader recognized and did not use, by kind. If a reader cannot use
+content without which its result would be wrong, it throws `File_error` instead.
 */
 class Unused_content
 {
@@ -25,6 +25,12 @@ public:
   void add(const std::string& kind, std::size_t number = 1) {
     if (number > 0)
       m_numbers[kind] += number;
+  }
+
+  /// Adds what another file, or another part of the file, has.
+  void add(const Unused_content& other) {
+    for (const auto& [kind, number] : other.m_numbers)
+      add(kind, number);
   }
 
   /// Returns whether everything in the file was used.

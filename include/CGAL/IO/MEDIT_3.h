@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Mesh_entities.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/grids/Medit_reader.h>
@@ -44,8 +45,12 @@ from which they can be read back exactly.
 
 \param out is the stream; failures are left in its state. Its format flags do not matter.
 \param dsc is the complex.
-\param entities are edges, triangles and references that are written, too. Points have the order of
-`dsc.vertices()`.
+\param entities are edges, triangles and references that are written, too. Indices of points are those
+of `dsc.vertices()`.
+
+\pre `entities.vertex_references` is empty or has one element for each vertex. All indices in
+     `entities` refer to vertices, edges and triangles that exist. The largest reference is small
+     enough that the references of further pairs of labels are values of type `int`.
 
 n log n in the number of cells; takes memory for the text.
 */
@@ -75,12 +80,14 @@ void write_MEDIT(std::ostream& out,
 
   text << "Vertices\n" << number.vertices().size() << '\n';
   for (std::size_t i = 0; i < number.vertices().size(); ++i) {
+    Deformable_simplicial_complexes::Progress_scope::check();
     const auto p = dsc.user_position(number.vertices()[i]);
     text << p.x() << ' ' << p.y() << ' ' << p.z() << ' '
          << (entities.vertex_references.empty() ? 0 : entities.vertex_references[i]) << '\n';
   }
   text << "Tetrahedra\n" << cells.size() << '\n';
   for (const auto c : cells) {
+    Deformable_simplicial_complexes::Progress_scope::check();
     for (int i = 0; i < 4; ++i)
       text << number(c->vertex(i)) + 1 << ' ';
     text << dsc.label(c) << '\n';

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -23,6 +24,11 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
+
+struct Png_error : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
 
 // Reads a picture that is in memory. What libpng finds wrong is thrown across it.
 class Png_labels
@@ -41,14 +47,14 @@ public:
   Png_labels(const Png_labels&) = delete;
   Png_labels& operator=(const Png_labels&) = delete;
 
-  // Throws std::runtime_error.
+  // Throws Png_error.
   Labelled_image_2 image() {
     static constexpr png_uint_32 largest_side = 1 << 20; // as of other images
     png_set_user_limits(m_png, largest_side, largest_side);
     png_read_info(m_png, m_info);
     const png_byte colors = png_get_color_type(m_png, m_info);
     if (colors != PNG_COLOR_TYPE_GRAY && colors != PNG_COLOR_TYPE_PALETTE)
-      throw std::runtime_error(
+      throw Png_error(
           std::string(colors == PNG_COLOR_TYPE_GRAY_ALPHA  ? "has gray values with transparency"
                       : colors == PNG_COLOR_TYPE_RGB_ALPHA ? "has colors with transparency"
                                                            : "has colors") +
@@ -100,7 +106,7 @@ private:
     self.m_position += size;
   }
   [[noreturn]] static void fail(png_structp, png_const_charp what) {
-    throw std::runtime_error(std::string("cannot be read: ") + what + "; write the file again");
+    throw Png_error(std::string("cannot be read: ") + what + "; write the file again");
   }
   static void ignore(png_structp, png_const_charp) {}
 
@@ -123,7 +129,7 @@ reads an image of labels from portable network graphics (`.png`): the gray value
 colors in the palette, are the labels. Whoever includes this header links libpng.
 
 \param path is the name of the file.
-\param unused gets what is in the file and not used: the transparency of gray values or colors in the
+\param unused if not null, the content of the file that is not used is added to it: the transparency of gray values or colors in the
 palette, and bytes after the image.
 \throws Deformable_simplicial_complexes::File_error if the file cannot be read, or is no such image.
 
@@ -140,11 +146,9 @@ read_labelled_PNG(const std::string& path,
     internal::Png_labels reader(bytes);
     auto image = reader.image();
     if (unused)
-      *unused = reader.unused();
+      unused->add(reader.unused());
     return image;
-  } catch (const Deformable_simplicial_complexes::Error&) {
-    throw; // interrupted
-  } catch (const std::runtime_error& error) {
+  } catch (const internal::Png_error& error) {
     throw Deformable_simplicial_complexes::File_error(path + ": " + error.what(), path);
   }
 }

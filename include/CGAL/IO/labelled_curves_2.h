@@ -50,7 +50,7 @@ read_labelled_curves(const std::string& path,
   Deformable_simplicial_complexes::internal::Wkt_reader<Point> reader(path);
   auto curves = reader.read();
   if (unused)
-    *unused = reader.unused();
+    unused->add(reader.unused());
   return curves;
 }
 
@@ -64,7 +64,7 @@ but for holes.
 
 \param path is the name of the file. If it has no points, they are read from the file beside it whose
 name ends with `.node`.
-\param unused gets what is in the file and not used: attributes and boundary markers of points and
+\param unused if not null, the content of the file that is not used is added to it: attributes and boundary markers of points and
 segments, points that are no ends of segments, area constraints.
 \throws Deformable_simplicial_complexes::File_error if the file cannot be read, or is not what is
 described above.
@@ -78,7 +78,7 @@ read_seeded_segments(const std::string& path,
   Deformable_simplicial_complexes::internal::Poly_reader<Point> reader(path);
   auto segments = reader.read();
   if (unused)
-    *unused = reader.unused();
+    unused->add(reader.unused());
   return segments;
 }
 

@@ -188,20 +188,21 @@ namespace IO {
 
 reads a surface from a file in one of the formats OFF, OBJ, PLY and STL, chosen by the extension.
 
-Polygons with more than three vertices are triangulated one by one: with more than four by a
-constrained Delaunay triangulation of what is seen of them along their normals. In STL files, where
-triangles share no points, points with the same coordinates become one. What the surface looks like
-is not checked: `make_deformable_simplicial_complex_3()` does that.
+Polygons with more than three vertices are triangulated one by one. Polygons with more than four
+vertices are projected along their normals, and their constrained Delaunay triangulations are used.
+In STL files, where triangles share no points, points with the same coordinates become one. What the
+surface looks like is not checked: `make_deformable_simplicial_complex_3()` does that.
 
 Everything else in a file is noted in `unused`: colors, normals, texture coordinates, materials,
-groups, names of solids, lines, other elements, points that no polygon has, polygons with fewer than
-three corners. Facet normals of STL files are redundant and not noted.
+groups, names of solids if there are several, lines, other elements, points that no polygon has,
+polygons with fewer than three corners. Facet normals of STL files are redundant and not noted.
 
 \tparam Point is a point type of a \cgal kernel.
 
 \param path is the name of the file.
 \param label is the label of the solid that the surface bounds.
-\param unused takes the content of the file that is not used, if it is not null.
+\param unused if not null, the content of the file that is not used is added to it. If an exception is
+thrown, it may hold a part of that.
 
 \throws Deformable_simplicial_complexes::File_error if the file cannot be opened or understood, has
 no polygons or more elements than it announces, describes a part of the surface without polygons,

@@ -145,16 +145,21 @@ namespace IO {
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-reads points, and their normals if there are any: of a PLY or OFF file, whose polygons are passed
-over, or else from lines of three or six numbers (`.xyz`, `.pwn`).
+Reads points, and their normals if the file has them, from a PLY file, an OFF file, or a text file
+(any other extension, such as `.xyz` or `.pwn`). Polygons are not used. A line of a text file holds
+the three coordinates of a point, and may hold its normal. Further numbers on a line are not used.
+If the second three numbers of all points are integers from 0 to 255 and some are larger than 1,
+they are colors and not used. The first line may hold the number of points; then all normals may
+also follow all points.
 
-\param path is the name of the file, whose extension, in any case, tells the format
-\param unused takes the content of the file that is not used, if it is not null: polygons, colors
-and other values of points
+\param path is the name of the file; upper and lower case of its extension are equivalent
+\param unused if not null, the content of the file that is not used is added to it: polygons, colors
+and other values of points. If an exception is thrown, it may hold a part of that.
 \return the points in the order of the file
 
-\throws Deformable_simplicial_complexes::File_error with the line if the file cannot be read, has
-        another form, or no points
+\throws Deformable_simplicial_complexes::File_error with the line if the file cannot be read, is
+        malformed, has a coordinate that is not finite, has another number of points than announced,
+        or has no points
 
 Linear in the size of the file.
 */

@@ -1,6 +1,7 @@
 #include "../../Deformable_simplicial_complex_3/temporary_folder.h"
 #include "../torus.h"
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/IO/SVG_2.h>
 #include <CGAL/IO/VTU_2.h>
@@ -18,9 +19,12 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <exception>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -127,6 +131,19 @@ TEST(Labelled_PNG, refuses_colors_and_what_is_damaged) {
   for (std::size_t length = 0; length < 80; ++length)
     EXPECT_THROW(read_png(palette_png, length), File_error) << length;
   EXPECT_THROW(CGAL::IO::read_labelled_PNG("no such file.png"), File_error);
+}
+
+TEST(Labelled_PNG, passes_on_what_callbacks_throw) {
+  using CGAL::Deformable_simplicial_complexes::Progress_scope;
+  const Progress_scope scope([](const char*) -> bool { throw std::runtime_error("of the user"); },
+                             std::chrono::milliseconds(0));
+  std::string told;
+  try {
+    read_png(palette_png);
+  } catch (const std::exception& error) {
+    told = error.what();
+  }
+  EXPECT_EQ(told, "of the user");
 }
 
 // Its area is lost by rounding.

@@ -102,6 +102,25 @@ TEST(Stopping, phases_have_names) {
     EXPECT_EQ(phases.count(phase), 1u) << phase;
 }
 
+// A phase that is stopped when it begins has not begun.
+TEST(Stopping, phases_end_where_they_are_stopped) {
+  std::string last;
+  bool goes_on = true;
+  const Progress_scope scope(
+      [&](const char* phase) {
+        last = phase;
+        return goes_on;
+      },
+      at_each_check);
+  const Progress_phase outer("outer");
+  goes_on = false;
+  EXPECT_THROW(Progress_phase("inner"), Interrupted_error);
+  EXPECT_EQ(last, "inner");
+  goes_on = true;
+  Progress_scope::check();
+  EXPECT_EQ(last, "outer");
+}
+
 TEST(Stopping, all_scopes_of_the_thread_are_asked) {
   int outer = 0, inner = 0;
   const Progress_scope first([&](const char*) { return ++outer < 2; }, at_each_check);

@@ -317,6 +317,9 @@ TEST(Surface_repair, checks_its_parameters) {
   options.wrap_offset = 1e308;
   EXPECT_THROW(CGAL::wrap_surface_3(surface, options), Error);
   options = {};
+  options.wrap_alpha = 0;
+  EXPECT_THROW(CGAL::wrap_surface_3(surface, options), Error);
+  options = {};
   options.longest_border = -1;
   EXPECT_THROW(CGAL::repair_surface_3(surface, options), Error);
   for (double scale : {1e-170, 1e160}) {

@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_WRITE_VTU_H
 
 #include <CGAL/Deformable_simplicial_complexes/Mesh_arrays.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/grids/Vtu_document.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Extracted_facets.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
@@ -45,6 +46,7 @@ void write_cells_vtu(const std::string& path, const Complex& dsc,
   std::vector<std::int32_t> labels;
   std::vector<double> qualities;
   for (const auto c : dsc.cells()) {
+    Progress_scope::check();
     for (int i = 0; i < Complex::corners; ++i) {
       std::size_t index = number(c->vertex(i));
       if constexpr (!Complex::Domain::has_outside) {
