@@ -18,8 +18,8 @@ subdivides an interface by Loop's scheme, for rendering: each time, a triangle b
 points move towards a smooth surface.
 
 Where more than two triangles meet in an edge, where there is only one, and where the labels change,
-the edge is on a curve. `Subdivision_method_3::Loop_subdivision()` subdivides the manifold patches
-between curves. Curves are subdivided by the rule for borders, 1/8, 3/4, 1/8, each once for all
+the edge is on a curve. On the manifold patches between curves, points are those of
+`Subdivision_method_3::Loop_subdivision()`, up to rounding. Curves are subdivided by the rule for borders, 1/8, 3/4, 1/8, each once for all
 patches that meet there, so that these still share their points. Points stay where they are
 
 - where curves branch or end, as in quadruple points, and where sheets touch in the point alone,
@@ -40,6 +40,8 @@ follow the points that there were, by the indices of the ends of their edges; in
 have a default-constructed handle, while the others keep that of the vertex they come from.
 
 \throws Deformable_simplicial_complexes::Error if `number_of_subdivisions` is negative.
+\throws Deformable_simplicial_complexes::Interrupted_error if the callback of a
+`Deformable_simplicial_complexes::Progress_scope` returns `false`
 
 n log n in the size of the result, which is four times as large each time.
 

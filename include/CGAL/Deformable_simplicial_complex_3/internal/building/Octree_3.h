@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_OCTREE_3_H
 
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/stoppable_sort.h>
 
 #include <algorithm>
 #include <array>
@@ -98,7 +99,7 @@ private:
   }
 
   static void sort(std::vector<std::uint64_t>& keys) {
-    std::sort(keys.begin(), keys.end());
+    stoppable_sort(keys.begin(), keys.end());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
   }
 

@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/building/Octree_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/stoppable_sort.h>
 
 #include <algorithm>
 #include <array>
@@ -38,7 +39,7 @@ public:
     keys.reserve(4 * corners.size());
     for (const auto& t : corners)
       keys.insert(keys.end(), t.begin(), t.end());
-    std::sort(keys.begin(), keys.end());
+    stoppable_sort(keys.begin(), keys.end());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
     for (const std::uint64_t k : keys)
       points.push_back(grid_place(k));

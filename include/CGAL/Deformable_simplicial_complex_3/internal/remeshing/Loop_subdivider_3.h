@@ -6,16 +6,15 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_REMESHING_LOOP_SUBDIVIDER_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Signed_union_find.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/stoppable_sort.h>
 
-#include <CGAL/Named_function_parameters.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/subdivision_method_3.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -24,14 +23,14 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A step of Loop's scheme on an interface, which need not be manifold: CGAL's, on the patches that
-// are left when the interface is cut along its curves, where sheets meet or end. What lies on a
-// curve goes where the curve alone tells, and is thus the same for all patches there.
+// A step of Loop's scheme on an interface, which need not be manifold, on the patches that are left
+// when the interface is cut along its curves, where sheets meet or end. What lies on a curve goes
+// where the curve alone tells, and is thus the same for all patches there. Can be stopped, which
+// CGAL's subdivision cannot be.
 template <class Surface> class Loop_subdivider_3
 {
   using Point = typename Surface::Point_3;
   using Vertex_handle = typename Surface::Vertex_handle;
-  using Mesh = Surface_mesh<Simple_cartesian<double>::Point_3>;
   using Pair = std::array<std::size_t, 2>;
   static constexpr std::size_t none = std::size_t(-1);
 
@@ -41,7 +40,7 @@ public:
         m_fan(3 * surface.triangles.size()) {
     find_edges();
     find_ends();
-    subdivide_patches();
+    sum_up_around();
   }
 
   // Triangle t becomes 4 t to 4 t + 3, and the points of edges follow those that were there.
@@ -52,6 +51,7 @@ public:
     result.vertices = m_surface.vertices;
     result.boundary_classes = m_surface.boundary_classes;
     for (const Edge& edge : m_edges) {
+      Progress_scope::check();
       result.points.push_back(point_on(edge));
       result.vertices.push_back(Vertex_handle());
       result.boundary_classes.push_back(boundary_class(edge));
@@ -59,6 +59,7 @@ public:
     result.triangles.reserve(4 * m_surface.triangles.size());
     result.labels.reserve(4 * m_surface.triangles.size());
     for (std::size_t t = 0; t < m_surface.triangles.size(); ++t) {
+      Progress_scope::check();
       const auto [a, b, c] = m_surface.triangles[t];
       const std::size_t ab = n + m_edge[3 * t], bc = n + m_edge[3 * t + 1],
                         ca = n + m_edge[3 * t + 2];
@@ -74,11 +75,22 @@ public:
 private:
   struct Edge
   {
-    Pair points;            // the smaller one first
-    std::size_t side;       // one of those it consists of
-    bool is_border;         // of a single triangle
-    bool is_smooth;         // and not on a curve
-    std::size_t vertex = 0; // of the mesh, in the middle, if the edge is smooth
+    Pair points;             // the smaller one first
+    std::size_t side, other; // the first and the last one of those it consists of
+    bool is_border;          // of a single triangle
+    bool is_smooth;          // and not on a curve
+  };
+  struct Sum
+  {
+    double x = 0, y = 0, z = 0;
+    std::size_t number = 0; // of points
+
+    void add(const Point& p) {
+      x += p.x();
+      y += p.y();
+      z += p.z();
+      ++number;
+    }
   };
 
   // Corner k of triangle t is 3 t + k, and so is the side from there to the next corner.
@@ -86,30 +98,36 @@ private:
   const std::size_t& point(std::size_t corner) const {
     return m_surface.triangles[corner / 3][corner % 3];
   }
+  const Point& opposite(std::size_t side) const {
+    return m_surface.points[point(next(next(side)))];
+  }
 
   // Edges, ordered by their points, and fans: corners at a point that are joined by smooth edges.
   void find_edges() {
     std::vector<std::pair<Pair, std::size_t>> sides;
     sides.reserve(m_edge.size());
     for (std::size_t side = 0; side < m_edge.size(); ++side) {
+      Progress_scope::check();
       const auto [p, q] = std::minmax(point(side), point(next(side)));
       sides.push_back({{p, q}, side});
     }
-    std::sort(sides.begin(), sides.end());
+    stoppable_sort(sides.begin(), sides.end());
     Signed_union_find fans(m_fan.size());
     for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
+      Progress_scope::check();
       while (last < sides.size() && sides[last].first == sides[first].first)
         m_edge[sides[last++].second] = m_edges.size();
       const std::size_t side = sides[first].second, other = sides[last - 1].second;
       const bool is_smooth = last - first == 2 && point(side) != point(other) &&
                              m_surface.labels[side / 3] == m_surface.labels[other / 3];
-      m_edges.push_back({sides[first].first, side, last - first == 1, is_smooth});
+      m_edges.push_back({sides[first].first, side, other, last - first == 1, is_smooth});
       if (is_smooth) {
         fans.unite(side, next(other), false);
         fans.unite(next(side), other, false);
       }
     }
     for (std::size_t corner = 0; corner < m_fan.size(); ++corner) {
+      Progress_scope::check();
       const std::size_t first = fans.find(corner).first; // the first one of the fan
       m_fan[corner] = first == corner ? m_corner_of_fan.size() : m_fan[first];
       if (first == corner)
@@ -131,44 +149,33 @@ private:
       }
   }
 
-  // Fans are the vertices of the patches.
-  void subdivide_patches() {
-    std::vector<Mesh::Point> points;
-    for (std::size_t corner : m_corner_of_fan) {
-      const Point& p = m_surface.points[point(corner)];
-      points.emplace_back(p.x(), p.y(), p.z());
+  // The points around a fan that is closed.
+  void sum_up_around() {
+    m_around.resize(m_corner_of_fan.size());
+    for (std::size_t corner = 0; corner < m_fan.size(); ++corner) {
+      Progress_scope::check();
+      m_around[m_fan[corner]].add(m_surface.points[point(next(corner))]);
     }
-    std::vector<std::array<std::size_t, 3>> triangles;
-    for (std::size_t corner = 0; corner < m_fan.size(); corner += 3)
-      triangles.push_back({m_fan[corner], m_fan[corner + 1], m_fan[corner + 2]});
-    Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, triangles, m_mesh);
-
-    const auto vertex = [](std::size_t i) { return Mesh::Vertex_index(Mesh::size_type(i)); };
-    std::vector<Mesh::Halfedge_index> halfedges; // of smooth edges
-    for (const Edge& edge : m_edges)
-      if (edge.is_smooth)
-        halfedges.push_back(
-            m_mesh.halfedge(vertex(m_fan[edge.side]), vertex(m_fan[next(edge.side)])));
-    Subdivision_method_3::Loop_subdivision(m_mesh, CGAL::parameters::number_of_iterations(1));
-
-    // A halfedge is half of itself now: one of its vertices is new.
-    auto halfedge = halfedges.begin();
-    for (Edge& edge : m_edges)
-      if (edge.is_smooth) {
-        edge.vertex = (std::max)(m_mesh.source(*halfedge), m_mesh.target(*halfedge));
-        ++halfedge;
-      }
   }
 
-  Point point_of_mesh(std::size_t vertex) const {
-    const auto& p = m_mesh.point(Mesh::Vertex_index(Mesh::size_type(vertex)));
-    return Point(p.x(), p.y(), p.z());
+  // Loop's rule for points of closed fans.
+  Point moved_point(std::size_t fan) const {
+    const Point& p = m_surface.points[point(m_corner_of_fan[fan])];
+    const Sum& around = m_around[fan];
+    const double n = double(around.number), c = 3. / 8 + std::cos(2 * CGAL_PI / n) / 4,
+                 all = 5. / 8 - c * c, own = 1 - all, each = all / n;
+    return Point(own * p.x() + each * around.x, own * p.y() + each * around.y,
+                 own * p.z() + each * around.z);
   }
 
   Point point_on(const Edge& edge) const {
-    return edge.is_smooth
-               ? point_of_mesh(edge.vertex)
-               : midpoint(m_surface.points[edge.points[0]], m_surface.points[edge.points[1]]);
+    const Point &a = m_surface.points[edge.points[0]], &b = m_surface.points[edge.points[1]];
+    if (!edge.is_smooth)
+      return midpoint(a, b);
+    const Point &c = opposite(edge.side), &d = opposite(edge.other);
+    return Point((3 * (a.x() + b.x()) + c.x() + d.x()) / 8,
+                 (3 * (a.y() + b.y()) + c.y() + d.y()) / 8,
+                 (3 * (a.z() + b.z()) + c.z() + d.z()) / 8);
   }
 
   // An edge between points of the boundary may cross the domain, unless the interface ends there.
@@ -200,11 +207,12 @@ private:
         stays[p] = true;
     }
     for (std::size_t p = 0; p < points.size(); ++p) {
+      Progress_scope::check();
       if (fan[p] == none || stays[p] || is_held_by_boundary(p))
         continue;
       const auto [a, b] = m_ends[fan[p]];
       if (a == none)
-        points[p] = point_of_mesh(fan[p]);
+        points[p] = moved_point(fan[p]);
       else
         points[p] = along_curve(m_surface.points[a], m_surface.points[p], m_surface.points[b]);
     }
@@ -222,8 +230,8 @@ private:
   std::vector<std::size_t> m_edge; // of a side
   std::vector<std::size_t> m_fan;  // of a corner
   std::vector<std::size_t> m_corner_of_fan;
-  std::vector<Pair> m_ends; // of a fan
-  Mesh m_mesh;              // subdivided
+  std::vector<Pair> m_ends;  // of a fan
+  std::vector<Sum> m_around; // a fan that is closed
 };
 
 } // namespace internal

@@ -5,15 +5,18 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TEXT_FILES_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TEXT_FILES_H
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/open_input.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <ios>
 #include <locale>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -81,14 +84,44 @@ template <class Write> void replace_file(const std::string& path, Write write) {
                      path);
 }
 
+// Writing can be stopped.
+class Stoppable_filebuf : public std::filebuf
+{
+protected:
+  int_type overflow(int_type c) override {
+    Progress_scope::check();
+    return std::filebuf::overflow(c);
+  }
+  std::streamsize xsputn(const char* text, std::streamsize size) override {
+    static constexpr std::streamsize most = 1 << 20; // bytes at once, which take a millisecond
+    std::streamsize done = 0;
+    while (done < size) {
+      Progress_scope::check();
+      const std::streamsize part = (std::min)(most, size - done),
+                            written = std::filebuf::xsputn(text + done, part);
+      done += written;
+      if (written < part)
+        break;
+    }
+    return done;
+  }
+};
+
 // The same with a binary stream, whose numbers do not depend on the global locale.
 template <class Write> void replace_file_by_stream(const std::string& path, Write write) {
   replace_file(path, [&](const std::string& temporary) {
-    std::ofstream out(temporary, std::ios::binary);
+    Stoppable_filebuf file;
+    if (!file.open(temporary, std::ios::out | std::ios::binary))
+      return false;
+    std::ostream out(&file);
     out.imbue(std::locale::classic());
-    write(out);
-    out.close();
-    return out.good();
+    out.exceptions(std::ios::badbit); // or exceptions of the file would be lost in the stream
+    try {
+      write(out);
+    } catch (const std::ios_base::failure&) {
+      return false;
+    }
+    return file.close() != nullptr && out.good();
   });
 }
 

@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_STOPPABLE_SORT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_STOPPABLE_SORT_H
+
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+
+#include <algorithm>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// std::sort() that asks now and then whether to go on. The order is lost when it is stopped.
+template <class Iterator> void stoppable_sort(Iterator first, Iterator last) {
+  static constexpr unsigned often = 1 << 12; // comparisons, which take some microseconds
+  unsigned number = 0;
+  std::sort(first, last, [&](const auto& a, const auto& b) {
+    if (++number % often == 0)
+      Progress_scope::check();
+    return a < b;
+  });
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_STOPPABLE_SORT_H
