@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$1/CGAL"
 
 rooms=(accounts complex traversal geometry interface operations parameters topology motion improvement
-  remeshing deformation soups building images repair conversion clouds reconstruction geodesics values solvers flow fluids text
+  remeshing deformation soups building octrees images repair conversion clouds reconstruction geodesics values solvers flow fluids text
   grids curves IO)
 maximum_lines=2000
 

@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CONVERSION_VOXEL_OCTREE_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CONVERSION_VOXEL_OCTREE_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/building/Octree_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Voxel_pyramid_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/octrees/Octree_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 

@@ -5,10 +5,10 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_CLOUD_SHELL_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_CLOUD_SHELL_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/building/Octree_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/building/Octree_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/clouds/Sampled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/improvement/Own_operations_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/octrees/Octree_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/octrees/Octree_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/manifold_interface.h>
 

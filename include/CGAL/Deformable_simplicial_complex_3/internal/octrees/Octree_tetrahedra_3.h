@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_OCTREE_TETRAHEDRA_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_OCTREE_TETRAHEDRA_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_OCTREES_OCTREE_TETRAHEDRA_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_OCTREES_OCTREE_TETRAHEDRA_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/building/Octree_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/octrees/Octree_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/stoppable_sort.h>
 
@@ -160,4 +160,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_BUILDING_OCTREE_TETRAHEDRA_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_OCTREES_OCTREE_TETRAHEDRA_3_H
