@@ -406,6 +406,7 @@ public:
   /*!
   Checks the data structure, every orientation exactly, boundary classes and all that is cached.
   \param verbose tells on `std::cerr` what is wrong, as CGAL's triangulations do
+  \throws Interrupted_error if the callback of a `Progress_scope` returns `false`
   */
   bool is_valid(bool verbose = false) const;
 

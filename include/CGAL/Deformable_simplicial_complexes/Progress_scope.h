@@ -55,7 +55,8 @@ public:
   using Callback = std::function<bool(const char* phase)>;
 
   /// Begins the scope. If the callback throws, the function of the package throws the same
-  /// exception.
+  /// exception. The callback may call functions of the package that do not change what is being
+  /// changed; they do not call it.
   /// \param callback called to ask whether to go on
   /// \param interval shortest time between two calls while this scope is the innermost one; 0 for a
   ///        call at each check
@@ -89,6 +90,17 @@ private:
     return scope;
   }
 
+  // Callbacks may call functions of the package, which do not ask then.
+  struct Silence
+  {
+    Progress_scope* scope = std::exchange(innermost(), nullptr);
+
+    Silence() = default;
+    ~Silence() { innermost() = scope; }
+    Silence(const Silence&) = delete;
+    Silence& operator=(const Silence&) = delete;
+  };
+
   static const char*& phase() {
     static thread_local const char* name = "computing";
     return name;
@@ -99,6 +111,7 @@ private:
     if (now < m_next)
       return;
     m_next = now + m_interval;
+    const Silence while_asking;
     for (const Progress_scope* scope = this; scope != nullptr; scope = scope->m_outer)
       if (!scope->m_callback(phase()))
         throw Interrupted_error();

@@ -73,6 +73,12 @@ TEST(Stopping, improvement_leaves_a_valid_complex) {
   expect_valid_wherever_stopped(start, [](Complex& dsc) { CGAL::improve_interface(dsc); });
 }
 
+TEST(Stopping, restoring_leaves_a_valid_complex) {
+  const Complex dsc = mesh_helpers::sphere(6, .6);
+  const auto state = dsc.state();
+  expect_valid_wherever_stopped(dsc, [&](Complex& c) { c.restore(state); });
+}
+
 TEST(Stopping, building_makes_nothing) {
   const auto build = [] {
     CGAL::make_deformable_simplicial_complex_3<Complex>(
@@ -131,6 +137,17 @@ TEST(Stopping, all_scopes_of_the_thread_are_asked) {
   }
   EXPECT_EQ(outer, 2);
   EXPECT_EQ(inner, 2);
+}
+
+TEST(Stopping, callbacks_may_call_functions_that_ask) {
+  const Complex dsc = mesh_helpers::sphere(6, .6);
+  std::size_t number = 0;
+  const Progress_scope scope([&](const char*) { return ++number > 0 && dsc.is_valid(); },
+                             at_each_check);
+  Progress_scope::check();
+  EXPECT_EQ(number, 1);
+  Progress_scope::check();
+  EXPECT_EQ(number, 2);
 }
 
 TEST(Stopping, without_a_scope_nothing_is_asked) { EXPECT_NO_THROW(Progress_scope::check()); }

@@ -98,6 +98,10 @@ public:
     return CGAL::determinant<Number>(entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1));
   }
 
+  // Whether vertices and cells refer to each other as they should.
+  static bool is_sewn(const Triangulation_data_structure& tds, bool verbose) {
+    return tds.is_valid(verbose);
+  }
   static auto all_cells(const Triangulation& t) { return t.all_face_handles(); }
   static auto finite_cells(const Triangulation& t) { return t.finite_face_handles(); }
   static const auto& cell_container(const Triangulation_data_structure& tds) { return tds.faces(); }

@@ -8,6 +8,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
 #include <CGAL/Deformable_simplicial_complex_cell_base_3.h>
 #include <CGAL/Deformable_simplicial_complex_vertex_base_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
@@ -104,6 +105,26 @@ public:
                                      entry(2, 2));
   }
 
+  // Whether vertices and cells refer to each other as they should: what the validity of the data
+  // structure means, but can be stopped.
+  static bool is_sewn(const Triangulation_data_structure& tds, bool verbose) {
+    static constexpr std::size_t fewest = 5; // vertices of a sphere of cells
+    std::size_t vertices = 0, cells = 0, edges = 0;
+    for (auto v = tds.vertices_begin(); v != tds.vertices_end(); ++v, ++vertices) {
+      Progress_scope::check();
+      if (!tds.is_valid(Vertex_handle(v), verbose))
+        return false;
+    }
+    for (auto c = tds.cells_begin(); c != tds.cells_end(); ++c, ++cells) {
+      Progress_scope::check();
+      if (!tds.is_valid(Cell_handle(c), verbose))
+        return false;
+    }
+    for (auto e = tds.edges_begin(); e != tds.edges_end(); ++e, ++edges)
+      Progress_scope::check();
+    // Euler's relation, with two facets for each cell.
+    return vertices >= fewest && vertices == tds.number_of_vertices() && vertices + cells == edges;
+  }
   static auto all_cells(const Triangulation& t) { return t.all_cell_handles(); }
   static auto finite_cells(const Triangulation& t) { return t.finite_cell_handles(); }
   static const auto& cell_container(const Triangulation_data_structure& tds) { return tds.cells(); }

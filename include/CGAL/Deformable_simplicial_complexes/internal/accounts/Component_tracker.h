@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_ACCOUNTS_COMPONENT_TRACKER_H
 
 #include <CGAL/Deformable_simplicial_complexes/Component_event.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Doubted_connections.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Label_totals.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Marks.h>
@@ -190,6 +191,7 @@ public:
       is_found[i] = true;
       std::int64_t volume = 0;
       for (marks.add(seed, seen); next < seen.size(); ++next) {
+        Progress_scope::check();
         const Cell_handle c = seen[next];
         volume += totals.units(complex.measure(c));
         if (c->component() != i)

@@ -273,6 +273,7 @@ auto CGAL_DSC_CLASS::state() const -> State {
   if (Domain::has_outside)
     add_cell_of(m_triangulation.infinite_vertex());
   for (Vertex_handle v : vertices()) {
+    Progress_scope::check();
     numbers.set(v, ++index);
     add_cell_of(v);
     result.points.push_back(internal::coordinates_of<dimension>(position(v)));
@@ -280,6 +281,7 @@ auto CGAL_DSC_CLASS::state() const -> State {
     result.spacings.push_back(v->spacing());
   }
   for (Cell_handle c : cells) {
+    Progress_scope::check();
     result.cells.emplace_back();
     for (int i = 0; i < corners; ++i)
       result.cells.back()[i] = numbers(c->vertex(i));
@@ -317,6 +319,7 @@ void CGAL_DSC_CLASS::create_items(const State& state) {
   internal::prepare_for_cells<Space>(m_triangulation);
   std::vector<Vertex_handle> vertices(1, m_numbers.add_vertex(m_triangulation.infinite_vertex()));
   for (size_type i = 0; i < state.points.size(); ++i) {
+    Progress_scope::check();
     vertices.push_back(m_numbers.add_vertex(m_triangulation.tds().create_vertex()));
     vertices.back()->set_point(exact(internal::point_at<Labelled_complex>(state.points[i])));
     vertices.back()->set_boundary_class(state.boundary_classes[i]);
@@ -464,6 +467,7 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
     totals.add_volume(t.label, -t.volume);
   size_type count = 0;
   for (Cell_handle c : finite_cells()) {
+    Progress_scope::check();
     ++count;
     totals.add_volume(c->label(), totals.units(measure(c)));
     if (!report(is_positive(c), "a cell is not positively oriented", verbose) ||
@@ -483,6 +487,7 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
 
   std::vector<Cell_handle> cells;
   for (Vertex_handle v : finite_vertices()) {
+    Progress_scope::check();
     star(v, cells);
     size_type twice_interface = 0;
     bool is_on_hull = false;
@@ -512,7 +517,7 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
 CGAL_DSC_TEMPLATE
 bool CGAL_DSC_CLASS::is_sewn(bool verbose) const {
   if (Domain::has_outside)
-    return m_triangulation.tds().is_valid(verbose);
+    return Space::is_sewn(m_triangulation.tds(), verbose);
   // CGAL does not accept that no cell has the infinite vertex.
   for (Vertex_handle v : finite_vertices())
     if (v->cell() == Cell_handle() || !v->cell()->has_vertex(v))
