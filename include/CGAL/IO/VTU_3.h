@@ -53,7 +53,8 @@ writes all tetrahedra as above, with a vector for each point: velocities of a fl
 \tparam VectorAt is a function from `Vertex_handle` to a vector with coordinates 0 to 2 by `[]`.
 
 \param path, dsc are as above.
-\param name is that of the vectors among the point data.
+\param name is that of the vectors among the point data; it contains none of the characters `"`, `&`
+and `<`.
 \param vector_at tells them.
 
 \throws Deformable_simplicial_complexes::File_error as above.
@@ -89,7 +90,8 @@ Arrays named as those that are written anyway are left out.
 \throws Deformable_simplicial_complexes::File_error as above.
 
 \pre the types of the arrays are names of VTK: `Int8` to `Int64`, `UInt8` to `UInt64`, `Float32`,
-`Float64`.
+`Float64`. Each array has as many rows as there are vertices or cells. Names contain none of the
+characters `"`, `&` and `<`, or they are written as in XML, as `read_VTU()` leaves them.
 */
 template <class Traits, class Tds, class QualityMeasure, class Domain>
 void write_VTU(const std::string& path,
