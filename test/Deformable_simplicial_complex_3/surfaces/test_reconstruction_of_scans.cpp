@@ -21,7 +21,6 @@ using Point = Kernel::Point_3;
 using Report = CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Complex>;
 using CGAL::Deformable_simplicial_complexes::Interrupted_error;
 using CGAL::Deformable_simplicial_complexes::Progress_scope;
-namespace internal = CGAL::Deformable_simplicial_complexes::internal;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 // The walls of a house without a roof, and the ground around and below it, whose points are denser.

@@ -5,12 +5,12 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CONVERSION_VOXEL_INTERFACE_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CONVERSION_VOXEL_INTERFACE_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/octrees/Octree_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Stairs_smoother_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Voxel_components_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Voxel_frame_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Voxel_octree_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/conversion/Voxel_pyramid_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/octrees/Octree_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/control_detail.h>

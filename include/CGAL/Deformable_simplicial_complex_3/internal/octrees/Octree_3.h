@@ -54,13 +54,13 @@ public:
   // Marks a block of a level above 0. Before the tree is completed.
   void split(unsigned level, const Place& block) { m_split[level].push_back(grid_key(block)); }
 
-  // Splits what is around blocks that are split, from the smallest ones on.
+  // Splits further blocks until leaves that touch differ by one level at the most.
   void complete() {
     for (unsigned level = 1; level < last_level(); ++level) {
-      sort(m_split[level]);
+      sort_and_unify(m_split[level]);
       split_around(level);
     }
-    sort(m_split.back());
+    sort_and_unify(m_split.back());
   }
 
   bool is_split(unsigned level, const Place& block) const {
@@ -96,11 +96,6 @@ private:
           for (q[0] = p[0] - (p[0] > 0); q[0] <= p[0] + 1 && q[0] < end; ++q[0])
             split(level + 1, {q[0] / 2, q[1] / 2, q[2] / 2});
     }
-  }
-
-  static void sort(std::vector<std::uint64_t>& keys) {
-    stoppable_sort(keys.begin(), keys.end());
-    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
   }
 
   std::vector<std::vector<std::uint64_t>> m_split; // keys of blocks, for each level

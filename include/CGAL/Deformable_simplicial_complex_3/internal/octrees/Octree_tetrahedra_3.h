@@ -39,8 +39,7 @@ public:
     keys.reserve(4 * corners.size());
     for (const auto& t : corners)
       keys.insert(keys.end(), t.begin(), t.end());
-    stoppable_sort(keys.begin(), keys.end());
-    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    sort_and_unify(keys);
     for (const std::uint64_t k : keys)
       points.push_back(grid_place(k));
     for (const auto& t : corners) {

@@ -121,10 +121,13 @@ template <class Complex> Complex complex_of_shell(const Cloud_shell_3& shell) {
   const Octree_tetrahedra_3 mesh(
       octree, [](unsigned level, const Octree_3::Place& /*block*/) { return int(level); });
   const auto construct_point = result.geom_traits().construct_exact_point_3_object();
+  std::vector<std::array<double, 3>> coordinates;
   std::vector<typename Complex::Point> points;
+  coordinates.reserve(mesh.points.size());
   points.reserve(mesh.points.size());
   for (const auto& place : mesh.points) {
     const std::array<double, 3> p = shell.coordinates(place);
+    coordinates.push_back(p);
     points.push_back(construct_point({p[0], p[1], p[2]}));
   }
   std::vector<int> labels;
@@ -134,7 +137,7 @@ template <class Complex> Complex complex_of_shell(const Cloud_shell_3& shell) {
     std::array<double, 3> sum = {0, 0, 0};
     for (const std::size_t v : mesh.tetrahedra[t])
       for (int axis = 0; axis < 3; ++axis)
-        sum[axis] += shell.coordinates(mesh.points[v])[axis] / 4;
+        sum[axis] += coordinates[v][axis] / 4;
     labels.push_back(
         shell.label(Cloud_shell_3::Point(sum[0], sum[1], sum[2]), unsigned(mesh.labels[t])));
   }

@@ -8,6 +8,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -22,6 +23,12 @@ template <class Iterator> void stoppable_sort(Iterator first, Iterator last) {
       Progress_scope::check();
     return a < b;
   });
+}
+
+// Sorts items and keeps one of those that are equal.
+template <class Item> void sort_and_unify(std::vector<Item>& items) {
+  stoppable_sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
 } // namespace internal
