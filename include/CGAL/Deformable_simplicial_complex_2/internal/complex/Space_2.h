@@ -9,6 +9,8 @@
 #include <CGAL/Deformable_simplicial_complex_vertex_base_2.h>
 
 #include <CGAL/Default.h>
+#include <CGAL/Hilbert_policy_tags.h>
+#include <CGAL/Hilbert_sort_2.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_2.h>
 #include <CGAL/Triangulation_data_structure_2.h>
@@ -41,7 +43,8 @@ public:
   using Approximate_point = typename Traits::Approximate_point_2;
   using Approximate_vector = typename Traits::Approximate_vector_2;
   template <class Kernel, class Map>
-  using Spatial_sort_traits = Spatial_sort_traits_adapter_2<Kernel, Map>;
+  using Hilbert_sorter =
+      Hilbert_sort_2<Spatial_sort_traits_adapter_2<Kernel, Map>, Hilbert_sort_median_policy>;
 
   // The vertices of the edge opposite to each vertex, with the cell on the left.
   static constexpr int facet_vertices[3][2] = {{1, 2}, {2, 0}, {0, 1}};

@@ -8,6 +8,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/clouds/Point_cloud_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Signed_union_find.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/stoppable_sort.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -292,13 +293,7 @@ private:
   }
 
   static void join_by(std::vector<Relation> relations, Signed_union_find& sides) {
-    static constexpr std::size_t often = 1024; // comparisons: a check takes as long as several
-    std::size_t comparisons = 0;
-    std::sort(relations.begin(), relations.end(), [&](const Relation& a, const Relation& b) {
-      if (++comparisons % often == 0)
-        Progress_scope::check();
-      return a < b;
-    });
+    stoppable_sort(relations.begin(), relations.end());
     for (const Relation& r : relations) {
       Progress_scope::check();
       sides.unite(r.first, r.second, r.are_opposite);

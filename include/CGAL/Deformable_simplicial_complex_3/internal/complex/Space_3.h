@@ -11,6 +11,8 @@
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
 #include <CGAL/Default.h>
+#include <CGAL/Hilbert_policy_tags.h>
+#include <CGAL/Hilbert_sort_3.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_3.h>
 #include <CGAL/Triangulation_data_structure_3.h>
@@ -42,7 +44,8 @@ public:
   using Approximate_point = typename Traits::Approximate_point_3;
   using Approximate_vector = typename Traits::Approximate_vector_3;
   template <class Kernel, class Map>
-  using Spatial_sort_traits = Spatial_sort_traits_adapter_3<Kernel, Map>;
+  using Hilbert_sorter =
+      Hilbert_sort_3<Spatial_sort_traits_adapter_3<Kernel, Map>, Hilbert_sort_median_policy>;
 
   // The vertices of the facet opposite to each vertex, counterclockwise seen from outside the cell.
   static constexpr int facet_vertices[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};

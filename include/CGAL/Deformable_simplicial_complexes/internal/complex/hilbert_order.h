@@ -5,11 +5,13 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_HILBERT_ORDER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_HILBERT_ORDER_H
 
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Sparse_check.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/hilbert_sort.h>
+#include <CGAL/algorithm.h>
 
 #include <boost/property_map/property_map.hpp>
+#include <boost/random/linear_congruential.hpp>
+#include <boost/random/random_number_generator.hpp>
 
 #include <cstddef>
 #include <numeric>
@@ -28,26 +30,40 @@ template <class Point> struct Stoppable_point_map
   using category = boost::readable_property_map_tag;
 
   const Point* points;
-  unsigned* number_of_reads;
+  Sparse_check* check;
 
   friend const Point& get(const Stoppable_point_map& map, std::size_t i) {
-    static constexpr unsigned often = 1 << 12; // reads, which take some microseconds
-    if (++*map.number_of_reads % often == 0)
-      Progress_scope::check();
+    (*map.check)();
     return map.points[i];
   }
 };
 
-// The indices of points along a Hilbert curve.
+// Random numbers for the shuffle before a sort. Drawing them can be stopped.
+struct Stoppable_random_numbers
+{
+  boost::rand48 engine;
+  Sparse_check check;
+
+  std::ptrdiff_t operator()(std::ptrdiff_t bound) {
+    check();
+    return boost::random_number_generator<boost::rand48, std::ptrdiff_t>(engine)(bound);
+  }
+};
+
+// The indices of points along a Hilbert curve: the order of CGAL's hilbert_sort(), whose shuffle
+// cannot be stopped.
 template <class Space>
 std::vector<std::size_t>
 hilbert_order(const std::vector<typename Space::Approximate_point>& points) {
   using Map = Stoppable_point_map<typename Space::Approximate_point>;
-  using Sort_traits = typename Space::template Spatial_sort_traits<Simple_cartesian<double>, Map>;
+  using Sorter = typename Space::template Hilbert_sorter<Simple_cartesian<double>, Map>;
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  unsigned number_of_reads = 0;
-  hilbert_sort(order.begin(), order.end(), Sort_traits(Map{points.data(), &number_of_reads}));
+  Stoppable_random_numbers random_numbers;
+  cpp98::random_shuffle(order.begin(), order.end(), random_numbers);
+  Sparse_check check;
+  const Sorter sort(Map{points.data(), &check});
+  sort(order.begin(), order.end());
   return order;
 }
 

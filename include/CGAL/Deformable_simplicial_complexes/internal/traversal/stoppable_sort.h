@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_STOPPABLE_SORT_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_STOPPABLE_SORT_H
 
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Sparse_check.h>
 
 #include <algorithm>
 #include <vector>
@@ -16,11 +16,9 @@ namespace internal {
 
 // std::sort() that asks now and then whether to go on. The order is lost when it is stopped.
 template <class Iterator> void stoppable_sort(Iterator first, Iterator last) {
-  static constexpr unsigned often = 1 << 12; // comparisons, which take some microseconds
-  unsigned number = 0;
+  Sparse_check check;
   std::sort(first, last, [&](const auto& a, const auto& b) {
-    if (++number % often == 0)
-      Progress_scope::check();
+    check();
     return a < b;
   });
 }
