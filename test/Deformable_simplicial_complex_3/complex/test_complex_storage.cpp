@@ -5,7 +5,10 @@
 #include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>
+#include <CGAL/Random.h>
 #include <CGAL/deform_interface_3.h>
+#include <CGAL/hilbert_sort.h>
 #include <CGAL/improve_mesh_3.h>
 
 #include <gtest/gtest.h>
@@ -418,6 +421,23 @@ TEST(Is_valid, sees_sides_that_are_no_planes) {
     if (dsc.is_boundary(v))
       v->set_boundary_class(1); // x minimum, also for those at x = 1
   EXPECT_FALSE(dsc.is_valid());
+}
+
+// Order in storage
+
+TEST(Hilbert_order, is_that_of_CGAL) {
+  using Point = Complex::Approximate_point_3;
+  std::vector<Point> points;
+  CGAL::Random random(3);
+  for (int i = 0; i < 3000; ++i)
+    points.emplace_back(random.get_int(0, 9), random.get_double(), random.get_double());
+  const auto order =
+      CGAL::Deformable_simplicial_complexes::internal::hilbert_order<Complex::Space>(points);
+  ASSERT_EQ(order.size(), points.size());
+  std::vector<Point> sorted = points;
+  CGAL::hilbert_sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    EXPECT_EQ(points[order[i]], sorted[i]);
 }
 
 // Without cells
