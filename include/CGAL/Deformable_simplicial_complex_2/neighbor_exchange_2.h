@@ -105,7 +105,7 @@ public:
     for (std::size_t k = m_ends[1]; k < m_ends[2]; ++k)
       create(cavity, k, b);
     divide(cavity, m_ends[2], m_ends[3], b, a);
-    if (!cavity.is_positive())
+    if (!cavity.is_admissible())
       return std::nullopt;
 
     const auto length = [&](const Point& p, std::size_t k) {

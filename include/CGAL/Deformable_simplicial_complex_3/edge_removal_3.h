@@ -147,7 +147,7 @@ bool propose_interface_edge_flip(const Complex& complex, typename Complex::Cell_
       return false;
   const double bound = (std::min)(cavity.quality_before(), minimum_quality);
   return ring.triangulate(sheets[0], sheets[1], bound) &&
-         ring.triangulate(sheets[1], sheets[0] + n, bound) && cavity.is_positive();
+         ring.triangulate(sheets[1], sheets[0] + n, bound) && cavity.is_admissible();
 }
 
 } // namespace CGAL

@@ -181,6 +181,12 @@ public:
     });
   }
 
+  /// Whether, besides, the planned cells keep the quality of the removed ones:
+  /// `Labelled_complex::keeps_quality()`.
+  bool is_admissible() const {
+    return Complex::keeps_quality(m_quality_before, m_quality_after) && is_positive();
+  }
+
   /// Whether a cell of finite cavity vertices is positively oriented, exactly.
   bool is_positive(const Indices& cell) const {
     return m_complex->domain().orientation(*m_complex, [&](int i) -> const Point& {

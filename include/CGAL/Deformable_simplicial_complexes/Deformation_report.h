@@ -28,6 +28,13 @@ template <class Complex> struct Deformation_report
     double distance;                        ///< from where it is to its destination
   };
 
+  /// A cell whose quality is below `Complex::quality_floor`.
+  struct Flat_cell
+  {
+    typename Complex::Cell_handle cell; ///< a finite cell
+    double quality;                     ///< by the measure of the complex
+  };
+
   /// What became of a label: its components, and its volume in the coordinates of the complex.
   struct Label_change
   {
@@ -57,6 +64,7 @@ template <class Complex> struct Deformation_report
 
   bool complete = true;                      ///< whether `unfinished` is empty
   std::vector<Unfinished_vertex> unfinished; ///< by time stamp
+  std::vector<Flat_cell> flat;               ///< all of the complex, in the end, by time stamp
   /// vertices that were removed or left the interface, by a merge or a collapse, before they
   /// arrived
   std::size_t vanished = 0;

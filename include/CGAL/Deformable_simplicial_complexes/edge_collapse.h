@@ -239,7 +239,7 @@ bool propose_edge_collapse(const Complex& complex, typename Complex::Cell_handle
       corners[k] = c->vertex(k) == a ? b_index : cavity.add(c->vertex(k));
     cavity.create(corners, c);
   }
-  if (!cavity.is_positive())
+  if (!cavity.is_admissible())
     return false;
 
   const Deformable_simplicial_complexes::internal::Collapse_test<Complex> test(complex, a, b);

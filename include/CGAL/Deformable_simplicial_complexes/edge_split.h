@@ -25,7 +25,7 @@ are those of before.
 \param point where the new vertex is to be. If that is not on the edge, the interface changes
        accordingly. \pre it is on the edge, up to rounding, if that is on the boundary of the domain
 \param cavity filled with the proposal if there is one. Its last vertex is the new one.
-\return whether all new cells are positive.
+\return whether all new cells are positive and `complex.keeps_quality()`.
 
 Linear in the number of cells around the edge.
 */
@@ -60,7 +60,7 @@ bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle ce
     half[parent->index(b)] = middle;
     cavity.create(half, parent);
   }
-  return cavity.is_positive();
+  return cavity.is_admissible();
 }
 
 /*!

@@ -46,6 +46,17 @@ bool CGAL_DSC_CLASS::is_positive_star(Vertex_handle v, const std::vector<Cell_ha
                      [&](Cell_handle c) { return is_infinite(c) || is_positive(c, point_of); });
 }
 
+// Whether all cells would also keep their quality.
+CGAL_DSC_TEMPLATE
+bool CGAL_DSC_CLASS::is_admissible_star(Vertex_handle v, const std::vector<Cell_handle>& star,
+                                        const Point& q) const {
+  const Approximate_point target = approximate(q);
+  const auto position_of = [&](Vertex_handle w) { return w == v ? target : position(w); };
+  return is_positive_star(v, star, q) && std::all_of(star.begin(), star.end(), [&](Cell_handle c) {
+           return is_infinite(c) || keeps_quality(c->quality(), quality(c, position_of));
+         });
+}
+
 CGAL_DSC_TEMPLATE
 double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, double margin) {
   const Point q = admissible_destination(v, destination);
@@ -57,7 +68,7 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, do
     for (Cell_handle c : m_star)
       note_motion(c);
   };
-  if (is_positive_star(v, m_star, q)) {
+  if (is_admissible_star(v, m_star, q)) {
     move_to(q);
     return 1;
   }
@@ -78,12 +89,12 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, do
       way = (std::min)(way, here / (here - there));
   }
 
-  // Rounding may ask for more distance than the margin.
+  // Rounding and the floor of quality may ask for more distance than the margin.
   static constexpr int maximum_number_of_halvings = 40;
   way *= 1 - margin;
   for (int i = 0; i < maximum_number_of_halvings && way > 0; ++i, way /= 2) {
     const Point p = rounded(exact(from + way * (to - from)));
-    if (is_positive_star(v, m_star, p)) {
+    if (is_admissible_star(v, m_star, p)) {
       if (p == v->point())
         return 0;
       move_to(p);

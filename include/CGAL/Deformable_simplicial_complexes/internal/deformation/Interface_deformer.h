@@ -225,6 +225,12 @@ public:
     report.passes = passes;
     for (std::size_t k = 0; k < unfinished().size(); ++k)
       report.unfinished.push_back({unfinished()[k], m_destinations.remaining_distance(k)});
+    for (Cell_handle c : m_complex.finite_cells())
+      if (c->quality() < Complex::quality_floor)
+        report.flat.push_back({c, c->quality()});
+    std::sort(report.flat.begin(), report.flat.end(), [](const auto& a, const auto& b) {
+      return a.cell->time_stamp() < b.cell->time_stamp();
+    });
     report.vanished = m_vanished;
     report.complete = report.unfinished.empty();
     const Improvement_report done = m_mesh.report();

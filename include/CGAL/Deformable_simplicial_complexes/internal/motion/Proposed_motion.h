@@ -52,22 +52,22 @@ public:
   // Where any vertex would be.
   Approximate_point position(Vertex_handle v) const { return m_complex.approximate(point_of(v)); }
 
-  // Of all cells, those that would not be positive. Measures all cells as they are, too: they are
-  // looked at but once.
+  // Of all cells, those that would not be positive or not keep their quality. Measures all cells as
+  // they are, too: they are looked at but once.
   std::vector<Cell_handle> all_bad_cells() {
     std::vector<char> is_bad(m_cells.size());
     m_measures.resize(m_cells.size());
     m_for_each_index(m_cells.size(), [&](std::size_t i) {
-      is_bad[i] = !is_positive(m_cells[i]);
+      is_bad[i] = !is_admissible(m_cells[i]);
       m_measures[i] = m_complex.measure(m_cells[i]);
     });
     return chosen(m_cells, is_bad);
   }
 
-  // Of some cells, those that would not be positive.
+  // Of some cells, those that would not be positive or not keep their quality.
   std::vector<Cell_handle> bad_cells(const std::vector<Cell_handle>& cells) const {
     std::vector<char> is_bad(cells.size());
-    m_for_each_index(cells.size(), [&](std::size_t i) { is_bad[i] = !is_positive(cells[i]); });
+    m_for_each_index(cells.size(), [&](std::size_t i) { is_bad[i] = !is_admissible(cells[i]); });
     return chosen(cells, is_bad);
   }
 
@@ -122,8 +122,10 @@ private:
     return result;
   }
 
-  bool is_positive(Cell_handle c) const {
-    return m_complex.is_positive(c, [&](Vertex_handle v) -> const Point& { return point_of(v); });
+  bool is_admissible(Cell_handle c) const {
+    return m_complex.is_positive(c, [&](Vertex_handle v) -> const Point& { return point_of(v); }) &&
+           Complex::keeps_quality(
+               c->quality(), m_complex.quality(c, [&](Vertex_handle v) { return position(v); }));
   }
 
   const Point& point_of(Vertex_handle v) const {
