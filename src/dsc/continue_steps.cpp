@@ -50,6 +50,7 @@ public:
   void complete(const Curvature_flow& before, Curvature_flow& asked) {
     complete("--dt", before.dt, asked.dt);
     complete("--keep-volumes", before.keeps_volumes, asked.keeps_volumes);
+    complete("--tolerance", before.tolerance, asked.tolerance);
   }
 
   void complete(const Zalesak& before, Zalesak& asked) { complete("--dt", before.dt, asked.dt); }

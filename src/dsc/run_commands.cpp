@@ -89,6 +89,7 @@ Run_commands::Run_commands(CLI::App& app) {
                                "square of its mean interface edge if not given");
   m_mean_curvature->add_flag("--keep-volumes", m_keeps_volumes,
                              "Keep the volume of each label but 0");
+  add_tolerance_option(*m_mean_curvature);
 
   m_zalesak = add_command(app, "zalesak",
                           "Turn curves, or a slotted disk if there is no INPUT, about (50, 50) in "
@@ -189,10 +190,20 @@ void Run_commands::add_flow_options(CLI::App& command) {
   command.add_option("--scheme", m_scheme, "How velocities are integrated")
       ->check(CLI::IsMember(&integration_schemes()))
       ->capture_default_str();
+  add_tolerance_option(command);
+}
+
+void Run_commands::add_tolerance_option(CLI::App& command) {
   command.add_option("--tolerance", m_tolerance,
                      "How far edges may lie from the smooth interface where it gets too coarse for "
                      "its curvature, in mean edges of the input; 0.04 in space and 0.005 in the "
-                     "plane if not given; with 0, the interface changes only where it must");
+                     "plane if not given; with 0, the interface is not "
+                     "adapted to its curvature");
+}
+
+std::optional<double> Run_commands::tolerance(const std::set<std::string>& given) const {
+  return given.count("--tolerance") > 0 ? std::make_optional(parse_tolerance(m_tolerance))
+                                        : std::nullopt;
 }
 
 Advection Run_commands::advection(Advection::Field field, const std::set<std::string>& given,
@@ -202,8 +213,7 @@ Advection Run_commands::advection(Advection::Field field, const std::set<std::st
           given.count("--period") > 0 ? parse_positive(m_period, "--period") : default_period,
           given.count("--dt") > 0 ? parse_positive(m_dt, "--dt") : default_dt,
           integration_schemes().at(m_scheme),
-          given.count("--tolerance") > 0 ? std::make_optional(parse_tolerance(m_tolerance))
-                                         : std::nullopt};
+          tolerance(given)};
 }
 
 /// What is not given is as by default or, where there is no default, of no meaning.
@@ -225,8 +235,8 @@ Motion Run_commands::motion(const std::set<std::string>& given) const {
   }
   if (*m_zalesak)
     return Zalesak{given.count("--dt") > 0 ? parse_positive(m_dt, "--dt") : default_dt_of_zalesak};
-  return Curvature_flow{given.count("--dt") > 0 ? parse_positive(m_dt, "--dt") : 0,
-                        m_keeps_volumes};
+  return Curvature_flow{given.count("--dt") > 0 ? parse_positive(m_dt, "--dt") : 0, m_keeps_volumes,
+                        tolerance(given)};
 }
 
 /// What has a meaning in one dimension only is refused in the other.
