@@ -62,6 +62,7 @@ public:
         },
         asked.motion);
     complete("--improve-interface", before.improves_interface, asked.improves_interface);
+    complete("--domain", before.grows_domain, asked.grows_domain);
     complete("--aggressiveness", before.aggressiveness, asked.aggressiveness);
   }
 

@@ -81,6 +81,7 @@ struct Step_options
   Motion motion;
   bool improves_interface = false;      ///< before the motion
   std::optional<double> aggressiveness; ///< of that; the library's if not set
+  bool grows_domain = false;            ///< where the interface comes near its boundary
 };
 
 /// A ball in the coordinates of the input.

@@ -124,9 +124,11 @@ CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
       ->check(CLI::Range(4, INT_MAX))
       ->excludes(resume);
   command
-      ->add_option("--domain", m_domain,
-                   "Box around all, by its least and its largest coordinates like -1,-1,-1,1,1,1, "
-                   "in the plane -1,-1,1,1")
+      ->add_option(
+          "--domain", m_domain,
+          "Box around all, by its least and its largest coordinates like -1,-1,-1,1,1,1, "
+          "in the plane -1,-1,1,1; with ,grow behind it, or grow alone for the default box, "
+          "it gets larger where the interface comes near its boundary")
       ->excludes(resume);
   command
       ->add_option("--edge", m_edge,
@@ -288,7 +290,7 @@ void Run_commands::require_kind(const Run_options& options, bool is_planar) cons
       if (input_kind(input) != kind)
         throw Usage_error(input + " is no inequality and cannot be mixed with them");
     const Inequalities check(options.start.inputs);
-    if (!is_given("--domain") && !*m_enright && !*m_vortex)
+    if (!options.domain && !*m_enright && !*m_vortex)
       throw Usage_error("inequalities need a box to hold in; give its least and its largest "
                         "coordinates by --domain");
   } else if (options.start.inputs.size() > 1)
@@ -310,8 +312,12 @@ Run_options Run_commands::options() const {
     options.start.figure = Figure::disk;
   const bool is_planar = is_new && dimension_of(options.start) == 2;
   options.step.motion = motion(options.given);
-  if (options.given.count("--domain") > 0)
-    options.domain = parse_domain(m_domain, is_planar ? 2 : 3);
+  if (options.given.count("--domain") > 0) {
+    std::string domain = m_domain;
+    options.step.grows_domain = take_growth(domain);
+    if (!domain.empty() || !options.step.grows_domain)
+      options.domain = parse_domain(domain, is_planar ? 2 : 3);
+  }
   if (options.given.count("--aggressiveness") > 0)
     options.step.aggressiveness = parse_aggressiveness(m_aggressiveness);
   if (is_new) {

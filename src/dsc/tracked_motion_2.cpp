@@ -11,6 +11,7 @@
 #include <CGAL/advect_interface_2.h>
 #include <CGAL/control_detail_2.h>
 #include <CGAL/curve_shortening_flow_2.h>
+#include <CGAL/grow_domain_2.h>
 #include <CGAL/improve_interface_2.h>
 #include <CGAL/interface_flows_2.h>
 #include <CGAL/velocity_fields_2.h>
@@ -162,5 +163,9 @@ Step_outcome Tracked_complex_2::advance(const Step_options& options, double time
       std::visit(Step{complex, time, threads, options.improves_interface}, options.motion);
   return step_outcome(seconds_since(start), report);
 }
+
+bool Tracked_complex_2::has_room() const { return CGAL::has_room_around_interface(complex); }
+
+void Tracked_complex_2::grow_domain() { CGAL::grow_domain(complex); }
 
 } // namespace dsc

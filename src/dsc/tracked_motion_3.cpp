@@ -11,6 +11,7 @@
 #include <CGAL/advect_interface_3.h>
 #include <CGAL/control_detail_3.h>
 #include <CGAL/face_offsetting_3.h>
+#include <CGAL/grow_domain_3.h>
 #include <CGAL/improve_interface_3.h>
 #include <CGAL/interface_flows_3.h>
 #include <CGAL/mean_curvature_flow_3.h>
@@ -180,5 +181,9 @@ Step_outcome Tracked_complex_3::advance(const Step_options& options, double time
       std::visit(Step{complex, time, threads, options.improves_interface}, options.motion);
   return step_outcome(seconds_since(start), report);
 }
+
+bool Tracked_complex_3::has_room() const { return CGAL::has_room_around_interface(complex); }
+
+void Tracked_complex_3::grow_domain() { CGAL::grow_domain(complex); }
 
 } // namespace dsc

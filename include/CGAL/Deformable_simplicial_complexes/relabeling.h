@@ -17,10 +17,10 @@ namespace CGAL {
 
 Proposes another label for a nearly flat cell trapped between two parts of the interface
 ("tetrahedron relabeling", section 3.2.1 of the paper). By the first rule, the largest facet of the
-cell lies on the interface, so does the opposite vertex, and that vertex projects into the facet:
-the cell joins the phase behind the facet. By the second one, for half the threshold, it joins the
-neighboring phase that decreases the area of the interface most, if one does. The topology of the
-interface may change.
+cell lies on the interface, the opposite vertex lies on the interface or on the boundary of the
+domain, and that vertex projects into the facet: the cell joins the phase behind the facet. By the
+second one, for half the threshold, it joins the neighboring phase that decreases the area of the
+interface most, if one does. The topology of the interface may change.
 
 \param complex is not changed.
 \param cell a finite cell.
@@ -38,8 +38,9 @@ bool propose_relabeling(const Complex& complex, typename Complex::Cell_handle ce
   const Deformable_simplicial_complexes::internal::Facet_normals<Complex> normals(complex, cell);
   const int largest = normals.largest();
 
+  const auto opposite = cell->vertex(largest);
   if (complex.is_interface(std::make_pair(cell, largest)) &&
-      cell->vertex(largest)->is_interface()) {
+      (opposite->is_interface() || complex.is_boundary(opposite))) {
     // The projection lies in the facet iff the three other facets face the other way.
     bool is_inside = true;
     for (int i = 0; i < Complex::corners; ++i)
