@@ -104,6 +104,7 @@ std::string continue_steps(const Step_options& before, const std::set<std::strin
   if (command != last) {
     require_options(asked.motion, given);
     require_effect_of_options(asked, given);
+    asked.grows_domain = before.grows_domain; // the domain is the same
     return command + " instead of " + last;
   }
   Completion completion(given);
