@@ -186,6 +186,10 @@ public:
   explicit Mean_curvature_flow(bool preserves_volumes = false)
       : m_preserves_volumes(preserves_volumes) {}
 
+  /// Returns whether every label keeps its volume: `advect_adaptively()` then restores the volumes
+  /// that an adaptation changes.
+  bool preserves_volumes() const { return m_preserves_volumes; }
+
   /// computes where vertices go, as `InterfaceStep_3` says. Three sparse Cholesky factorizations,
   /// more where the interface ends on sides of the domain: about n log n in the size of the
   /// interface. Volumes take time in proportion to its size times the number of labels, and memory

@@ -10,17 +10,37 @@
 #include <CGAL/Deformable_simplicial_complexes/advect_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/contracts_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/interface_paths.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/velocity_properties.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_adaptation.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
+#include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 
 #include <cmath>
+#include <map>
 
 namespace CGAL {
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The volumes of all labels but the least one, which takes what is left.
+template <class Complex>
+std::map<typename Complex::Label, double> volumes_but_one(const Complex& dsc) {
+  std::map<typename Complex::Label, double> result;
+  for (const auto label : dsc.labels())
+    result.emplace(label, dsc.measure(label));
+  if (!result.empty())
+    result.erase(result.begin());
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
 
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
@@ -38,6 +58,7 @@ mesh:
 - A flow that contracts the interface, such as `Mean_curvature_flow`, splits and collapses these
   edges in each step. In the plane, vertices where more than three phases meet are split, too, see
   `propose_junction_split()`, unless there is a parameter `topology_control`.
+- If the flow preserves volumes, `restore_volumes()` corrects what this changed.
 - Edges between parts of the interface are split, and short ones away from it collapsed:
   `control_detail()` with a `collapse_length` of 2.
 
@@ -137,7 +158,13 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
           interface_, interface_.positions(dsc),
           internal::destinations_of_step(dsc, interface_, velocity, t, dt, motion));
     };
+    const auto volumes = internal::volumes_but_one(dsc);
     changes = internal::keep_interface_fit(dsc, options, is_stretching, visitor);
+    if (internal::preserves_volumes(velocity))
+      restore_volumes(
+          dsc, volumes,
+          motion.topology_control(Deformable_simplicial_complexes::Forbid_topology_changes())
+              .relabeling_threshold(0.));
     changes =
         changes + control_detail(dsc, Deformable_simplicial_complexes::parameters::collapse_length(
                                           Defaults::collapse_length)

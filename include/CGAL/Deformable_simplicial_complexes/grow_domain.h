@@ -48,9 +48,9 @@ template <class Complex> bool has_room_around_interface(const Complex& dsc, doub
 
 Enlarges the domain, a box, about its center, so that an interface that comes near its boundary can
 move on. The space between the old and the new box is filled with cells of label 0. All cells of
-before stay, and are improved together with the new ones. The vertices of the interface, the volumes
-of all labels except 0, the normalization, `dsc.mean_interface_edge()` and
-`dsc.minimum_interface_edge()` stay, bit for bit.
+before stay, and are improved together with the new ones. The vertices of the interface, the
+normalization, `dsc.mean_interface_edge()` and `dsc.minimum_interface_edge()` stay, bit for bit; the
+volumes of all labels except 0 stay up to rounding.
 
 \param dsc the complex. Handles are invalidated; changes of components not taken yet are forgotten.
 \param factor by which the sides of the box get longer, more than 1.
