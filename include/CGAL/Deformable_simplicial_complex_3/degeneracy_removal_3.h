@@ -138,7 +138,7 @@ bool propose_degenerate_tetrahedron_removal(const Complex& complex,
   for (int i = 0; i < 4; ++i) {
     if (i == apex)
       continue;
-    const double coordinate = normals.coordinate_of_projection(i);
+    const double coordinate = normals.coordinate_of_projection(apex, i);
     if (coordinate > at_edge) {
       base = i;
     } else {

@@ -154,6 +154,33 @@ TEST(Relabeling_topology, names_no_change_where_there_is_none) {
   EXPECT_GT(changes, 0u);
 }
 
+// Two boxes with the same triangulation of the faces that meet: vertices project to vertices, so
+// rounding alone tells which facet of a cell of the gap is the largest.
+TEST(Gaps, between_equal_triangulations_close_at_once_whatever_their_width) {
+  for (double width : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-12}) {
+    const double layer = 2. / 7;
+    auto mesh = grid(7, [&](const Point& p) {
+      const bool is_inside = std::abs(p.y()) < 2.5 * layer && std::abs(p.z()) < 2.5 * layer;
+      return is_inside && std::abs(p.x()) > .5 * layer && std::abs(p.x()) < 2.5 * layer ? 1 : 0;
+    });
+    for (Point& p : mesh.points)
+      if (p.x() > 0)
+        p = Point(p.x() - layer + width, p.y(), p.z());
+    Complex dsc = make_complex(mesh);
+    ASSERT_EQ(dsc.number_of_components(1), 2u);
+    const auto report = deform(
+        dsc,
+        [&](const Position& p) {
+          const double middle = width / 2 - layer / 2;
+          return Vector(std::abs(p.x() - middle) > width ? 0 : p.x() > middle ? -.05 : .05, 0, 0);
+        },
+        parameters::default_values());
+    EXPECT_TRUE(report.complete) << width;
+    EXPECT_EQ(dsc.number_of_components(1), 1u) << width;
+    EXPECT_EQ(dsc.euler_characteristic(1), 2) << width;
+  }
+}
+
 TEST(Topology_control, forbidden_cubes_do_not_merge) {
   Complex dsc = make_complex(grid(8, two_cubes(1, 1)));
   const auto before = betti_numbers::of_complex(dsc);

@@ -33,10 +33,10 @@ public:
 
   int largest() const { return m_largest; }
 
-  // The barycentric coordinate, for a vertex i of the largest facet, of the projection of the
-  // opposite vertex to that facet: the normals sum up to zero, so these do to one.
-  double coordinate_of_projection(int i) const {
-    return -(m_normals[i] * m_normals[m_largest]) / m_normals[m_largest].squared_length();
+  // Returns the barycentric coordinate, for vertex i of a facet, of the projection of the opposite
+  // vertex to that facet. The normals sum up to 0, so the coordinates sum up to 1.
+  double coordinate_of_projection(int facet, int i) const {
+    return -(m_normals[i] * m_normals[facet]) / m_normals[facet].squared_length();
   }
 
 private:
