@@ -45,14 +45,16 @@ distance from the faces of voxels is of the order of `edge` at most.
 \param np named parameters `normalize`, `enclosing_box`, `improve`, `quality_threshold`,
        `number_of_iterations` of `make_deformable_simplicial_complex_3()` from surfaces. The default
        box is the cube about the center of the box of the voxels with labels other than 0 whose half
-       side is 2.5 times half the diagonal of the latter.
+       side is 2.5 times half the diagonal of the latter. Where `enclosing_box` is the box of all
+       voxels, these fill the domain: the interface ends on its boundary, along which it can move,
+       and 0 is a label like others.
 
 \throws Deformable_simplicial_complexes::Error if the image has no voxels, has several values for a
         voxel, holds a value that is not a label, or holds label 0 only; if the sides of voxels are
         not positive and finite; if more than 2^20 voxels are in a row; if voxels with other labels
-        than 0 reach the boundary of the box; if `edge` is negative or not finite; or if the volume
-of a component differs from that of its voxels by more than a thousandth, since `edge` is too long
-for it
+        than 0 reach the boundary of a box that is not the one of all voxels; if `edge` is negative
+or not finite; or if the volume of a component differs from that of its voxels by more than a
+thousandth, since `edge` is too long for it
 \throws Deformable_simplicial_complexes::Interrupted_error if the callback of a
         `Deformable_simplicial_complexes::Progress_scope` returns `false`
 
@@ -71,10 +73,12 @@ Complex make_complex_from_labelled_image_3(
     throw Deformable_simplicial_complexes::Error(
         "the length of edges is negative or not finite: use more than 0, or 0 for the default");
   const auto options = internal::new_mesh_options(np);
-  const internal::Labelled_voxels_3 voxels = internal::labelled_voxels(image);
+  const auto domain = CGAL::parameters::get_parameter(np, tags::enclosing_box);
+  const internal::Labelled_voxels_3 voxels =
+      internal::labelled_voxels(image, internal::is_box_of_voxels(image, domain));
   const internal::Voxel_components_3 components(voxels);
   const internal::Voxel_frame_3 frame(voxels, internal::parameter_or(np, tags::normalize, false),
-                                      CGAL::parameters::get_parameter(np, tags::enclosing_box));
+                                      domain);
   const internal::Voxel_interface_3<Complex> interface_(
       components, frame,
       (edge > 0 ? edge : voxels_of_edge * voxels.largest_spacing()) / frame.scale);

@@ -230,7 +230,8 @@ common touch there. Away from the interface, triangles are large.
        default; the space between the image and a larger box has label 0
 \throws Deformable_simplicial_complexes::Error if the image has no pixels, more than 2^20 of them in a
         row or column, or not one label for each pixel; if `edge` is less than 1; if the image is
-not strictly inside the box; or if more than 2^20 edges of pixels are between different labels
+neither strictly inside the box nor fills it; or if more than 2^20 edges of pixels are between
+different labels
 
 Linear in the number of pixels, with a byte of memory for each, and n log n in the number of edges
 of pixels between different labels, with about a kilobyte for each segment of the interface.

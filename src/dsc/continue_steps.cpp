@@ -50,6 +50,7 @@ public:
   void complete(const Curvature_flow& before, Curvature_flow& asked) {
     complete("--dt", before.dt, asked.dt);
     complete("--keep-volumes", before.keeps_volumes, asked.keeps_volumes);
+    complete("--tolerance", before.tolerance, asked.tolerance);
   }
 
   void complete(const Zalesak& before, Zalesak& asked) { complete("--dt", before.dt, asked.dt); }
@@ -61,6 +62,7 @@ public:
         },
         asked.motion);
     complete("--improve-interface", before.improves_interface, asked.improves_interface);
+    complete("--domain", before.grows_domain, asked.grows_domain);
     complete("--aggressiveness", before.aggressiveness, asked.aggressiveness);
   }
 
@@ -102,6 +104,7 @@ std::string continue_steps(const Step_options& before, const std::set<std::strin
   if (command != last) {
     require_options(asked.motion, given);
     require_effect_of_options(asked, given);
+    asked.grows_domain = before.grows_domain; // the domain is the same
     return command + " instead of " + last;
   }
   Completion completion(given);

@@ -46,10 +46,18 @@ Json json_of(const Advection& advection) {
 Json json_of(const Curvature_flow& flow) {
   return {{"command", "mean-curvature"},
           {"dt", value_or_null(flow.dt)},
-          {"keep_volumes", flow.keeps_volumes}};
+          {"keep_volumes", flow.keeps_volumes},
+          {"tolerance", flow.tolerance ? Json(*flow.tolerance) : Json()}};
 }
 
 Json json_of(const Zalesak& zalesak) { return {{"command", "zalesak"}, {"dt", zalesak.dt}}; }
+
+// Checkpoints of older versions may not have it.
+std::optional<double> tolerance_of(const Json& json) {
+  const auto found = json.find("tolerance");
+  return found == json.end() || found->is_null() ? std::nullopt
+                                                 : std::make_optional(found->get<double>());
+}
 
 } // namespace
 
@@ -64,21 +72,19 @@ Motion motion_from_json(const Json& json) {
   if (command == "offset")
     return Offset{{json.at("distance"), json.at("unit") == mean_edge}, json.at("move_faces")};
   if (command == "mean-curvature")
-    return Curvature_flow{value_of<double>(json.at("dt")), json.at("keep_volumes")};
+    return Curvature_flow{value_of<double>(json.at("dt")), json.at("keep_volumes"),
+                          tolerance_of(json)};
   if (command == "zalesak")
     return Zalesak{json.at("dt")};
   const auto field = std::find(commands_of_fields.begin(), commands_of_fields.end(), command);
   if (field == commands_of_fields.end())
     throw std::out_of_range("unknown command " + command);
-  Advection advection{static_cast<Advection::Field>(field - commands_of_fields.begin()),
-                      value_of<std::string>(json.at("velocity")),
-                      value_of<double>(json.at("period")),
-                      json.at("dt"),
-                      integration_schemes().at(json.at("scheme")),
-                      std::nullopt};
-  if (const Json& tolerance = json.at("tolerance"); !tolerance.is_null())
-    advection.tolerance = tolerance.get<double>();
-  return advection;
+  return Advection{static_cast<Advection::Field>(field - commands_of_fields.begin()),
+                   value_of<std::string>(json.at("velocity")),
+                   value_of<double>(json.at("period")),
+                   json.at("dt"),
+                   integration_schemes().at(json.at("scheme")),
+                   tolerance_of(json)};
 }
 
 } // namespace dsc

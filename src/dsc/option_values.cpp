@@ -83,6 +83,20 @@ std::array<double, 6> parse_domain(const std::string& text, int dimension) {
   return box;
 }
 
+bool take_growth(std::string& domain) {
+  const std::string word = "grow";
+  if (domain == word) {
+    domain.clear();
+    return true;
+  }
+  const std::string end = "," + word;
+  if (domain.size() < end.size() ||
+      domain.compare(domain.size() - end.size(), end.size(), end) != 0)
+    return false;
+  domain.erase(domain.size() - end.size());
+  return true;
+}
+
 std::array<double, 2> parse_pair(const std::string& text, const std::string& option) {
   return parse_numbers<2>(text, option, "1.5,0");
 }

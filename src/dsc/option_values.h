@@ -23,6 +23,10 @@ std::array<double, 3> parse_axis(const std::string& text);
 /// \return the least x, y and z, then the largest
 std::array<double, 6> parse_domain(const std::string& text, int dimension);
 
+/// Takes the word `grow` off the end of `--domain`, and the comma before it. Returns whether it was
+/// there. What is left may be empty.
+bool take_growth(std::string& domain);
+
 double parse_angle(const std::string& text);
 
 std::array<double, 2> parse_pair(const std::string& text, const std::string& option);

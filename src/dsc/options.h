@@ -62,6 +62,7 @@ struct Curvature_flow
   double dt; ///< per step, in squares of the input's unit of length; 0 for the square of the mean
              ///< interface edge of the input
   bool keeps_volumes;
+  std::optional<double> tolerance; ///< of the interface, in mean edges; the library's if not set
 };
 
 /// Turn about the point (50, 50) of the plane, once in 628 units of time.
@@ -80,6 +81,7 @@ struct Step_options
   Motion motion;
   bool improves_interface = false;      ///< before the motion
   std::optional<double> aggressiveness; ///< of that; the library's if not set
+  bool grows_domain = false;            ///< where the interface comes near its boundary
 };
 
 /// A ball in the coordinates of the input.

@@ -17,6 +17,7 @@ Json parameters_json(const Run_options& options, const Run_start& start) {
   json["repair"] = start.repairs;
   json["fit"] = start.ball && !start.inputs.empty();
   json["domain"] = options.domain ? Json(*options.domain) : Json();
+  json["grow_domain"] = options.step.grows_domain;
   json["improve_interface"] = options.step.improves_interface;
   json["aggressiveness"] =
       options.step.aggressiveness ? Json(*options.step.aggressiveness) : Json();
@@ -60,9 +61,13 @@ Report::Report(const Run_options& options, const Run_start& start, const Repairs
 
 void Report::add(const Run_position& position, const Step_outcome& outcome,
                  const Statistics& statistics) {
-  Json step = {{"step", position.step},        {"time", position.time},
-               {"seconds", outcome.seconds},   {"sweeps", outcome.seconds / m_sweep_seconds},
-               {"complete", outcome.complete}, {"unfinished_vertices", outcome.unfinished_vertices},
+  Json step = {{"step", position.step},
+               {"time", position.time},
+               {"seconds", outcome.seconds},
+               {"sweeps", outcome.seconds / m_sweep_seconds},
+               {"complete", outcome.complete},
+               {"unfinished_vertices", outcome.unfinished_vertices},
+               {"stopped_at_boundary", outcome.stopped_at_boundary},
                {"passes", outcome.passes}};
   step.update(statistics_json(statistics));
   step.update({{"split", outcome.split},

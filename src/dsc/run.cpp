@@ -105,6 +105,30 @@ void print_summary(const Run_position& position, const Statistics& statistics,
               statistics.min_angle, statistics.max_angle, unfinished, seconds);
 }
 
+/// Does a step. A domain that may grow does so before the interface comes near its boundary, and
+/// where the step would leave it: the step is then repeated.
+Step_outcome step_with_room(Tracked_complex& complex, const Run_options& options, double time) {
+  complex.keep();
+  while (options.step.grows_domain && !complex.has_room())
+    complex.grow_domain();
+  Step_outcome outcome = complex.advance(options.step, time, options.threads);
+  while (options.step.grows_domain && outcome.stopped_at_boundary > 0) {
+    complex.go_back();
+    complex.grow_domain();
+    complex.keep();
+    outcome = complex.advance(options.step, time, options.threads);
+  }
+  return outcome;
+}
+
+void print_boundary(std::size_t stopped) {
+  if (stopped > 0)
+    std::printf(
+        "dsc: the interface reached the boundary of the domain and stopped there (%zu times "
+        "a vertex); use a larger --domain, or --domain grow, to let it move on\n",
+        stopped);
+}
+
 void print_interruption(const Run_position& position, const std::string& checkpoint,
                         unsigned steps_left) {
   std::cerr << "dsc: interrupted after step " << position.step
@@ -161,13 +185,12 @@ int execute(const Run_options& asked) {
   interruptible.reset();
 
   unsigned done = 0;
-  std::size_t unfinished = 0;
+  std::size_t unfinished = 0, stopped_at_boundary = 0;
   double seconds = 0;
   Progress_line progress(options.steps, options.quiet);
   progress.show(done);
   const auto advance = [&] {
-    complex.keep();
-    Step_outcome outcome = complex.advance(options.step, position.time, options.threads);
+    Step_outcome outcome = step_with_room(complex, options, position.time);
     const double time = position.time + time_step;
     if (from_start && is_whole_period(time, time_step, period(options.step.motion)))
       outcome.distance_to_start = from_start->of(complex.interface_points(), complex.mean_edge());
@@ -177,6 +200,7 @@ int execute(const Run_options& asked) {
     ++position.step;
     position.time = time;
     unfinished += outcome.unfinished_vertices;
+    stopped_at_boundary += outcome.stopped_at_boundary;
     seconds += outcome.seconds;
     report.add(position, outcome, statistics);
     if (position.step % options.every == 0)
@@ -213,8 +237,10 @@ int execute(const Run_options& asked) {
   report.write();
   if (!options.picture.empty())
     complex.write(options.picture);
-  if (!options.quiet)
+  if (!options.quiet) {
+    print_boundary(stopped_at_boundary);
     print_summary(position, statistics, unfinished, seconds);
+  }
   return stopped ? exit_code_of_interrupt : 0;
 }
 

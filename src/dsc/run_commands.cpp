@@ -89,6 +89,7 @@ Run_commands::Run_commands(CLI::App& app) {
                                "square of its mean interface edge if not given");
   m_mean_curvature->add_flag("--keep-volumes", m_keeps_volumes,
                              "Keep the volume of each label but 0");
+  add_tolerance_option(*m_mean_curvature);
 
   m_zalesak = add_command(app, "zalesak",
                           "Turn curves, or a slotted disk if there is no INPUT, about (50, 50) in "
@@ -123,9 +124,11 @@ CLI::App* Run_commands::add_command(CLI::App& app, const std::string& name,
       ->check(CLI::Range(4, INT_MAX))
       ->excludes(resume);
   command
-      ->add_option("--domain", m_domain,
-                   "Box around all, by its least and its largest coordinates like -1,-1,-1,1,1,1, "
-                   "in the plane -1,-1,1,1")
+      ->add_option(
+          "--domain", m_domain,
+          "Box around all, by its least and its largest coordinates like -1,-1,-1,1,1,1, "
+          "in the plane -1,-1,1,1; with ,grow behind it, or grow alone for the default box, "
+          "it gets larger where the interface comes near its boundary")
       ->excludes(resume);
   command
       ->add_option("--edge", m_edge,
@@ -189,10 +192,20 @@ void Run_commands::add_flow_options(CLI::App& command) {
   command.add_option("--scheme", m_scheme, "How velocities are integrated")
       ->check(CLI::IsMember(&integration_schemes()))
       ->capture_default_str();
+  add_tolerance_option(command);
+}
+
+void Run_commands::add_tolerance_option(CLI::App& command) {
   command.add_option("--tolerance", m_tolerance,
                      "How far edges may lie from the smooth interface where it gets too coarse for "
                      "its curvature, in mean edges of the input; 0.04 in space and 0.005 in the "
-                     "plane if not given; with 0, the interface changes only where it must");
+                     "plane if not given; with 0, the interface is not "
+                     "adapted to its curvature");
+}
+
+std::optional<double> Run_commands::tolerance(const std::set<std::string>& given) const {
+  return given.count("--tolerance") > 0 ? std::make_optional(parse_tolerance(m_tolerance))
+                                        : std::nullopt;
 }
 
 Advection Run_commands::advection(Advection::Field field, const std::set<std::string>& given,
@@ -202,8 +215,7 @@ Advection Run_commands::advection(Advection::Field field, const std::set<std::st
           given.count("--period") > 0 ? parse_positive(m_period, "--period") : default_period,
           given.count("--dt") > 0 ? parse_positive(m_dt, "--dt") : default_dt,
           integration_schemes().at(m_scheme),
-          given.count("--tolerance") > 0 ? std::make_optional(parse_tolerance(m_tolerance))
-                                         : std::nullopt};
+          tolerance(given)};
 }
 
 /// What is not given is as by default or, where there is no default, of no meaning.
@@ -225,8 +237,8 @@ Motion Run_commands::motion(const std::set<std::string>& given) const {
   }
   if (*m_zalesak)
     return Zalesak{given.count("--dt") > 0 ? parse_positive(m_dt, "--dt") : default_dt_of_zalesak};
-  return Curvature_flow{given.count("--dt") > 0 ? parse_positive(m_dt, "--dt") : 0,
-                        m_keeps_volumes};
+  return Curvature_flow{given.count("--dt") > 0 ? parse_positive(m_dt, "--dt") : 0, m_keeps_volumes,
+                        tolerance(given)};
 }
 
 /// What has a meaning in one dimension only is refused in the other.
@@ -278,7 +290,7 @@ void Run_commands::require_kind(const Run_options& options, bool is_planar) cons
       if (input_kind(input) != kind)
         throw Usage_error(input + " is no inequality and cannot be mixed with them");
     const Inequalities check(options.start.inputs);
-    if (!is_given("--domain") && !*m_enright && !*m_vortex)
+    if (!options.domain && !*m_enright && !*m_vortex)
       throw Usage_error("inequalities need a box to hold in; give its least and its largest "
                         "coordinates by --domain");
   } else if (options.start.inputs.size() > 1)
@@ -300,8 +312,12 @@ Run_options Run_commands::options() const {
     options.start.figure = Figure::disk;
   const bool is_planar = is_new && dimension_of(options.start) == 2;
   options.step.motion = motion(options.given);
-  if (options.given.count("--domain") > 0)
-    options.domain = parse_domain(m_domain, is_planar ? 2 : 3);
+  if (options.given.count("--domain") > 0) {
+    std::string domain = m_domain;
+    options.step.grows_domain = take_growth(domain);
+    if (!domain.empty() || !options.step.grows_domain)
+      options.domain = parse_domain(domain, is_planar ? 2 : 3);
+  }
   if (options.given.count("--aggressiveness") > 0)
     options.step.aggressiveness = parse_aggressiveness(m_aggressiveness);
   if (is_new) {

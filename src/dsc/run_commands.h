@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <set>
 #include <string>
 
@@ -35,6 +36,8 @@ public:
 private:
   CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description);
   void add_flow_options(CLI::App& command);
+  void add_tolerance_option(CLI::App& command);
+  std::optional<double> tolerance(const std::set<std::string>& given) const;
   void require_dimension(const Run_options& options, bool is_planar) const;
   void require_kind(const Run_options& options, bool is_planar) const;
   Motion motion(const std::set<std::string>& given) const;

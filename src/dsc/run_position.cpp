@@ -14,6 +14,7 @@ std::string to_metadata(const Run_position& position, const Step_options& step) 
   // Nothing that depends on where a run was interrupted or on how many threads it had, so that
   // checkpoints of the same state are the same.
   Json parameters = motion_json(step.motion);
+  parameters["grow_domain"] = step.grows_domain;
   parameters["improve_interface"] = step.improves_interface;
   parameters["aggressiveness"] = step.aggressiveness ? Json(*step.aggressiveness) : Json();
   parameters["triangles"] = position.start.triangles;
@@ -53,6 +54,7 @@ std::optional<Saved_run> from_metadata(const std::string& metadata) {
       position.start.ball = Ball{ball.at("center"), ball.at("radius")};
     }
     run.step.motion = motion_from_json(parameters);
+    run.step.grows_domain = parameters.value("grow_domain", false); // older ones do not say it
     run.step.improves_interface = parameters.at("improve_interface");
     if (const Json& aggressiveness = parameters.at("aggressiveness"); !aggressiveness.is_null())
       run.step.aggressiveness = aggressiveness.get<double>();

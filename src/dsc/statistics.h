@@ -54,6 +54,7 @@ struct Step_outcome
   double seconds = 0; ///< of the deformation, and of preparing the mesh and the interface for it
   bool complete = true;
   std::size_t unfinished_vertices = 0;
+  std::size_t stopped_at_boundary = 0; ///< vertices whose destinations lay outside the domain
   unsigned passes = 0;
   std::size_t split = 0;
   std::size_t collapsed = 0;

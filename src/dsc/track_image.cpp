@@ -22,8 +22,12 @@ std::unique_ptr<Tracked_complex> track_image(const std::string& path, double edg
   if (!image.read(path))
     throw Input_error(path + " cannot be read as an image of voxels");
   const auto build = [&](const auto& np) {
-    return std::make_unique<Tracked_complex_3>(
+    auto result = std::make_unique<Tracked_complex_3>(
         CGAL::make_complex_from_labelled_image_3<Tracked_complex_3::Complex>(image, edge, np));
+    if (result->complex.interface_facets().empty())
+      throw Input_error(path + ": all voxels have the same label, so that nothing would move; give "
+                               "a larger --domain");
+    return result;
   };
   const auto normalized = parameters::normalize(true);
   try {

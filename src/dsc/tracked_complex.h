@@ -38,6 +38,12 @@ public:
   /// this dimension
   virtual Step_outcome advance(const Step_options& options, double time, unsigned threads) = 0;
 
+  /// Whether the interface is well inside the domain.
+  virtual bool has_room() const = 0;
+
+  /// Enlarges the domain, a box, around the interface, which stays as it is.
+  virtual void grow_domain() = 0;
+
   /// Keeps the complex as it is, to go back to, until forget().
   virtual void keep() = 0;
   virtual void forget() = 0;
@@ -111,8 +117,9 @@ double seconds_of_sweep(const Cells& cells, const Evaluate& evaluate) {
 
 /// What a step did, by the report of the library.
 template <class Report> Step_outcome step_outcome(double seconds, const Report& report) {
-  return {seconds,          report.complete, report.unfinished.size(), report.passes, report.split,
-          report.collapsed, report.flipped,  report.relabeled,         std::nullopt};
+  return {seconds,          report.complete, report.unfinished.size(), report.stopped_at_boundary,
+          report.passes,    report.split,    report.collapsed,         report.flipped,
+          report.relabeled, std::nullopt};
 }
 
 } // namespace dsc

@@ -29,6 +29,8 @@ public:
   int dimension() const override { return 2; }
   double time_step(const Motion& motion) const override;
   Step_outcome advance(const Step_options& options, double time, unsigned threads) override;
+  bool has_room() const override;
+  void grow_domain() override;
   void keep() override { m_kept = complex.state(); }
   void forget() override { m_kept.reset(); }
   void go_back() override;

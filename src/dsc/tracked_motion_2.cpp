@@ -11,6 +11,7 @@
 #include <CGAL/advect_interface_2.h>
 #include <CGAL/control_detail_2.h>
 #include <CGAL/curve_shortening_flow_2.h>
+#include <CGAL/grow_domain_2.h>
 #include <CGAL/improve_interface_2.h>
 #include <CGAL/interface_flows_2.h>
 #include <CGAL/velocity_fields_2.h>
@@ -101,23 +102,29 @@ struct Step
   }
 
   Report operator()(const Curvature_flow& flow) const {
-    make_room();
-    return advect(CGAL::Curve_shortening_flow_2(flow.keeps_volumes), Time_step{complex}(flow));
+    return follow(CGAL::Curve_shortening_flow_2(flow.keeps_volumes), Time_step{complex}(flow),
+                  flow.tolerance, parameters::number_of_threads(threads));
   }
 
 private:
-  // An interface that is improved in each step needs room in each step, but no other changes.
   template <class Field> Report follow(const Field& field, const Advection& advection) const {
-    const auto np = parameters::number_of_threads(threads).scheme(advection.scheme);
+    return follow(field, advection.dt, advection.tolerance,
+                  parameters::number_of_threads(threads).scheme(advection.scheme));
+  }
+
+  // An interface that is improved in each step needs room in each step, but no other changes.
+  template <class Velocity, class NamedParameters>
+  Report follow(const Velocity& velocity, double dt, const std::optional<double>& tolerance,
+                const NamedParameters& np) const {
     const auto step = [&](const auto& all) {
-      return CGAL::advect_adaptively(complex, field, time, advection.dt, all);
+      return CGAL::advect_adaptively(complex, velocity, time, dt, all);
     };
     if (improves_interface)
       return step(np.interface_tolerance(0.).adaptation_interval(1));
-    return advection.tolerance ? step(np.interface_tolerance(*advection.tolerance)) : step(np);
+    return tolerance ? step(np.interface_tolerance(*tolerance)) : step(np);
   }
 
-  // These motions stretch the interface, and the mesh around it has to follow.
+  // Offsets stretch the interface, and the mesh around it has to follow.
   void make_room() const { CGAL::control_detail(complex, parameters::collapse_length(2.)); }
 
   template <class Flow> Report advect(const Flow& flow, double dt) const {
@@ -156,5 +163,9 @@ Step_outcome Tracked_complex_2::advance(const Step_options& options, double time
       std::visit(Step{complex, time, threads, options.improves_interface}, options.motion);
   return step_outcome(seconds_since(start), report);
 }
+
+bool Tracked_complex_2::has_room() const { return CGAL::has_room_around_interface(complex); }
+
+void Tracked_complex_2::grow_domain() { CGAL::grow_domain(complex); }
 
 } // namespace dsc

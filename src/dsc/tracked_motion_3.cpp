@@ -11,6 +11,7 @@
 #include <CGAL/advect_interface_3.h>
 #include <CGAL/control_detail_3.h>
 #include <CGAL/face_offsetting_3.h>
+#include <CGAL/grow_domain_3.h>
 #include <CGAL/improve_interface_3.h>
 #include <CGAL/interface_flows_3.h>
 #include <CGAL/mean_curvature_flow_3.h>
@@ -113,26 +114,32 @@ struct Step
   }
 
   Report operator()(const Curvature_flow& flow) const {
-    make_room();
     const double scale = complex.normalization().scale;
-    return advect(CGAL::Mean_curvature_flow_3(flow.keeps_volumes), time / (scale * scale),
-                  Time_step{complex}(flow) / (scale * scale));
+    return follow(CGAL::Mean_curvature_flow_3(flow.keeps_volumes), time / (scale * scale),
+                  Time_step{complex}(flow) / (scale * scale), flow.tolerance,
+                  parameters::number_of_threads(threads));
   }
 
 private:
-  // An interface that is improved in each step needs room in each step, but no other changes.
   template <class Field> Report follow(const Field& field, const Advection& advection) const {
     const CGAL::Velocity_in_user_coordinates_3<Complex, Field> velocity(complex, field);
-    const auto np = parameters::number_of_threads(threads).scheme(advection.scheme);
+    return follow(velocity, time, advection.dt, advection.tolerance,
+                  parameters::number_of_threads(threads).scheme(advection.scheme));
+  }
+
+  // An interface that is improved in each step needs room in each step, but no other changes.
+  template <class Velocity, class NamedParameters>
+  Report follow(const Velocity& velocity, double t, double dt,
+                const std::optional<double>& tolerance, const NamedParameters& np) const {
     const auto step = [&](const auto& all) {
-      return CGAL::advect_adaptively(complex, velocity, time, advection.dt, all);
+      return CGAL::advect_adaptively(complex, velocity, t, dt, all);
     };
     if (improves_interface)
       return step(np.interface_tolerance(0.).adaptation_interval(1));
-    return advection.tolerance ? step(np.interface_tolerance(*advection.tolerance)) : step(np);
+    return tolerance ? step(np.interface_tolerance(*tolerance)) : step(np);
   }
 
-  // These motions stretch the interface, and the mesh around it has to follow.
+  // Face offsets stretch the interface, and the mesh around it has to follow.
   void make_room() const { CGAL::control_detail(complex, parameters::collapse_length(2.)); }
 
   template <class Flow> Report advect(const Flow& flow, double t, double dt) const {
@@ -174,5 +181,9 @@ Step_outcome Tracked_complex_3::advance(const Step_options& options, double time
       std::visit(Step{complex, time, threads, options.improves_interface}, options.motion);
   return step_outcome(seconds_since(start), report);
 }
+
+bool Tracked_complex_3::has_room() const { return CGAL::has_room_around_interface(complex); }
+
+void Tracked_complex_3::grow_domain() { CGAL::grow_domain(complex); }
 
 } // namespace dsc

@@ -174,6 +174,37 @@ TEST_F(Flows, of_mean_curvature_end_with_nothing) {
   EXPECT_LT(time, 9);
 }
 
+TEST_F(Flows, of_mean_curvature_may_leave_the_mesh_of_the_interface) {
+  expect_error("mean-curvature box.off --tolerance -1", 2);
+  expect_error("mean-curvature box.off --tolerance .1 --improve-interface", 2);
+  const Json last = steps("mean-curvature box.off --triangles 300 --steps 2 --tolerance 0").back();
+  EXPECT_EQ(last.at("labels").size(), 2u);
+  EXPECT_EQ(report("report.json").at("parameters").at("tolerance"), 0);
+}
+
+TEST_F(Flows, stop_at_the_boundary_or_let_it_grow) {
+  const std::string outwards = "offset box.off --triangles 200 --distance 2 --steps 4 --domain ";
+  const std::string domain = "96,96,96,114,114,114";
+  Json steps_ = steps(outwards + domain);
+  std::size_t stopped = 0;
+  for (std::size_t i = 1; i < steps_.size(); ++i) {
+    EXPECT_GE(volume(steps_[i]), volume(steps_[i - 1]));
+    stopped += steps_[i].at("stopped_at_boundary").get<std::size_t>();
+  }
+  EXPECT_GT(stopped, 0u);
+  EXPECT_NE(run(outwards + domain).out.find("--domain grow"), std::string::npos);
+
+  const double whole = std::pow(18, 3);
+  for (const char* growing : {"grow", "96,96,96,114,114,114,grow"}) {
+    steps_ = steps(outwards + growing);
+    EXPECT_GT(volume(steps_.back()), whole) << growing;
+    for (const Json& step : steps_)
+      EXPECT_EQ(step.at("stopped_at_boundary"), 0);
+  }
+  expect_error("offset box.off --distance 1 --domain growth", 2);
+  expect_error("offset 'x<1' --distance 1 --domain grow", 2);
+}
+
 // What is gone is nowhere: not back, either.
 TEST_F(Flows, tell_no_distance_of_nothing) {
   const Json steps_ = steps("advect box.off --velocity '105-x,105-y,105-z' --scheme euler "

@@ -7,6 +7,11 @@ integrated from velocities: where destinations solve a system of equations, or w
 part of the construction. `Complex` stands for the type of the complex; a step need not define it,
 and its function may be a template.
 
+`CGAL::advect_adaptively()` looks for two optional members. A `static constexpr bool
+contracts_interface` that is `true` declares that the step decreases the measure of the interface, so
+that the interface is adapted each time. A function `bool preserves_volumes() const` that returns
+`true` asks for the restoration of volumes after an adaptation.
+
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Face_offset_3}
 \cgalHasModels{CGAL::Advective_face_offset_3<Field>}

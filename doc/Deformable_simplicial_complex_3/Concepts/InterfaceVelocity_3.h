@@ -7,6 +7,11 @@ curvature. `CGAL::advect_interface()` asks for the velocities of all vertices at
 times for each step of time, as its integration scheme demands. `Complex` stands for the type of the
 complex; a velocity need not define it, and its function may be a template.
 
+`CGAL::advect_adaptively()` looks for two optional members. A `static constexpr bool
+contracts_interface` that is `true` declares that the velocity decreases the measure of the interface, so
+that the interface is adapted each time. A function `bool preserves_volumes() const` that returns
+`true` asks for the restoration of volumes after an adaptation.
+
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Normal_offset_3}
 \cgalHasModels{CGAL::Mean_curvature_velocity_3}

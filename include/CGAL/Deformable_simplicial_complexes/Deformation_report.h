@@ -68,6 +68,9 @@ template <class Complex> struct Deformation_report
   /// vertices that were removed or left the interface, by a merge or a collapse, before they
   /// arrived
   std::size_t vanished = 0;
+  /// vertices whose destinations lay outside the domain, a box: each was sent to the nearest point
+  /// of the box instead
+  std::size_t stopped_at_boundary = 0;
   unsigned passes = 0;  ///< executions of the main loop of Algorithm 1
   bool stopped = false; ///< whether the visitor ended it: `go_further()` was false
   /// \var split

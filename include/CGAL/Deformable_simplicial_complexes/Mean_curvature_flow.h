@@ -133,6 +133,9 @@ square of the shortest edges; `Mean_curvature_flow` is free of that.
 */
 struct Mean_curvature_velocity
 {
+  /// The flow decreases the measure of the interface: `advect_adaptively()` adapts in each step.
+  static constexpr bool contracts_interface = true;
+
   /// computes the velocities of vertices at positions, as `InterfaceVelocity_3` says. Linear in the
   /// size of the interface.
   template <class Complex>
@@ -172,6 +175,9 @@ extrapolated. Stable for steps of any length, of the second order in it.
 class Mean_curvature_flow
 {
 public:
+  /// The flow decreases the measure of the interface: `advect_adaptively()` adapts in each step.
+  static constexpr bool contracts_interface = true;
+
   /// \param preserves_volumes whether every label keeps its volume, in the plane its area, up to
   /// rounding for labels that do not reach the boundary of the domain. Each label then has the
   /// pressure that it takes, so that what is in equilibrium, such as a cluster of soap bubbles,
@@ -179,6 +185,10 @@ public:
   /// without it.
   explicit Mean_curvature_flow(bool preserves_volumes = false)
       : m_preserves_volumes(preserves_volumes) {}
+
+  /// Returns whether every label keeps its volume: `advect_adaptively()` then restores the volumes
+  /// that an adaptation changes.
+  bool preserves_volumes() const { return m_preserves_volumes; }
 
   /// computes where vertices go, as `InterfaceStep_3` says. Three sparse Cholesky factorizations,
   /// more where the interface ends on sides of the domain: about n log n in the size of the

@@ -7,20 +7,40 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Integration_scheme.h>
-#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/advect_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/interface_paths.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/velocity_properties.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_adaptation.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
+#include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 
 #include <cmath>
+#include <map>
 
 namespace CGAL {
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The volumes of all labels but the least one, which takes what is left.
+template <class Complex>
+std::map<typename Complex::Label, double> volumes_but_one(const Complex& dsc) {
+  std::map<typename Complex::Label, double> result;
+  for (const auto label : dsc.labels())
+    result.emplace(label, dsc.measure(label));
+  if (!result.empty())
+    result.erase(result.begin());
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
 
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
@@ -31,18 +51,24 @@ as fine as its curvature asks for.
 
 A step whose number, `t / dt` rounded, is a multiple of the interval begins with what adapts the
 mesh:
-- If the step stretches the interface, and it is *worn*, then long edges are split on the smooth
+- If the interface is *worn*, and the step stretches it, then long edges are split on the smooth
   surface that their neighbors suggest, and short ones are collapsed, see `improve_interface()` and
   `Curvature_size_field`. It is worn if more than a few edges are too long for their curvature, or
   too short. What moves rigidly, and what is stretched only a little, is not touched.
+- A flow that contracts the interface, such as `Mean_curvature_flow`, splits and collapses these
+  edges in each step. In the plane, vertices where more than three phases meet are split, too, see
+  `propose_junction_split()`, unless there is a parameter `topology_control`.
+- If the flow preserves volumes, `restore_volumes()` corrects what this changed.
 - Edges between parts of the interface are split, and short ones away from it collapsed:
   `control_detail()` with a `collapse_length` of 2.
 
 Cells may get flatter than with `advect_interface()`, and triangles of the interface as long as the
-flow draws them, as it may bring them back: the defaults of some parameters are others.
+flow draws them, as it may bring them back: the defaults of some parameters differ. Flows that
+contract the interface bring nothing back, and have the defaults of `advect_interface()`.
 
 \param dsc the complex
-\param velocity as for `advect_interface()`; asked once more where a step adapts.
+\param velocity as for `advect_interface()`; asked once more where the interface is worn. It contracts
+       the interface if its type has a `static constexpr bool contracts_interface` that is `true`.
 \param t time at the beginning of the step.
 \param dt its length, the same for each step; if it is not, use an `adaptation_interval` of 1.
 \param np named parameters: those of `advect_interface()` and
@@ -58,7 +84,7 @@ flow draws them, as it may bring them back: the defaults of some parameters are 
   \cgalParamNBegin{adaptation_interval}
     \cgalParamDescription{number of steps from one that adapts to the next, positive}
     \cgalParamType{`unsigned int`}
-    \cgalParamDefault{4}
+    \cgalParamDefault{4; 1 if the velocity contracts the interface}
   \cgalParamNEnd
   \cgalParamNBegin{feature_angle}
     \cgalParamDescription{edges where the normals of the facets differ by more are sharp, in
@@ -70,13 +96,13 @@ flow draws them, as it may bring them back: the defaults of some parameters are 
     \cgalParamDefault{`Integration_scheme::rk4`}
   \cgalParamNEnd
   \cgalParamNBegin{quality_threshold}
-    \cgalParamDefault{0.1}
+    \cgalParamDefault{0.1; 0.2 if the velocity contracts the interface}
   \cgalParamNEnd
   \cgalParamNBegin{minimum_angle}
-    \cgalParamDefault{0.1}
+    \cgalParamDefault{0.1; 5 if the velocity contracts the interface}
   \cgalParamNEnd
   \cgalParamNBegin{minimum_facet_angle}
-    \cgalParamDefault{0}
+    \cgalParamDefault{0; 5 if the velocity contracts the interface}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -98,11 +124,15 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
   namespace internal = Deformable_simplicial_complexes::internal;
   using Deformable_simplicial_complexes::Error;
   using Deformable_simplicial_complexes::Integration_scheme;
-  using Defaults = internal::defaults::Adaptive_advection<Complex::dimension>;
+  constexpr bool contracts = internal::contracts_interface<Velocity>;
+  constexpr bool has_topology_control =
+      !parameters::is_default_parameter<NamedParameters, tags::topology_control_t>::value;
+  using Defaults = internal::defaults::Adaptive_advection<Complex::dimension, contracts>;
   const internal::Adaptation_options options = {
       internal::number_parameter(np, tags::interface_tolerance, Defaults::interface_tolerance),
       internal::angle_parameter(np, tags::feature_angle, Defaults::feature_angle, 180,
-                                "angle of features")};
+                                "angle of features"),
+      !contracts, contracts && !has_topology_control};
   const unsigned interval = internal::count_parameter(
       np, tags::adaptation_interval, "adaptation_interval", Defaults::adaptation_interval);
   if (!(options.tolerance >= 0))
@@ -123,15 +153,18 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
   if (std::fmod(std::round(t / dt), interval) == 0 && !dsc.interface_vertices().empty()) {
     const auto visitor =
         internal::parameter_or(np, CGAL::internal_np::visitor, Deformation_visitor_3());
-    const Deformable_simplicial_complexes::Interface_snapshot<Complex> interface_(dsc);
-    if (options.tolerance > 0 &&
-        internal::is_stretched(
-            interface_, interface_.positions(dsc),
-            internal::destinations_of_step(dsc, interface_, velocity, t, dt, motion))) {
-      const internal::Interface_adaptation<Complex> adaptation(dsc, interface_, options);
-      if (adaptation.is_worn())
-        changes = adaptation.apply(dsc, visitor);
-    }
+    const auto is_stretching = [&](const auto& interface_) {
+      return internal::is_stretched(
+          interface_, interface_.positions(dsc),
+          internal::destinations_of_step(dsc, interface_, velocity, t, dt, motion));
+    };
+    const auto volumes = internal::volumes_but_one(dsc);
+    changes = internal::keep_interface_fit(dsc, options, is_stretching, visitor);
+    if (internal::preserves_volumes(velocity))
+      restore_volumes(
+          dsc, volumes,
+          motion.topology_control(Deformable_simplicial_complexes::Forbid_topology_changes())
+              .relabeling_threshold(0.));
     changes =
         changes + control_detail(dsc, Deformable_simplicial_complexes::parameters::collapse_length(
                                           Defaults::collapse_length)

@@ -77,7 +77,8 @@ became bad.
 \param dsc the complex
 \param destination a function object: `Point destination(Vertex_handle v)`, asked once for each
        vertex of the interface, in the coordinates of the complex. A vertex on a side of the domain
-       goes to the nearest point of that side.
+       goes to the nearest point of that side. A destination outside the domain, a box, is replaced
+       by the nearest point of the box: the interface stops there, and the report counts it.
 \param np named parameters:
 
 \cgalNamedParamsBegin

@@ -23,7 +23,8 @@ paper): splits long edges, collapses short ones, and moves vertices along the in
 smoothing); in space, it also flips edges that do not fulfill the Delaunay criterion and removes
 facets with small angles. The cells around are improved where that made them bad.
 
-The topology stays, and so do lines and points where more than two labels meet, but for splits.
+The topology stays, and so do lines and points where more than two labels meet, except where edges
+or, on request, junctions are split.
 Sharp edges, corners and their shape stay: vertices move and collapse only along edges, and these
 are not flipped; in the plane, corners stay. Smoothing keeps the volumes of labels up to rounding;
 flips, collapses and curved splits change them slightly.
@@ -70,6 +71,12 @@ flips, collapses and curved splits change them slightly.
   \cgalParamNBegin{curved_splits}
     \cgalParamDescription{whether new vertices are put on the smooth surface or curve that the neighbors of
                           the edge suggest, where the interface is smooth, and not on the edge}
+    \cgalParamType{`bool`} \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{split_junctions}
+    \cgalParamDescription{whether vertices where more than three phases meet are split into two
+                          junctions where that shortens the interface, see
+                          `propose_junction_split()`; in the plane}
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{interface_collapse_length}
@@ -134,7 +141,8 @@ Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = N
           degree,
       internal::quality_parameter(np, tags::quality_threshold,
                                   defaults::Quality_threshold::beside_interface),
-      internal::parameter_or(np, tags::curved_splits, false)};
+      internal::parameter_or(np, tags::curved_splits, false),
+      internal::parameter_or(np, tags::split_junctions, false)};
   internal::check_interface_thresholds(thresholds);
   const unsigned iterations =
       internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",

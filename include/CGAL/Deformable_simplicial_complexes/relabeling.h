@@ -16,9 +16,9 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // Returns the largest facet of a cell that lies on the interface and that the opposite vertex,
-// which is on the interface too, touches; -1 if there is none. Between two parts of the interface
-// with the same triangulation, vertices project to vertices, and two facets are equally large:
-// rounding must not decide.
+// which is on the interface or on the boundary of the domain, touches; -1 if there is none. Between
+// two parts of the interface with the same triangulation, vertices project to vertices, and two
+// facets are equally large: rounding must not decide.
 template <class Complex>
 int contact_facet(const Complex& complex, typename Complex::Cell_handle cell,
                   const Facet_normals<Complex>& normals) {
@@ -29,7 +29,7 @@ int contact_facet(const Complex& complex, typename Complex::Cell_handle cell,
   for (int i = 0; i < Complex::corners; ++i) {
     const double size = normals[i].squared_length();
     bool touches = size > largest && complex.is_interface(std::make_pair(cell, i)) &&
-                   cell->vertex(i)->is_interface();
+                   (cell->vertex(i)->is_interface() || complex.is_boundary(cell->vertex(i)));
     for (int k = 0; k < Complex::corners && touches; ++k)
       touches = k == i || normals.coordinate_of_projection(i, k) >= -outside;
     if (touches) {
@@ -48,11 +48,12 @@ int contact_facet(const Complex& complex, typename Complex::Cell_handle cell,
 
 Proposes another label for a nearly flat cell trapped between two parts of the interface
 ("tetrahedron relabeling", section 3.2.1 of the paper). By the first rule, the largest facet of the
-cell lies on the interface, and so does the opposite vertex, which projects into the facet: the cell
-joins the phase behind the facet. A facet counts as the largest up to 2 % (in the plane 1 %), and
-the projection may lie outside by a hundredth of the height of the facet. By the second rule, for
-half the threshold, the cell joins the neighboring phase that decreases the area of the interface
-most, if there is one. The topology of the interface may change.
+cell lies on the interface, and the opposite vertex, on the interface or on the boundary of the
+domain, projects into the facet: the cell joins the phase behind the facet. A facet counts as the
+largest up to 2 % (in the plane 1 %), and the projection may lie outside by a hundredth of the
+height of the facet. By the second rule, for half the threshold, the cell joins the neighboring
+phase that decreases the area of the interface most, if there is one. The topology of the interface
+may change.
 
 \param complex is not changed.
 \param cell a finite cell.

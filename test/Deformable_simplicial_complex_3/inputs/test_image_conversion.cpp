@@ -98,6 +98,28 @@ TEST(Image_conversion, keeps_labels_components_and_volumes) {
   EXPECT_NEAR(volume(dsc, 9), 2, 1e-6);
 }
 
+// The interface ends on the boundary of the domain; label 0 is one of the phases.
+TEST(Image_conversion, fills_the_domain_with_voxels) {
+  const auto voxels = image(9, [](unsigned i, unsigned j, unsigned) {
+    return i + j < 8 ? 1 : i < 5 ? 2 : 0;
+  });
+  std::map<int, double> wanted;
+  for (unsigned i = 0; i < 9; ++i)
+    for (unsigned j = 0; j < 9; ++j)
+      wanted[i + j < 8 ? 1 : i < 5 ? 2 : 0] += 9;
+  for (const bool normalize : {false, true}) {
+    const auto dsc = CGAL::make_complex_from_labelled_image_3<Complex>(
+        voxels, 0,
+        parameters::normalize(normalize).enclosing_box(CGAL::Bbox_3(-.5, -.5, -.5, 8.5, 8.5, 8.5)));
+    EXPECT_TRUE(dsc.is_valid());
+    EXPECT_EQ(dsc.labels(), (std::vector<int>{0, 1, 2}));
+    for (const auto& [label, value] : wanted)
+      EXPECT_NEAR(volume(dsc, label), value, 1e-3 * value) << label;
+    for (const auto v : dsc.vertices())
+      EXPECT_EQ(v->boundary_class() & CGAL::Boundary_class::fixed, 0);
+  }
+}
+
 TEST(Image_conversion, keeps_single_voxels) {
   const auto grains = image(12, [](unsigned i, unsigned j, unsigned k) {
     return i % 3 == 1 && j % 3 == 1 && k % 3 == 1 ? 1 + (i == 1) : 0;

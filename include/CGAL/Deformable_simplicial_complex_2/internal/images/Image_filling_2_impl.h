@@ -107,20 +107,23 @@ inline void check_image(const Labelled_image_2& image, double edge,
   if (!(edge >= 1))
     throw Error("the edges are to be shorter than a pixel: use 1 or more");
   const Bbox_2 pixels = image.bbox();
-  if (box && !(box->xmin() < pixels.xmin() && box->ymin() < pixels.ymin() &&
-               box->xmax() > pixels.xmax() && box->ymax() > pixels.ymax() &&
-               has_finite_coordinates(
-                   std::array<double, 4>{box->xmin(), box->ymin(), box->xmax(), box->ymax()})))
-    throw Error("the image, of " + std::to_string(image.width) + " times " +
-                std::to_string(image.height) +
-                " pixels from the origin, is not strictly inside the enclosing box: give a larger "
-                "box, or none to fill the image only");
+  if (box && *box != pixels &&
+      !(box->xmin() < pixels.xmin() && box->ymin() < pixels.ymin() && box->xmax() > pixels.xmax() &&
+        box->ymax() > pixels.ymax() &&
+        has_finite_coordinates(
+            std::array<double, 4>{box->xmin(), box->ymin(), box->xmax(), box->ymax()})))
+    throw Error(
+        "the image, of " + std::to_string(image.width) + " times " + std::to_string(image.height) +
+        " pixels from the origin, is neither strictly inside the enclosing box nor fills it: "
+        "give a larger box, or none to fill the image only");
 }
 
 Image_filling_2 fill_image(const Labelled_image_2& image, double edge,
-                           const std::optional<Bbox_2>& box) {
+                           const std::optional<Bbox_2>& given_box) {
   static constexpr std::size_t most_edges = 1 << 20; // of pixels, for about 1 GB of triangles
-  check_image(image, edge, box);
+  check_image(image, edge, given_box);
+  // Around the pixels that fill a box there is no label 0.
+  const auto box = given_box == image.bbox() ? std::nullopt : given_box;
   const Pixel_chains_2 chains(image, box.has_value());
   if (const std::size_t edges = chains.number_of_edges(); edges > most_edges)
     throw Error("the image has " + std::to_string(edges) +

@@ -7,6 +7,8 @@
 
 #include <CGAL/Deformable_simplicial_complex_2/internal/improvement/Own_operations_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/interface/interface_curve_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/junction_split_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_remesher.h>
 
 namespace CGAL {
@@ -20,6 +22,19 @@ public:
   using Interface_remesher<Complex>::Interface_remesher;
 
   void reconnect() {}
+
+  // A junction of many phases becomes several ones of three.
+  void split_junctions() {
+    for (auto v : this->m_complex.interface_vertices()) {
+      Progress_scope::check();
+      while (propose_junction_split(this->m_complex, v, this->m_cavity)) {
+        this->commit();
+        const auto other = this->m_cavity.vertices().back().handle;
+        for (auto junction : {v, other})
+          junction->set_spacing(float(this->m_complex.interface_edge_length(junction)));
+      }
+    }
+  }
 };
 
 } // namespace internal

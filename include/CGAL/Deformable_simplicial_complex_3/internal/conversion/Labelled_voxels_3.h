@@ -8,7 +8,9 @@
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Image_3.h>
+#include <CGAL/Named_function_parameters.h>
 
 #include <algorithm>
 #include <array>
@@ -30,6 +32,7 @@ struct Labelled_voxels_3
   std::array<double, 3> spacing;   // sides of a voxel, in the unit of the image
   std::array<double, 3> center;    // of the box, in the coordinates of the image
   std::vector<int> labels;
+  bool fills_domain = false; // the box is that of all voxels, and nothing lies outside of it
 
   double largest_spacing() const { return *std::max_element(spacing.begin(), spacing.end()); }
 };
@@ -71,9 +74,30 @@ template <class Value> int label_of(Value value) {
   return int(number);
 }
 
-// The smallest box of voxels that holds all labels other than 0. Throws Error if there are no
-// voxels, or values are no labels, or all of them are 0.
-inline Labelled_voxels_3 labelled_voxels(const Image_3& image) {
+// Whether a domain is the box of all voxels of an image.
+inline bool is_box_of_voxels(const Image_3&, CGAL::internal_np::Param_not_found) { return false; }
+inline bool is_box_of_voxels(const Image_3& image, const Bbox_3& box) {
+  static constexpr double rounding = 1e-6; // sides of a voxel; origins have type float
+  const std::array<double, 3> spacing = {image.vx(), image.vy(), image.vz()},
+                              origin = {image.tx(), image.ty(), image.tz()},
+                              size = {double(image.xdim()), double(image.ydim()),
+                                      double(image.zdim())};
+  bool result = true;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = origin[axis] - .5 * spacing[axis], high = low + size[axis] * spacing[axis],
+                 tolerance = rounding * spacing[axis];
+    result = result && std::abs(box.min(axis) - low) <= tolerance &&
+             std::abs(box.max(axis) - high) <= tolerance;
+  }
+  return result;
+}
+template <class Iso_cuboid> bool is_box_of_voxels(const Image_3& image, const Iso_cuboid& box) {
+  return is_box_of_voxels(image, box.bbox());
+}
+
+// The smallest box of voxels that holds all labels other than 0, or that of all voxels if they fill
+// the domain. Throws Error if there are no voxels, or values are no labels, or all of them are 0.
+inline Labelled_voxels_3 labelled_voxels(const Image_3& image, bool fills_domain = false) {
   if (!image.is_valid() || image.size() == 0)
     throw Error("the image has no voxels: read one");
   if (image.image()->vdim != 1)
@@ -82,6 +106,7 @@ inline Labelled_voxels_3 labelled_voxels(const Image_3& image) {
   const Place all = {image.xdim(), image.ydim(), image.zdim()};
   const std::array<double, 3> origin = {image.tx(), image.ty(), image.tz()};
   Labelled_voxels_3 result;
+  result.fills_domain = fills_domain;
   result.spacing = {image.vx(), image.vy(), image.vz()};
   for (int axis = 0; axis < 3; ++axis)
     if (!(result.spacing[axis] > 0) || !std::isfinite(result.spacing[axis]) ||
@@ -108,6 +133,10 @@ inline Labelled_voxels_3 labelled_voxels(const Image_3& image) {
     });
     if (end[0] == 0)
       throw Error("the image holds no label but 0: there is nothing to be found in it");
+    if (fills_domain) {
+      first = {0, 0, 0};
+      end = all;
+    }
     for (int axis = 0; axis < 3; ++axis) {
       result.size[axis] = end[axis] - first[axis];
       // Voxels are about the points of the image.

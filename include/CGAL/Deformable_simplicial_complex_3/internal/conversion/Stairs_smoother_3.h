@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CONVERSION_STAIRS_SMOOTHER_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CONVERSION_STAIRS_SMOOTHER_3_H
 
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
@@ -31,11 +32,14 @@ public:
   using Point = typename Complex::Approximate_point;
   using Vector = typename Complex::Approximate_vector;
 
-  // A vertex stays within half its shortest edge from its place, along each axis.
+  // A vertex stays within half its shortest edge from its place, along each axis, and within the
+  // sides of the domain that it lies on.
   Stairs_smoother_3(const Interface_snapshot<Complex>& interface_, std::vector<Point> places,
                     const std::array<double, 3>& voxel)
       : m_places(std::move(places)), m_voxel(voxel),
         m_reach(m_places.size(), std::numeric_limits<double>::infinity()) {
+    for (const auto& v : interface_.vertices)
+      m_sides.push_back(v->boundary_class());
     std::vector<Edge> edges; // each once for each facet
     for (const auto& facet : interface_.facets())
       for (int i = 0; i < 3; ++i)
@@ -93,7 +97,10 @@ public:
       const Vector way = positions[v] + sums[v] * (part / double(numbers[v])) - m_places[v];
       std::array<double, 3> kept;
       for (int axis = 0; axis < 3; ++axis)
-        kept[axis] = std::clamp(way[axis], -m_reach[v] * m_voxel[axis], m_reach[v] * m_voxel[axis]);
+        kept[axis] =
+            Boundary_class::fixes(m_sides[v], axis)
+                ? 0
+                : std::clamp(way[axis], -m_reach[v] * m_voxel[axis], m_reach[v] * m_voxel[axis]);
       positions[v] = m_places[v] + Vector(kept[0], kept[1], kept[2]);
     }
   }
@@ -110,9 +117,10 @@ private:
   }
 
   std::vector<Point> m_places;
-  std::array<double, 3> m_voxel; // its sides
-  std::vector<double> m_reach;   // of vertices, in these
-  std::vector<Edge> m_ties;      // a vertex, and a neighbor that it follows
+  std::array<double, 3> m_voxel;             // its sides
+  std::vector<double> m_reach;               // of vertices, in these
+  std::vector<Boundary_class::Bits> m_sides; // of vertices
+  std::vector<Edge> m_ties;                  // a vertex, and a neighbor that it follows
 };
 
 } // namespace internal

@@ -18,13 +18,15 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // The connected components of the labels of voxels, through common faces. Component 0 is the
-// outside: the voxels of label 0 that are connected with the space around the box.
+// outside: the voxels of label 0 that are connected with the space around the box or, if the voxels
+// fill the domain, nothing but that space.
 class Voxel_components_3
 {
 public:
   using Place = std::array<std::size_t, 3>;
 
-  explicit Voxel_components_3(const Labelled_voxels_3& voxels) {
+  explicit Voxel_components_3(const Labelled_voxels_3& voxels)
+      : m_fill_domain(voxels.fills_domain) {
     for (int axis = 0; axis < 3; ++axis)
       m_size[axis] = voxels.size[axis] + 2;
     const std::vector<int> labels = padded(voxels);
@@ -40,6 +42,8 @@ public:
   int operator()(const Place& p) const {
     return m_components[((p[2] + 1) * m_size[1] + p[1] + 1) * m_size[0] + p[0] + 1];
   }
+  // Whether component 0 is no part of the domain.
+  bool fill_domain() const { return m_fill_domain; }
   std::size_t number() const { return m_labels.size(); }
   int label(std::size_t component) const { return m_labels[component]; }
   // Of no meaning for component 0.
@@ -49,7 +53,8 @@ private:
   static constexpr int none = -1;
 
   std::vector<int> padded(const Labelled_voxels_3& voxels) const {
-    std::vector<int> result(m_size[0] * m_size[1] * m_size[2], 0);
+    static constexpr int no_label = -1;
+    std::vector<int> result(m_size[0] * m_size[1] * m_size[2], m_fill_domain ? no_label : 0);
     for (std::size_t z = 0, row = 0; z < voxels.size[2]; ++z)
       for (std::size_t y = 0; y < voxels.size[1]; ++y, row += voxels.size[0])
         std::copy_n(voxels.labels.begin() + std::ptrdiff_t(row), voxels.size[0],
@@ -86,7 +91,8 @@ private:
     }
   }
 
-  Place m_size;                  // with a layer of voxels of label 0 around
+  bool m_fill_domain;
+  Place m_size;                  // with a layer of voxels of the outside around
   std::vector<int> m_components; // of voxels
   std::vector<int> m_labels;     // of components
   std::vector<std::size_t> m_voxels;

@@ -24,7 +24,8 @@ namespace internal {
 // Where a complex of voxels is built: p = translation + scale * q for a point p of the image and a
 // point q of the complex. The default domain is the cube about the center of the box of the labels
 // with half side 2.5 r, where r is half the diagonal of that box. All is computed in sides of
-// voxels, so that no unit is too small.
+// voxels, so that no unit is too small. Where voxels fill the domain, the space around them is to
+// be left out, and any domain does.
 class Voxel_frame_3
 {
 public:
@@ -49,13 +50,13 @@ public:
       scale = m_unit;
     }
     for (int axis = 0; axis < 3; ++axis) {
-      const auto [low, high] = limits(domain, axis);
+      const auto [low, high] = voxels.fills_domain ? Limits{-1, 1} : limits(domain, axis);
       m_low[axis] = low;
       m_high[axis] = high;
       const double half = m_half[axis] * m_side[axis];
       if (!(low < -half && half < high) || !std::isfinite(low) || !std::isfinite(high))
         throw Error("voxels with labels other than 0 reach the enclosing box, or go beyond it: use "
-                    "a larger one");
+                    "a larger one, or that of all voxels");
     }
   }
 

@@ -52,10 +52,11 @@ public:
     const Voxel_pyramid_3 pyramid(
         m_components, m_edge / (std::max)({m_frame.side(0), m_frame.side(1), m_frame.side(2)}));
     const Voxel_octree_3 octree(pyramid, m_frame.longest_side());
-    const Octree_tetrahedra_3 mesh(octree.tree(),
-                                   [&](unsigned level, const Octree_3::Place& block) {
-                                     return octree.component(level, block);
-                                   });
+    Octree_tetrahedra_3 mesh(octree.tree(), [&](unsigned level, const Octree_3::Place& block) {
+      return octree.component(level, block);
+    });
+    if (m_components.fill_domain())
+      mesh.remove(0);
     Complex result;
     const auto construct_point = result.geom_traits().construct_exact_point_3_object();
     std::vector<typename Complex::Point> points;

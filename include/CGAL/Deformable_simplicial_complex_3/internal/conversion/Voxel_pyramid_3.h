@@ -131,11 +131,13 @@ private:
     return mixed;
   }
 
-  // Whether a component has the volume of some blocks: others keep their voxels.
+  // Whether a component has the volume of some blocks: others keep their voxels, and so does the
+  // outside of a domain that voxels fill.
   bool is_large(int component, unsigned level) const {
     static constexpr std::size_t blocks = 8;
-    return component == 0 ||
-           (component != mixed && m_components.number_of_voxels(component) >= blocks << 3 * level);
+    if (component == 0)
+      return !m_components.fill_domain();
+    return (component != mixed && m_components.number_of_voxels(component) >= blocks << 3 * level);
   }
 
   static int most_frequent(std::array<int, 8> components) {

@@ -314,20 +314,15 @@ void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen, Report&
   if (m_complex.interface_vertices().empty())
     return;
   internal::require_interface_edge(m_complex);
-  const double tolerance = chosen.interface_tolerance;
   const Flow flow(*this, m_properties);
   note_momenta(flow, [&](const internal::Masses_3& masses) {
     return internal::momentum(flow.mesh, masses, flow.positions, flow.velocities);
   });
   Improvement_report& result = report.adaptation;
   change_followed([&](const auto& visitor) {
-    if (tolerance > 0) {
-      const Interface_snapshot<Complex> interface_(m_complex);
-      const internal::Interface_adaptation<Complex> adaptation(
-          m_complex, interface_, {tolerance, Defaults::feature_angle});
-      if (adaptation.is_worn())
-        result = adaptation.apply(m_complex, visitor);
-    }
+    result = internal::keep_interface_fit(
+        m_complex, {chosen.interface_tolerance, Defaults::feature_angle},
+        [](const auto&) { return true; }, visitor);
     const double edge = m_complex.mean_interface_edge();
     const auto is_liquid = [this](typename Complex::Cell_handle c) {
       return m_properties.liquid(c->label()) != nullptr;

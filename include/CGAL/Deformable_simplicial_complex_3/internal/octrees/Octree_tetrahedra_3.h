@@ -51,6 +51,30 @@ public:
     }
   }
 
+  // Removes the tetrahedra of a label, and the points that no other tetrahedron has.
+  void remove(int label) {
+    static constexpr std::size_t unused = -1;
+    std::vector<std::size_t> numbers(points.size(), unused);
+    std::vector<Point> kept_points;
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
+      if (labels[t] == label)
+        continue;
+      for (std::size_t& v : tetrahedra[t]) {
+        if (numbers[v] == unused) {
+          numbers[v] = kept_points.size();
+          kept_points.push_back(points[v]);
+        }
+        v = numbers[v];
+      }
+      tetrahedra[kept] = tetrahedra[t];
+      labels[kept++] = labels[t];
+    }
+    tetrahedra.resize(kept);
+    labels.resize(kept);
+    points.swap(kept_points);
+  }
+
   std::vector<Point> points;
   std::vector<std::array<std::size_t, 4>> tetrahedra; // positively oriented
   std::vector<int> labels;                            // of tetrahedra

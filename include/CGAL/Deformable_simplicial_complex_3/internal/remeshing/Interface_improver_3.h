@@ -40,6 +40,8 @@ public:
     remove_small_angles();
   }
 
+  void split_junctions() {} // there is no such operation in space
+
 private:
   void flip_edges() {
     this->for_each_interface_edge([&](Cell_handle c, int i, int j) {

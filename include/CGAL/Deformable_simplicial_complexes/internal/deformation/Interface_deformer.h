@@ -14,6 +14,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Domain_box.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/collision_order.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/free_vertices_near.h>
@@ -58,7 +59,8 @@ public:
   Interface_deformer(const Interface_deformer&) = delete;
   Interface_deformer& operator=(const Interface_deformer&) = delete;
 
-  // Those of `interface_vertices()`. Nothing is changed if one is refused.
+  // Those of `interface_vertices()`. Nothing is changed if one is refused. What would leave the box
+  // of the domain goes to the nearest point of it, where the interface stops.
   void set_destinations(const std::vector<Vertex_handle>& vertices,
                         const std::vector<Point>& destinations) {
     std::vector<typename Complex::Approximate_point> positions;
@@ -66,9 +68,14 @@ public:
       positions.push_back(m_complex.approximate(p));
     require_finite(positions, "a destination");
     m_trapped_cells.log().begin();
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      m_destinations.add(vertices[i],
-                         m_complex.admissible_destination(vertices[i], destinations[i]));
+    const Domain_box<Complex> box(m_complex);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const Point admissible = m_complex.admissible_destination(vertices[i], destinations[i]);
+      auto position = m_complex.approximate(admissible);
+      const bool is_stopped = box.clamp(position);
+      m_stopped_at_boundary += is_stopped;
+      m_destinations.add(vertices[i], is_stopped ? m_complex.exact(position) : admissible);
+    }
   }
 
   // Adds the time since the last call to a part of that of the whole.
@@ -232,6 +239,7 @@ public:
       return a.cell->time_stamp() < b.cell->time_stamp();
     });
     report.vanished = m_vanished;
+    report.stopped_at_boundary = m_stopped_at_boundary;
     report.complete = report.unfinished.empty();
     const Improvement_report done = m_mesh.report();
     report.split = done.split;
@@ -303,7 +311,7 @@ private:
   double m_last_distance = std::numeric_limits<double>::infinity();
   unsigned m_idle_passes = 0;
   bool m_may_remove_facets = true;
-  std::size_t m_vanished = 0;
+  std::size_t m_vanished = 0, m_stopped_at_boundary = 0;
 };
 
 } // namespace internal

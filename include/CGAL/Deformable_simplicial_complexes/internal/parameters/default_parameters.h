@@ -57,22 +57,25 @@ inline constexpr unsigned number_of_threads = 1;
 // interface; far below what a straight edge leaves of a curve.
 inline constexpr double integration_tolerance = 1e-4;
 
-// What advect_adaptively() asks for, in long runs of flows that stretch an interface and may bring it
-// back.
-template <int dimension> struct Adaptive_advection
+// What advect_adaptively() asks for: in long runs of flows that stretch an interface and may bring
+// it back, or of flows that contract it and bring nothing back.
+template <int dimension, bool contracts = false> struct Adaptive_advection
 {
   // interface_tolerance: of the distance between edges and the smooth surface, in mean edges of the
   // interface: at which the volume of a sheet of a few triangles' thickness stays within 0.02 %.
   // Curves have few segments, which may be ten times as exact for nothing.
   static constexpr double interface_tolerance = dimension == 2 ? .005 : .04;
-  // adaptation_interval: in steps; the cost of one is then about that of motion.
-  static constexpr unsigned adaptation_interval = 4;
+  // adaptation_interval: in steps; the cost of one is then about that of motion. Contraction
+  // shortens edges at junctions within a step.
+  static constexpr unsigned adaptation_interval = contracts ? 1 : 4;
   // feature_angle: below a cube, above the rims of thin sheets, in degrees.
   static constexpr double feature_angle = 85;
   // quality_threshold: thin sheets leave no room for more.
-  static constexpr double quality_threshold = .1;
-  // minimum_angle and minimum_facet_angle: what is pressed flat may become thick again, in degrees.
-  static constexpr double minimum_angle = .1, minimum_facet_angle = 0;
+  static constexpr double quality_threshold = contracts ? Quality_threshold::in_motion : .1;
+  // minimum_angle and minimum_facet_angle: what is pressed flat may become thick again, in degrees,
+  // unless the flow contracts.
+  static constexpr double minimum_angle = contracts ? defaults::minimum_angle : .1;
+  static constexpr double minimum_facet_angle = contracts ? Minimum_facet_angle::in_motion : 0;
   // collapse_length: of edges off the interface, in mean edges of the interface: the mesh stays as
   // fine as a step or two need.
   static constexpr double collapse_length = 2;
@@ -131,8 +134,9 @@ struct Interface_collapse_length
   static constexpr double in_wanted_lengths = .25;
 };
 
-// fit_tolerance: of the root of the mean square of the distances of points from a facet, in spacings
-// of the points: what is flat or smooth is met closer than that, so that all of a surface is within a fiftieth.
+// fit_tolerance: of the root of the mean square of the distances of points from a facet, in
+// spacings of the points: what is flat or smooth is met closer than that, so that all of a surface
+// is within a fiftieth.
 inline constexpr double fit_tolerance = .03;
 
 // number_of_iterations: bounds on rounds.

@@ -22,11 +22,13 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// How close an interface is to stay to what is smooth, and what of it is sharp.
+// Tolerance to the smooth surface, feature angle, and what else a flow asks for.
 struct Adaptation_options
 {
-  double tolerance;     // of the distance between edges and surface, in mean edges
-  double feature_angle; // between the normals of facets that meet in a sharp edge, in degrees
+  double tolerance;         // of the distance between edges and surface, in mean edges; 0 for none
+  double feature_angle;     // between the normals of facets that meet in a sharp edge, in degrees
+  bool only_if_worn = true; // the interface stays as it is while most edges have their length
+  bool splits_junctions = false; // of more than three phases
 };
 
 // By which sizes an interface is adapted, and when.
@@ -77,7 +79,7 @@ public:
   Interface_adaptation(const Complex& complex, const Interface_snapshot<Complex>& interface_,
                        const Adaptation_options& options)
       : m_interface(interface_), m_positions(interface_.positions(complex)),
-        m_edge(complex.mean_interface_edge()), m_feature_angle(options.feature_angle),
+        m_edge(complex.mean_interface_edge()), m_options(options),
         m_lengths(interface_, m_positions, options.tolerance * m_edge, Rule::shortest * m_edge,
                   options.feature_angle),
         m_sizes(sizes(Rule::longest)) {}
@@ -110,7 +112,8 @@ public:
                                                 .swept_volume(Rule::swept_volume)
                                                 .curved_splits(true)
                                                 .aggressiveness(0.)
-                                                .feature_angle(m_feature_angle)
+                                                .feature_angle(m_options.feature_angle)
+                                                .split_junctions(m_options.splits_junctions)
                                                 .quality_threshold(0.) // left to the motion
                                                 .visitor(visitor));
   }
@@ -125,10 +128,25 @@ private:
 
   const Interface_snapshot<Complex>& m_interface;
   std::vector<typename Complex::Approximate_point> m_positions;
-  double m_edge, m_feature_angle;
+  double m_edge;
+  Adaptation_options m_options;
   Curvature_lengths<Complex> m_lengths;
   std::vector<double> m_sizes;
 };
+
+// The recipe by which all flows keep an interface fit: adapts it if the tolerance is not 0, it is
+// worn, and the step stretches it, as `is_stretching(interface)` says.
+template <class Complex, class IsStretching, class Visitor>
+Improvement_report keep_interface_fit(Complex& complex, const Adaptation_options& options,
+                                      const IsStretching& is_stretching, const Visitor& visitor) {
+  if (!(options.tolerance > 0))
+    return {};
+  const Interface_snapshot<Complex> interface_(complex);
+  const Interface_adaptation<Complex> adaptation(complex, interface_, options);
+  if (options.only_if_worn && !(adaptation.is_worn() && is_stretching(interface_)))
+    return {};
+  return adaptation.apply(complex, visitor);
+}
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes

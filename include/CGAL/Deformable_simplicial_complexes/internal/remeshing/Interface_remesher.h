@@ -40,6 +40,7 @@ struct Interface_thresholds
   double smallest_angle;    // of a facet, in radians
   double quality_threshold; // of cells
   bool splits_curved;
+  bool splits_junctions;
 };
 
 inline void check_interface_thresholds(const Interface_thresholds& t) {
@@ -255,6 +256,7 @@ protected:
 
 // That of a dimension, which adds
 // - `reconnect()`: joins the vertices of the interface by other facets
+// - `split_junctions()`: splits vertices where too many phases meet
 template <class Complex, int dimension = Complex::dimension> class Interface_improver;
 
 // `improve_interface()` with the parameters that it has read.
@@ -265,6 +267,8 @@ Improvement_report remesh_interface(Complex& dsc, const Interface_thresholds& th
   const Progress_phase phase("improving the interface");
   Interface_improver<Complex> improver(dsc, visitor, thresholds, unit);
   for (unsigned i = 0; i < iterations; ++i) {
+    if (thresholds.splits_junctions)
+      improver.split_junctions();
     improver.split_long_edges();
     improver.collapse_short_edges();
     improver.reconnect();

@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_GROW_DOMAIN_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_GROW_DOMAIN_H
+
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/conversion/Box_layer.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/improve_new_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Domain_box.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Returns whether the interface keeps its distance from the boundary of the domain, a box.
+
+\param dsc the complex.
+\param part the distance from each side, as a part of the length of the box across that side.
+\return whether all vertices of the interface are farther from all sides; `true` if the domain is no
+        box.
+
+Linear in the interface and in the boundary.
+*/
+template <class Complex> bool has_room_around_interface(const Complex& dsc, double part = .125) {
+  const Deformable_simplicial_complexes::internal::Domain_box<Complex> box(dsc);
+  if (!box.is_box())
+    return true;
+  for (auto v : dsc.interface_vertices())
+    for (int axis = 0; axis < Complex::dimension; ++axis) {
+      const double x = dsc.position(v)[axis], low = box.extent().lower(axis),
+                   high = box.extent().upper(axis), room = part * (high - low);
+      if (!(x - low > room && high - x > room))
+        return false;
+    }
+  return true;
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+Enlarges the domain, a box, about its center, so that an interface that comes near its boundary can
+move on. The space between the old and the new box is filled with cells of label 0. All cells of
+before stay, and are improved together with the new ones. The vertices of the interface, the
+normalization, `dsc.mean_interface_edge()` and `dsc.minimum_interface_edge()` stay, bit for bit; the
+volumes of all labels except 0 stay up to rounding.
+
+\param dsc the complex. Handles are invalidated; changes of components not taken yet are forgotten.
+\param factor by which the sides of the box get longer, more than 1.
+\throws Deformable_simplicial_complexes::Error if the factor is not finite and more than 1, the domain
+        is no box, or the new box is larger than complexes can be; the complex is then unchanged.
+
+n log n in the number of cells.
+*/
+template <class Complex> void grow_domain(Complex& dsc, double factor = 1.5) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  using Deformable_simplicial_complexes::Error;
+  if (!(factor > 1) || !std::isfinite(factor))
+    throw Error("the factor by which the domain grows is out of range: use more than 1");
+  const internal::Domain_box<Complex> box(dsc);
+  if (!box.is_box())
+    throw Error("the domain is no box, so that it cannot grow: build the complex in a box");
+  const auto before = dsc.state();
+  const internal::Box_layer<Complex> layer(dsc, before, box.extent(), factor);
+  Complex grown(dsc);
+  const auto vertices = grown.assign(layer.points(), layer.cells(), layer.labels());
+  for (std::size_t i = 0; i < before.spacings.size(); ++i)
+    if (before.spacings[i] > 0)
+      vertices[i]->set_spacing(before.spacings[i]);
+  auto after = grown.state();
+  after.mean_interface_edge = before.mean_interface_edge;
+  after.minimum_interface_edge = before.minimum_interface_edge;
+  grown.restore(after);
+  internal::improve_new_mesh(
+      grown,
+      internal::new_mesh_options(Deformable_simplicial_complexes::parameters::default_values()));
+  dsc = std::move(grown);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_GROW_DOMAIN_H

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_DOMAIN_BOX_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_DOMAIN_BOX_H
+
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The box that is the domain of a complex. Domains of other shapes have none: their boundary is
+// fixed, and what lies outside of them is not decided here.
+template <class Complex> class Domain_box
+{
+public:
+  using Point = typename Complex::Approximate_point;
+  static constexpr int d = Complex::dimension;
+
+  // Linear in the boundary.
+  explicit Domain_box(const Complex& complex) {
+    if constexpr (Complex::Domain::has_outside) {
+      if (complex.number_of_cells() == 0)
+        return;
+      m_is_box = true;
+      std::vector<typename Complex::Cell_handle> star;
+      complex.star(complex.triangulation().infinite_vertex(), star);
+      for (auto c : star)
+        for (int i = 0; i <= d; ++i)
+          if (const auto v = c->vertex(i); !complex.is_infinite(v)) {
+            m_is_box = m_is_box && (v->boundary_class() & Boundary_class::fixed) == 0;
+            m_extent.add(complex.position(v));
+          }
+    }
+  }
+
+  bool is_box() const { return m_is_box; }
+  const Extent<d>& extent() const { return m_extent; }
+
+  // Moves a point that lies outside the box to the nearest point of it. Returns whether it does.
+  bool clamp(Point& p) const {
+    if (!m_is_box)
+      return false;
+    std::array<double, d> coordinates = coordinates_of<d>(p);
+    bool is_outside = false;
+    for (int axis = 0; axis < d; ++axis) {
+      const double x = coordinates[axis];
+      coordinates[axis] = std::clamp(x, m_extent.lower(axis), m_extent.upper(axis));
+      is_outside = is_outside || coordinates[axis] != x;
+    }
+    if (is_outside)
+      p = point_at<Complex>(coordinates);
+    return is_outside;
+  }
+
+private:
+  Extent<d> m_extent;
+  bool m_is_box = false;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_DOMAIN_BOX_H

@@ -1,0 +1,126 @@
+// Vertices where more than three phases meet, and curvature flow that keeps its interface fit.
+
+#include <CGAL/Deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/junction_split_2.h>
+#include <CGAL/advect_adaptively_2.h>
+#include <CGAL/curve_shortening_flow_2.h>
+#include <CGAL/make_deformable_simplicial_complex_2.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace test_junctions {
+
+using Complex = CGAL::Deformable_simplicial_complex_2<>;
+using Vertex_handle = Complex::Vertex_handle;
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
+// A square of n times n pixels, with labels that a function of the half-axes tells.
+template <class LabelAt> Complex square(std::size_t n, const LabelAt& label_at) {
+  CGAL::Labelled_image_2 image;
+  image.width = image.height = n;
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i < n; ++i)
+      image.labels.push_back(label_at(2 * i < n, 2 * j < n));
+  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(image);
+  EXPECT_TRUE(dsc.is_valid(true));
+  return dsc;
+}
+
+int four_labels(bool left, bool top) { return 1 + left + 2 * top; }
+int two_labels(bool left, bool top) { return 1 + (left == top); }
+
+// The vertices inside the domain with the most facets of the interface, and how many these are.
+std::vector<Vertex_handle> junctions(const Complex& dsc, std::size_t degree) {
+  std::vector<Vertex_handle> result;
+  for (Vertex_handle v : dsc.interface_vertices())
+    if (!dsc.is_boundary(v) && v->interface_degree() == degree)
+      result.push_back(v);
+  return result;
+}
+
+double length(const Complex& dsc) {
+  double result = 0;
+  for (const auto& f : dsc.interface_facets())
+    result += dsc.measure(f);
+  return result;
+}
+
+TEST(Junction_split_2, makes_two_junctions_of_three_phases) {
+  Complex dsc = square(12, four_labels);
+  ASSERT_EQ(junctions(dsc, 4).size(), 1u);
+  CGAL::Deformable_simplicial_complexes::Cavity<Complex> cavity(dsc);
+  const double before = length(dsc);
+  ASSERT_TRUE(CGAL::propose_junction_split(dsc, junctions(dsc, 4).front(), cavity));
+  dsc.replace(cavity);
+  EXPECT_TRUE(dsc.is_valid(true));
+  EXPECT_LT(length(dsc), before);
+  EXPECT_EQ(junctions(dsc, 4).size(), 0u);
+  ASSERT_EQ(junctions(dsc, 3).size(), 2u);
+  for (int label = 1; label <= 4; ++label)
+    EXPECT_EQ(dsc.number_of_components(label), 1u);
+  for (Vertex_handle v : dsc.interface_vertices())
+    EXPECT_FALSE(CGAL::propose_junction_split(dsc, v, cavity));
+}
+
+TEST(Junction_split_2, does_not_join_parts_of_a_phase) {
+  const Complex dsc = square(12, two_labels);
+  CGAL::Deformable_simplicial_complexes::Cavity<Complex> cavity(dsc);
+  for (Vertex_handle v : dsc.interface_vertices())
+    EXPECT_FALSE(CGAL::propose_junction_split(dsc, v, cavity));
+}
+
+TEST(Junction_split_2, is_a_part_of_curvature_flow) {
+  Complex fit = square(12, four_labels), as_it_is = fit;
+  const CGAL::Curve_shortening_flow_2 flow;
+  for (int i = 0; i < 3; ++i) {
+    CGAL::advect_adaptively(fit, flow, .2 * i, .2);
+    CGAL::advect_adaptively(as_it_is, flow, .2 * i, .2, parameters::interface_tolerance(0.));
+  }
+  EXPECT_TRUE(fit.is_valid(true));
+  EXPECT_EQ(junctions(fit, 4).size(), 0u);
+  EXPECT_EQ(junctions(fit, 3).size(), 2u);
+  EXPECT_EQ(junctions(as_it_is, 4).size(), 1u);
+}
+
+// With half-axes 3 and 1.
+Complex ellipse() {
+  std::vector<Complex::Point_2> points;
+  constexpr int n = 60;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * std::acos(-1.) * i / n;
+    points.emplace_back(3 * std::cos(angle), std::sin(angle));
+  }
+  CGAL::Labelled_curve_2<Complex::Point_2> curve;
+  curve.add_polyline(points);
+  curve.label = 1;
+  return CGAL::make_deformable_simplicial_complex_2<Complex>(
+      std::vector<CGAL::Labelled_curve_2<Complex::Point_2>>{curve});
+}
+
+// dA/dt = -2 pi, whatever the shape.
+TEST(Curvature_flow_2, keeps_its_interface_fit) {
+  Complex dsc = ellipse();
+  const double before = dsc.area(1), dt = .01;
+  constexpr int steps = 40;
+  for (int i = 0; i < steps; ++i)
+    ASSERT_TRUE(CGAL::advect_adaptively(dsc, CGAL::Curve_shortening_flow_2(), i * dt, dt).complete);
+  EXPECT_TRUE(dsc.is_valid(true));
+  const double rate = (dsc.area(1) - before) / (steps * dt), exact = -2 * std::acos(-1.);
+  EXPECT_NEAR(rate, exact, .01 * std::abs(exact));
+}
+
+TEST(Curvature_flow_2, restores_volumes_that_the_adaptation_changes) {
+  Complex dsc = ellipse();
+  const double before = dsc.area(1), dt = .05;
+  for (int i = 0; i < 10; ++i)
+    CGAL::advect_adaptively(dsc, CGAL::Curve_shortening_flow_2(true), i * dt, dt);
+  EXPECT_TRUE(dsc.is_valid(true));
+  EXPECT_NEAR(dsc.area(1), before, 1e-8 * before);
+}
+
+} // namespace test_junctions
