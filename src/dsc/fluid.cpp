@@ -20,6 +20,7 @@
 #include <cstdio>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -203,6 +204,31 @@ Json gases_json(const Fluid& fluid) {
   return result;
 }
 
+const char* name_of(CGAL::Deformable_simplicial_complexes::Fluid_failure_3 cause) {
+  using Failure = CGAL::Deformable_simplicial_complexes::Fluid_failure_3;
+  switch (cause) {
+  case Failure::equations:
+    return "equations";
+  case Failure::motion:
+    return "motion";
+  case Failure::mesh:
+    break;
+  }
+  return "mesh";
+}
+
+/// The attempts at a step that were undone.
+Json repetitions_json(const Fluid::Report& report) {
+  Json result = Json::array();
+  for (const auto& repetition : report.repetitions)
+    result.push_back({{"cause", name_of(repetition.cause)},
+                      {"time", repetition.time},
+                      {"dt", repetition.dt},
+                      {"amount", repetition.amount},
+                      {"where", vector_json(repetition.place)}});
+  return result;
+}
+
 Json step_json(const Fluid& fluid, const Fluid_scene& scene, unsigned step,
                const std::optional<Fluid::Report>& report) {
   const Complex& complex = fluid.complex();
@@ -244,6 +270,10 @@ Json step_json(const Fluid& fluid, const Fluid_scene& scene, unsigned step,
                {"smoothed", motion.smoothed + report->adaptation.smoothed},
                {"solutions", report->solutions},
                {"iterations", report->iterations},
+               {"residual", report->residual},
+               {"flat_cells", report->flat_cells},
+               {"parts", report->parts},
+               {"repetitions", repetitions_json(*report)},
                {"seconds_of_solver", report->seconds_of_solver},
                {"seconds_of_mesh", report->seconds_of_mesh}});
   return json;
@@ -265,7 +295,7 @@ Fluid::State state_of(const Json& json) {
   state.steps = json.at("steps");
   state.damped_steps = json.at("damped_steps");
   state.knows_accelerations = json.at("knows_accelerations");
-  state.motion = json.at("motion").get<std::vector<std::array<double, 6>>>();
+  state.motion = json.at("motion").get<decltype(state.motion)>();
   state.volumes = json.at("volumes").get<std::vector<std::pair<std::uint32_t, double>>>();
   state.gases = json.at("pressures_and_volumes_of_gases").get<decltype(state.gases)>();
   return state;
@@ -329,13 +359,39 @@ double next_step(const Run& run, double end) {
   return dt * (1 + almost) >= left ? left : dt * 2 <= left ? dt : left / 2;
 }
 
-void print_summary(const Run& run, unsigned steps, double seconds) {
+/// Counts the steps that were repeated, and their attempts by cause.
+class Repetitions
+{
+public:
+  void add(const Fluid::Report& report) {
+    m_steps += !report.repetitions.empty();
+    for (const auto& repetition : report.repetitions)
+      ++m_attempts[name_of(repetition.cause)];
+  }
+  Json json() const { return {{"steps", m_steps}, {"attempts", m_attempts}}; }
+  /// Empty if there are none.
+  std::string text() const {
+    if (m_steps == 0)
+      return "";
+    std::string result;
+    for (const auto& [cause, number] : m_attempts)
+      result += (result.empty() ? "" : ", ") + cause + " " + std::to_string(number);
+    return "; " + std::to_string(m_steps) + " steps repeated (attempts undone: " + result + ")";
+  }
+
+private:
+  unsigned m_steps = 0;
+  std::map<std::string, unsigned> m_attempts; // by cause
+};
+
+void print_summary(const Run& run, unsigned steps, const Repetitions& repetitions, double seconds) {
   const Fluid::Balance balance = run.fluid->balance();
   std::printf(
       "dsc: %s; %u steps, time %g: %zu vertices, %zu interface triangles, volume %.10g, energy "
-      "%.6g; %.3g s\n",
+      "%.6g%s; %.3g s\n",
       run.scene.title.c_str(), steps, run.fluid->time(), run.complex->complex.number_of_vertices(),
-      run.complex->complex.interface_facets().size(), balance.volume, balance.energy(), seconds);
+      run.complex->complex.interface_facets().size(), balance.volume, balance.energy(),
+      repetitions.text().c_str(), seconds);
 }
 
 } // namespace
@@ -361,6 +417,7 @@ int execute(const Fluid_options& options) {
   Run run = options.resume.empty() ? start(options) : resume(options);
   Fluid& fluid = *run.fluid;
   run.complex->velocity_at = [&fluid](Complex::Vertex_handle v) { return fluid.velocity(v); };
+  run.complex->pressure_at = [&fluid](Complex::Vertex_handle v) { return fluid.pressure(v); };
   const double end = options.end > 0 ? options.end : run.scene.end;
   if (!(end > fluid.time()))
     throw Usage_error("the end " + Json(end).dump() + " is not after the time " +
@@ -368,6 +425,7 @@ int execute(const Fluid_options& options) {
   if (folder && !options.resume.empty())
     folder->keep_until(fluid.time());
   Json steps = Json::array();
+  Repetitions repetitions;
   const auto first = unsigned(fluid.state().steps);
   unsigned done = 0;
   steps.push_back(step_json(fluid, run.scene, first, std::nullopt));
@@ -381,7 +439,8 @@ int execute(const Fluid_options& options) {
   };
   const auto write_report = [&] {
     if (!options.report.empty())
-      write_json(options.report, {{"scene", run.scene.json}, {"steps", steps}});
+      write_json(options.report,
+                 {{"scene", run.scene.json}, {"repeated", repetitions.json()}, {"steps", steps}});
   };
   write_files();
   interruptible.reset();
@@ -395,19 +454,10 @@ int execute(const Fluid_options& options) {
   try {
     const Interruptible scope(true);
     while (fluid.time() < end && (options.steps == 0 || done < options.steps) && !interrupted()) {
-      run.complex->keep();
-      const Fluid::State before = fluid.state();
-      try {
-        const Fluid::Report report = fluid.advance(next_step(run, end), np);
-        steps.push_back(step_json(fluid, run.scene, first + done + 1, report));
-        ++done;
-      } catch (...) {
-        // Steps before it are worth keeping.
-        run.complex->go_back();
-        fluid.restore(before);
-        throw;
-      }
-      run.complex->forget();
+      const Fluid::Report report = fluid.advance(next_step(run, end), np); // whole or not at all
+      ++done;
+      steps.push_back(step_json(fluid, run.scene, first + done, report));
+      repetitions.add(report);
       if (fluid.volumes().empty())
         throw std::runtime_error("no liquid is left after the step " +
                                  std::to_string(first + done) +
@@ -436,7 +486,7 @@ int execute(const Fluid_options& options) {
               << "; continue with dsc fluid --resume " << checkpoint << '\n';
   }
   if (!options.quiet)
-    print_summary(run, done, seconds_since(begin));
+    print_summary(run, done, repetitions, seconds_since(begin));
   return interrupted() ? exit_code_of_interrupt : 0;
 }
 
