@@ -97,10 +97,15 @@ unsigned minimal_residuals(const For_each_index& for_each, const Multiply& multi
     multiply(x, next);
     r = right - next;
     precondition(r, z);
-    double beta = norm(dot(r, z)), beta_before = 1, eta = beta;
+    const double square_of_residual = dot(r, z);
+    if (!std::isfinite(square_of_residual))
+      throw Convergence_error("the equations of the flow have no finite solution: cells may be too "
+                              "flat",
+                              infinite, least_bound);
+    double beta = norm(square_of_residual), beta_before = 1, eta = beta;
     if (beta <= bound)
       return k;
-    if (!(beta <= less * last)) { // nor for what is no number
+    if (beta > less * last) {
       if (beta <= least_bound * size)
         return k;
       throw Convergence_error("the equations of the flow cannot be solved by iterations: the "
