@@ -164,6 +164,14 @@ int execute(const Fluid_options& options) {
       folder->write(*run.complex, position, metadata(run.scene, fluid));
     }
   };
+  // The name of the last checkpoint, which is written if there is no folder with one.
+  const auto checkpoint = [&](const char* name) {
+    if (folder)
+      return folder->checkpoint();
+    const std::string result = unused_name(name, ".dsc");
+    run.complex->write_checkpoint(result, metadata(run.scene, fluid));
+    return result;
+  };
   const auto write_report = [&] {
     if (!options.report.empty())
       write_json(options.report,
@@ -194,6 +202,12 @@ int execute(const Fluid_options& options) {
         write_files();
     }
   } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {
+  } catch (const CGAL::Deformable_simplicial_complexes::Fluid_step_error& error) {
+    progress.clear();
+    write_files();
+    write_report();
+    throw std::runtime_error(std::string(error.what()) + "; the step before is kept in " +
+                             checkpoint("dsc_failed"));
   } catch (...) {
     progress.clear();
     write_files();
@@ -206,11 +220,8 @@ int execute(const Fluid_options& options) {
   if (!options.picture.empty())
     run.complex->write(options.picture);
   if (interrupted()) {
-    std::string checkpoint = folder ? folder->checkpoint() : unused_name("dsc_interrupted", ".dsc");
-    if (!folder)
-      run.complex->write_checkpoint(checkpoint, metadata(run.scene, fluid));
     std::cerr << "dsc: interrupted after step " << first + done
-              << "; continue with dsc fluid --resume " << checkpoint << '\n';
+              << "; continue with dsc fluid --resume " << checkpoint("dsc_interrupted") << '\n';
   }
   if (!options.quiet)
     print_summary(run, done, repetitions, seconds_since(begin));
