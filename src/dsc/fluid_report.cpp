@@ -259,7 +259,7 @@ Json step_json(const Fluid& fluid, const Fluid_scene& scene, unsigned step,
                {"iterations", report->iterations},
                {"residual", report->residual},
                {"flat_cells", report->flat_cells},
-               {"parts", report->parts},
+               {"substeps", report->parts},
                {"repetitions", repetitions_json(*report)},
                {"seconds_of_solver", report->seconds_of_solver},
                {"seconds_of_mesh", report->seconds_of_mesh}});

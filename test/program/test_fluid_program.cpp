@@ -206,7 +206,7 @@ TEST_F(Fluids, drop_that_lands_survives_or_leaves_a_checkpoint) {
   for (std::size_t k = 1; k < steps.size(); ++k) {
     EXPECT_TRUE(steps[k].at("repetitions").is_array());
     EXPECT_LE(steps[k].at("residual").get<double>(), 1e-8);
-    EXPECT_GE(steps[k].at("parts").get<int>(), 1);
+    EXPECT_GE(steps[k].at("substeps").get<int>(), 1);
   }
   EXPECT_TRUE(whole.at("repeated").contains("steps"));
   EXPECT_TRUE(fs::exists(path("run/checkpoint.dsc")));
