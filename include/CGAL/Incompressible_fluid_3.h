@@ -8,15 +8,20 @@
 #include <CGAL/Curvature_size_field_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Fluid_properties_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Fluid_report_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/Fluid_state_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/Saddle_point_solver.h>
 #include <CGAL/Deformable_simplicial_complex_3/Solids_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/fluid_errors.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Body_momenta_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_step_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Energy_judge_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fixed_point_accelerator.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_motion_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_snapshot_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Gas_ledger_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Part_interface_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Part_ledger_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Step_plan_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
@@ -29,7 +34,6 @@
 #include <CGAL/improve_mesh_3.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -38,41 +42,13 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-
-/// \ingroup PkgDeformableSimplicialComplex3Ref
-/// What a liquid does at a solid.
-struct Wall_behavior
-{
-  /// in the liquid, between solid and surface, in degrees, in [0, 180]
-  double contact_angle = 90;
-  /// whether the liquid goes with the wall where it touches it, instead of sliding
-  bool sticks = false;
-  /// whether the liquid may leave the wall where it would have to be pulled; what surface tension
-  /// makes wet is left along the wall only, as the edge of the liquid recedes
-  bool separates = true;
-};
-
-/// \ingroup PkgDeformableSimplicialComplex3Ref
-/// Everything that `Incompressible_fluid_3` adds to the state of its complex, as plain numbers.
-struct Fluid_state_3
-{
-  double time = 0;                           ///< now
-  std::uint64_t steps = 0;                   ///< done
-  std::uint32_t damped_steps = 0;            ///< to come
-  bool knows_accelerations = false;          ///< whether there was a step
-  std::vector<std::array<double, 6>> motion; ///< velocities and accelerations of finite vertices,
-                                             ///< by time stamp
-  std::vector<std::pair<std::uint32_t, double>> volumes; ///< that components are to have
-  std::vector<std::pair<std::uint32_t, std::array<double, 2>>> gases; ///< of components of gas: a
-                                                                      ///< pressure, and the volume
-                                                                      ///< at that pressure
-};
 
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
@@ -176,6 +152,9 @@ public:
   double time() const { return m_time; }                        ///< 0 in the beginning
   /// Of a vertex of a liquid.
   Vector velocity(Vertex_handle v) const { return vector(m_motion.velocity(v)); }
+  /// Of a vertex of a liquid, in the last step: the mean of the pressures of the liquids around it.
+  /// 0 before the first step.
+  double pressure(Vertex_handle v) const { return m_motion.pressure(v); }
   /// What all liquids have now. n log n.
   Balance balance() const {
     const Flow flow(*this, m_properties);
@@ -212,7 +191,15 @@ public:
   /// @{
 
   /*!
-  One step of time.
+  One step of time. It happens whole, or not at all.
+
+  A step is undone if its equations have no accurate solution, or if the energy rises, by more than
+  forces and sources explain, by more than 1e-3. The unit of that is the energy: kinetic energy,
+  tension times area, the potential above the lowest vertex, and pressure times volume of gases that
+  are compressible. A step that was undone is repeated: first with the mesh preserved, if only
+  changes of the mesh raise the energy, else after remeshing and in parts of half the length, down
+  to a 32nd of the step. `Report::repetitions` tells all attempts that failed. With an
+  `adaptation_interval` of 0, nothing is remeshed.
 
   \param dt its length, positive.
   \param np named parameters: `number_of_threads`, `quality_threshold`, `minimum_angle`,
@@ -240,10 +227,13 @@ public:
   \cgalNamedParamsEnd
 
   \return what it did.
-  \throws Error if a parameter is out of its range or `dt` too short to change the time, with
-          nothing changed; or if the equations cannot be solved, with the state of before the step
-          but for adaptation of the mesh and given velocities, which may be admissible by then. What
-  `topology_control` throws leaves a valid complex.
+  \throws Error if a parameter is out of its range or `dt` too short to change the time.
+  \throws Fluid_step_error if no attempt succeeds: it tells the step, the time, the cause and the
+          place.
+
+  Whatever is thrown, also by `topology_control`, sources or a `Progress_scope`, the fluid and the
+  complex are in their state before the step. Handles of the complex are invalidated if the step had
+  changed it, also if it was repeated then.
 
   Some dozens of iterations of a linear solver, almost linear in the number of vertices of liquids,
   and the deformation.
@@ -263,7 +253,8 @@ public:
   \param steps at the most; fewer if vertices come to rest up to rounding
   \param np the named parameters of `advance()`
   \return the velocity, at the most, by which vertices still went in the last step
-  \throws Error as `advance()` does; the complex is valid then, and nothing moves
+  \throws Error as `advance()` does, and Convergence_error if equations cannot be solved; the complex
+          is valid then, and nothing moves
   */
   template <class NamedParameters = parameters::Default_named_parameters>
   double relax(double dt, unsigned steps, const NamedParameters& np = NamedParameters()) {
@@ -296,6 +287,8 @@ private:
   using Approximate_point = typename Complex::Approximate_point;
   using Motion_map = internal::Fluid_motion_3::Map<Complex>;
   using Carrier = Carried_vertex_values<Complex, Motion_map>;
+  using Energy_judge = internal::Energy_judge_3;
+  using Snapshot = internal::Fluid_snapshot_3<Incompressible_fluid, Complex>;
 
   // The liquids as they are.
   struct Flow
@@ -326,6 +319,15 @@ private:
       return result;
     }
 
+    // With the energy of now.
+    internal::Energy_budget_3 budget(const Incompressible_fluid& fluid) const {
+      double springs = 0;
+      for (const auto& gas : fluid.m_gas_ledger.bodies_of(mesh))
+        springs += gas.gas.exponent > 0 ? gas.pressure() * gas.volume : 0;
+      return {balance(fluid, positions, velocities, fluid.m_time),
+              Eigen::Vector3d(fluid.m_properties.gravity().data()), positions, springs};
+    }
+
     typename Ledger::Volumes volumes() const { return Ledger::measure(mesh, positions); }
 
     double depth_in_solids(const Incompressible_fluid& fluid) const {
@@ -342,6 +344,12 @@ private:
     internal::Deformation_options<Complex> deformation;
     double implicitness, interface_tolerance;
     unsigned adaptation_interval, number_of_threads;
+
+    // Changes of the mesh only where the motion is impossible otherwise.
+    void preserve_mesh() {
+      deformation.quality_threshold = deformation.relabeling_threshold = 0;
+      deformation.minimum_angle = deformation.minimum_facet_angle = 0;
+    }
 
     // For deformations.
     auto parameters() const {
@@ -387,12 +395,26 @@ private:
   }
 
   template <class NamedParameters> Options options(const NamedParameters& np) const;
-  Report advance_with(Options chosen, double dt);
+  Report advance_with(const Options& chosen, double dt);
+  Report advance_in_parts(const Options& chosen, double dt, const Snapshot& start);
+  std::optional<Fluid_repetition_3> attempt(const internal::Step_plan_3& plan, double begin,
+                                            double dt, Options chosen, Report& report);
+  Point fastest_vertex() const;
+  Point flattest_cell() const;
   double relax_with(Options chosen, double dt, unsigned steps);
-  void adapt(const Options& chosen, Report& report);
+  void adapt(const Options& chosen, internal::Mesh_treatment_3 treatment, Report& report);
+  template <class Visitor>
+  Improvement_report adapt_lengths(double tolerance, const Visitor& visitor);
   void make_admissible(double dt, unsigned number_of_threads, Report& report);
-  void step(double dt, double end, const Options& chosen, double longest_way, Report& report);
-  void store(const Flow& flow, const Vectors& velocities, double dt);
+  void step(double dt, double end, const Options& chosen, double longest_way, Report& report,
+            Energy_judge* judge);
+  void own_gains(const Flow& flow, const Step& step, double dt, Report& report);
+  Vectors shortened(Vectors destinations, const Flow& flow, double longest_way,
+                    const Contacts& contacts) const;
+  void describe(const Step& step, const Flow& flow, Report& report) const;
+  Balance energies_with_gases_of(const Report& report) const;
+  void store(const Flow& flow, const Vectors& velocities, const std::vector<double>& pressures,
+             double dt);
   Flow settle(const Options& chosen, Report& report);
   Deformation_report<Complex> move(const Flow& flow, const Contacts& contacts,
                                    const Vectors& destinations, const Options& chosen);
@@ -433,7 +455,9 @@ using Incompressible_fluid_3 =
 
 } // namespace CGAL
 
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Incompressible_fluid_attempts_impl.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Incompressible_fluid_impl.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Incompressible_fluid_mesh_impl.h>
 
 #ifdef CGAL_DSC_EXTERN // see the component Compiled
 #include <CGAL/Deformable_simplicial_complex_3.h>

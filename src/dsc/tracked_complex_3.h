@@ -61,8 +61,9 @@ public:
   void write(const std::string& path, const Mesh_content& content) const;
 
   Complex complex;
-  /// What `write_volume_vtu()` tells of vertices, if it is set.
+  /// What `write_volume_vtu()` tells of vertices; both are set or none.
   std::function<CGAL::Simple_cartesian<double>::Vector_3(Complex::Vertex_handle)> velocity_at;
+  std::function<double(Complex::Vertex_handle)> pressure_at;
 
 private:
   std::optional<CGAL::Deformable_simplicial_complex_state_3> m_kept;

@@ -159,6 +159,7 @@ TEST_F(Fluids, gas_in_a_drop_expands_and_a_source_feeds_it) {
   EXPECT_NEAR(steps[3].at("volume").get<double>(),
               steps[0].at("volume").get<double>() * std::exp(.1 * .15), 1e-3);
   EXPECT_NE(contents(path("run/volume_000003.vtu")).find("Name=\"velocity\""), std::string::npos);
+  EXPECT_NE(contents(path("run/volume_000003.vtu")).find("Name=\"pressure\""), std::string::npos);
   const Outcome rest =
       run("fluid --resume " + folder + "/checkpoint.dsc --steps 1 --output " + folder);
   EXPECT_EQ(rest.exit_code, 0) << rest.err;
@@ -188,6 +189,33 @@ TEST_F(Fluids, pool_fills_its_part_of_the_domain) {
   EXPECT_NEAR(steps[0].at("probes").at("left").get<double>(), .52, 1e-12);
   EXPECT_LT(steps[3].at("probes").at("left").get<double>(), .52);
   EXPECT_NEAR(steps[3].at("volume").get<double>(), steps[0].at("volume").get<double>(), 1e-12);
+}
+
+// Coarse drops that land on a plane: they run to the end, or tell the step and keep the one before.
+TEST_F(Fluids, drop_that_lands_survives_or_leaves_a_checkpoint) {
+  Json json = scene();
+  json["surface_tension"] = 2;
+  json["gravity"] = {0, 0, -4};
+  json["solids"][0]["contact_angle"] = 100;
+  json["time_step"] = 0.1;
+  json["end"] = 2;
+  const Outcome outcome = run("fluid " + write_scene(json) + " --output " + path("run").string() +
+                              " --report " + path("report.json").string());
+  const Json whole = report("report.json");
+  const Json& steps = whole.at("steps");
+  for (std::size_t k = 1; k < steps.size(); ++k) {
+    EXPECT_TRUE(steps[k].at("repetitions").is_array());
+    EXPECT_LE(steps[k].at("residual").get<double>(), 1e-8);
+    EXPECT_GE(steps[k].at("substeps").get<int>(), 1);
+  }
+  EXPECT_TRUE(whole.at("repeated").contains("steps"));
+  EXPECT_TRUE(fs::exists(path("run/checkpoint.dsc")));
+  if (outcome.exit_code != 0) {
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find("step " + std::to_string(steps.size())), std::string::npos)
+        << outcome.err;
+  } else
+    EXPECT_NEAR(steps.back().at("time").get<double>(), 2, 1e-9);
 }
 
 TEST_F(Fluids, wrong_scenes_are_refused_by_name) {

@@ -20,7 +20,7 @@ public:
   /// follow. `a` is positive definite, `c` positive semidefinite. Where no surface is free, the
   /// means of closed sets keep the whole from being singular. The number of threads must not change
   /// a bit of what follows.
-  /// \throws CGAL::Deformable_simplicial_complexes::Error if it is singular
+  /// \throws CGAL::Deformable_simplicial_complexes::Convergence_error if it is singular
   void factorize(CGAL::Deformable_simplicial_complexes::Saddle_point_system&& system,
                  unsigned number_of_threads);
 
@@ -28,7 +28,7 @@ public:
   /// the same size and pattern, with other values, of as little difference as a step of the flow
   /// makes, and other velocities that are held, and closed sets. What was factorized may serve on
   /// to precondition it.
-  /// \throws CGAL::Deformable_simplicial_complexes::Error as `factorize()` does
+  /// \throws CGAL::Deformable_simplicial_complexes::Convergence_error as `factorize()` does
   void update(CGAL::Deformable_simplicial_complexes::Saddle_point_system&& system);
 
   /*!
@@ -41,7 +41,9 @@ public:
   \param v,p a guess, and then the solution
   \param tolerance of the residual, relative to the right side: volumes are kept as well as that
   \return the number of iterations, for the report
-  \throws CGAL::Deformable_simplicial_complexes::Error if there is no solution, or it is not found
+  \throws CGAL::Deformable_simplicial_complexes::Convergence_error if there is no solution, or the
+  true residual of the solution found is above the tolerance. The fluid repeats the time step then,
+  see `CGAL::Incompressible_fluid_3`. It also checks the residual itself, to 1e-8.
   */
   unsigned solve(const Eigen::VectorXd& f, const Eigen::VectorXd& s, Eigen::VectorXd& v,
                  Eigen::VectorXd& p, double tolerance);

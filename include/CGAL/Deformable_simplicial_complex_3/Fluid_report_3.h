@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_FLUID_REPORT_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_FLUID_REPORT_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/fluid_errors.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 
@@ -24,6 +25,7 @@ struct Fluid_balance_3
   using Vector = Simple_cartesian<double>::Vector_3; ///< of space
 
   double volume = 0;                         ///< of all liquids
+  double mass = 0;                           ///< density times volume
   double kinetic_energy = 0;                 ///< of motion
   double potential_energy = 0;               ///< in gravity, 0 at the origin
   double surface_energy = 0;                 ///< tension times area; of wet walls less than none
@@ -71,7 +73,13 @@ template <class Complex> struct Fluid_report_3
   double gained_volume = 0; ///< by sources, less what drained
   unsigned solutions = 0;   ///< linear systems solved
   unsigned iterations = 0;  ///< of the solver, in all of them
-  std::size_t contacts = 0; ///< vertices held by solids, or off sides of the domain
+  double residual = 0;      ///< the true residual of the equations relative to their largest term,
+                            ///< in the norm of the diagonal
+  std::size_t flat_cells =
+      0;              ///< cells of liquids that were too flat to have a viscosity in the step
+  unsigned parts = 1; ///< time steps that the step was divided into
+  std::vector<Fluid_repetition_3> repetitions; ///< attempts at the step that were undone, in order
+  std::size_t contacts = 0;             ///< vertices held by solids, or off sides of the domain
   bool contacts_settled = true;         ///< whether it was found which vertices are to be held
   double depth_in_solids = 0;           ///< of the deepest vertex, after the step
   std::vector<Vector> forces_on_solids; ///< by liquids, in the order in which solids were added
@@ -79,7 +87,8 @@ template <class Complex> struct Fluid_report_3
          seconds_of_mesh = 0;    ///< elapsed: these vary, and those of the deformation
   Improvement_report adaptation; ///< of the mesh, before the step
   Deformation_report<Complex>
-      deformation; ///< of the mesh by the step, but for what restores volumes
+      deformation; ///< of the mesh by the step, but for what restores volumes; of the last part if
+                   ///< there are several, with the events of all
 };
 
 } // namespace Deformable_simplicial_complexes

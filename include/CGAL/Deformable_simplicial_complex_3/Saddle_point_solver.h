@@ -6,23 +6,34 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_SADDLE_POINT_SOLVER_H
 
 #include <CGAL/Deformable_simplicial_complex_3/Saddle_point_system.h>
+#include <CGAL/Deformable_simplicial_complex_3/fluid_errors.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/solvers/Incomplete_factorization.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/solvers/minimal_residuals.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/solvers/pressure_matrix.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/solvers/relative_residual.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
+namespace internal {
+
+[[noreturn]] inline void throw_singular_equations() {
+  throw Convergence_error("the equations of the flow are singular: cells may be flat",
+                          std::numeric_limits<double>::infinity(), largest_residual);
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
@@ -39,7 +50,7 @@ public:
   using System = Saddle_point_system; ///< what is solved
   using Vector = System::Vector;      ///< unknowns
 
-  /// Takes a matrix. \throws Error if it is singular.
+  /// Takes a matrix. \throws Convergence_error if it is singular.
   /// About n^2 for n unknowns in space, and memory of n^(4/3). Takes one thread.
   void factorize(System&& system, unsigned number_of_threads = 1) {
     static_cast<void>(number_of_threads);
@@ -94,17 +105,17 @@ public:
     definite.diagonal().segment(n, m) *= above_zero;
     m_solver.compute(definite);
     if (m_solver.info() != Eigen::Success)
-      throw Error("the equations of the flow are singular: cells may be flat");
+      internal::throw_singular_equations();
   }
 
   /// Takes one like that of before. As `factorize()`.
   void update(System&& system) { factorize(std::move(system)); }
 
-  /// Solves for v and p. Returns how often it had to be refined; the tolerance is not made use of.
-  /// \throws Error if the solution is not finite
+  /// Solves for v and p. Returns how often the solution was refined.
+  /// \param tolerance of the true residual, relative to its largest term; 1e-8 is the least
+  /// \throws Convergence_error if the solution is not finite, or the residual is above the tolerance
   unsigned solve(const Vector& f, const Vector& s, Vector& v, Vector& p,
                  double tolerance = 0) const {
-    static_cast<void>(tolerance);
     static constexpr unsigned refinements = 2; // each is nearer by what c was changed by
     Vector right = Vector::Zero(m_whole.rows());
     right.head(f.size()) = f;
@@ -113,11 +124,15 @@ public:
     Vector x = m_solver.solve(right);
     for (unsigned k = 0; k < refinements; ++k)
       x += m_solver.solve(right - m_whole.selfadjointView<Eigen::Lower>() * x);
-    if (!x.allFinite())
-      throw Error("the equations of the flow have no finite solution: the step may be too short or "
-                  "too long for numbers, or cells flat");
-    v = x.head(f.size());
-    p = x.segment(f.size(), s.size());
+    const Vector velocities = x.head(f.size()), pressures = x.segment(f.size(), s.size());
+    const double bound = (std::max)(tolerance, internal::largest_residual),
+                 residual = internal::relative_residual(m_system, f, s, velocities, pressures);
+    if (!(residual <= bound))
+      throw Convergence_error("the equations of the flow have no accurate solution: the time step "
+                              "may be too short or too long for numbers, or cells flat",
+                              residual, bound);
+    v = velocities;
+    p = pressures;
     return refinements;
   }
 
@@ -158,7 +173,7 @@ public:
   using System = Saddle_point_system; ///< what is solved
   using Vector = System::Vector;      ///< unknowns
 
-  /// Takes a matrix. \throws Error if it is not definite where it should be.
+  /// Takes a matrix. \throws Convergence_error if it is not definite where it should be.
   void factorize(System&& system, unsigned number_of_threads = 1) {
     m_for_each.emplace(number_of_threads);
     update(std::move(system));
@@ -173,7 +188,7 @@ public:
         },
         2);
     if (!exists[0] || !exists[1])
-      throw Error("the equations of the flow are singular: cells may be flat");
+      internal::throw_singular_equations();
   }
 
   /// Takes one like that of before, whose factorizations stay. Linear.
@@ -183,8 +198,9 @@ public:
   }
 
   /// Solves for v and p, which hold a guess. Returns the number of iterations.
-  /// \param tolerance of the residual, relative to the right side, as the preconditioner weighs them
-  /// \throws Error if they do not converge
+  /// \param tolerance of the true residual, relative to the right side, as the preconditioner weighs
+  /// them; where rounding permits no better, 1e-9 is enough
+  /// \throws Convergence_error if they do not converge
   unsigned solve(const Vector& f, const Vector& s, Vector& v, Vector& p, double tolerance) {
     const Eigen::Index n = f.size(), m = s.size();
     Vector x(n + m), right(n + m);
@@ -294,7 +310,7 @@ public:
   using System = Saddle_point_system; ///< what is solved
   using Vector = System::Vector;      ///< unknowns
 
-  /// Takes a matrix. \throws Error if it is singular.
+  /// Takes a matrix. \throws Convergence_error if it is singular.
   void factorize(System&& system, unsigned number_of_threads = 1) {
     static constexpr Eigen::Index small =
         2000; // unknowns, of 500 vertices: where both take as long
@@ -314,7 +330,7 @@ public:
   }
 
   /// Solves for v and p, which hold a guess. Returns the number of iterations.
-  /// \throws Error if they do not converge
+  /// \throws Convergence_error if they do not converge
   unsigned solve(const Vector& f, const Vector& s, Vector& v, Vector& p, double tolerance) {
     return m_is_direct ? m_direct.solve(f, s, v, p, tolerance)
                        : m_iterative.solve(f, s, v, p, tolerance);

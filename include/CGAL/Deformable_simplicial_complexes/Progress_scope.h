@@ -82,6 +82,7 @@ public:
   }
 
 private:
+  friend class Progress_pause;
   friend class Progress_phase;
   using Clock = std::chrono::steady_clock;
 
@@ -121,6 +122,25 @@ private:
   std::chrono::milliseconds m_interval;
   Progress_scope* m_outer;
   Clock::time_point m_next = Clock::time_point(); // when to ask again
+};
+
+/*!
+\ingroup PkgDeformableSimplicialComplex3Ref
+
+While an object of this class exists, functions of this package that are called in its thread
+neither call the callbacks of scopes nor are interrupted: to restore what was there before an
+interrupt.
+*/
+class Progress_pause
+{
+public:
+  /// Begins the pause.
+  Progress_pause() = default;
+  Progress_pause(const Progress_pause&) = delete;
+  Progress_pause& operator=(const Progress_pause&) = delete;
+
+private:
+  Progress_scope::Silence m_silence;
 };
 
 /*!

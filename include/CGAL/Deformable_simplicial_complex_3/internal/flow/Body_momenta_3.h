@@ -101,6 +101,7 @@ Fluid_balance_3 balance(const Mesh& mesh, const Fluid_properties_3& properties,
   result.angular_momentum = vector(sum.angular);
   for_each_mass(mesh, masses, positions, velocities,
                 [&](double m, const Eigen::Vector3d& p, const Eigen::Vector3d& v) {
+                  result.mass += m;
                   result.kinetic_energy += m * v.squaredNorm() / 2;
                   result.potential_energy -= m * gravity.dot(p);
                 });

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -143,6 +144,13 @@ public:
     }
   }
 
+  // The number of cells that are too flat, at the beginning and half-way, to have gradients. They
+  // have mass and volume, but neither viscosity nor stabilization.
+  std::size_t number_of_flat_cells() const {
+    return std::size_t(
+        std::count_if(m_terms.begin(), m_terms.end(), [](const Terms& t) { return t.is_flat; }));
+  }
+
   // Of velocities that are free; `held` is up to the caller.
   const System& system() const { return m_system; }
 
@@ -214,7 +222,22 @@ private:
   {
     std::array<Eigen::Vector3d, 4> gradients, changes; // of its functions, and of its volume
     double inertia, viscosity, stabilization;
+    bool is_flat; // the gradients are 0
   };
+
+  // Whether gradients of the functions of a cell can be computed. In any unit of length.
+  static bool has_gradients(const Element& e, const typename Mesh::Cell& cell,
+                            const Vectors_3& positions) {
+    // Of the cube of the longest edge, where a regular tetrahedron has 0.12. The gradients are then
+    // up to 1e6 times as steep as those of such a tetrahedron, which double precision permits.
+    static constexpr double flattest = 1e-6;
+    double square = 0; // of the longest edge
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        square = (std::max)(
+            square, (positions[cell.vertices[i]] - positions[cell.vertices[j]]).squaredNorm());
+    return e.measure() > flattest * square * std::sqrt(square);
+  }
 
   Terms terms(std::size_t k, const Vectors_3& half_way) const {
     // Of a step: how much of its time the pressure needs to level out what it feels not.
@@ -224,15 +247,24 @@ private:
     const auto& cell = m_mesh.cells[k];
     const Element moved = element(cell, half_way);
     // A cell that the prediction makes flat is none to divide by.
-    const Element& e = moved.measure() > flat * m_elements[k].measure() ? moved : m_elements[k];
+    const bool uses_moved =
+        moved.measure() > flat * m_elements[k].measure() && has_gradients(moved, cell, half_way);
+    const Element& e = uses_moved ? moved : m_elements[k];
     Terms result;
+    result.inertia = Mesh::part_at_middle / 4 * rate(quarter_mass(k));
+    for (std::size_t i = 0; i < 4; ++i)
+      result.changes[i] = eigen_vector(moved.measure_gradient(int(i)));
+    result.is_flat = !uses_moved && !has_gradients(e, cell, m_positions);
+    if (result.is_flat) {
+      result.gradients.fill(Eigen::Vector3d::Zero());
+      result.viscosity = result.stabilization = 0;
+      return result;
+    }
     double steepest = 0; // 1 / steepest is the square of the least height
     for (std::size_t i = 0; i < 4; ++i) {
       result.gradients[i] = eigen_vector(e.gradient(int(i)));
-      result.changes[i] = eigen_vector(moved.measure_gradient(int(i)));
       steepest = (std::max)(steepest, result.gradients[i].squaredNorm());
     }
-    result.inertia = Mesh::part_at_middle / 4 * rate(quarter_mass(k));
     result.viscosity = e.measure() * cell.liquid->viscosity;
     result.stabilization = e.measure() / (cell.liquid->density / (part * m_step.dt) +
                                           viscous * cell.liquid->viscosity * steepest);

@@ -5,6 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_FLUID_STEP_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_FLOW_FLUID_STEP_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/fluid_errors.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Body_momenta_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_equations_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_mesh_3.h>
@@ -13,6 +14,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Vertex_constraints_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/flow/Wall_contacts_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/solvers/closed_sets.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/solvers/relative_residual.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
@@ -62,7 +64,7 @@ public:
   }
 
   // Accelerations that are not known, of a step before, are found by repetition.
-  // \throws Error if that has no solution
+  // \throws Convergence_error if the equations have no solution, or none is found
   void solve(bool knows_accelerations) {
     static constexpr unsigned geometries = 2; // that of the prediction, and of the first solution
     static constexpr unsigned most = 15;
@@ -85,6 +87,7 @@ public:
         }
       }
     }
+    check_residual();
     end();
   }
 
@@ -93,6 +96,40 @@ public:
   unsigned solutions() const { return m_solutions; }
   // Whether what must hold at walls did in the end.
   bool is_settled() const { return m_is_settled; }
+
+  // The true residual of the solution, relative to the largest term of the equations.
+  double residual() const { return m_residual; }
+  std::size_t number_of_flat_cells() const { return m_equations.number_of_flat_cells(); }
+
+  // The energy that moving walls give to liquids in the step, at the most.
+  double work_of_walls() const { return m_step.dt * m_contacts.power(forces_on_vertices()); }
+
+  // The energy that sources give to liquids in the step, less what drains take: that of the liquid
+  // which they bring, in a gravity whose potential is 0 at the level given, and the work of its
+  // pressure.
+  double work_of_sources(const Eigen::Vector3d& level) const {
+    if (m_gains.empty())
+      return 0;
+    const Eigen::Vector3d gravity(m_properties.gravity().data());
+    double power = m_pressures.dot(m_equations.sources(m_gains));
+    for (std::size_t k = 0; k < m_gains.size(); ++k)
+      power += m_mesh.cells[k].liquid->density * m_gains[k] *
+               (m_mesh.middle(k, m_velocities).squaredNorm() / 2 -
+                gravity.dot(m_mesh.middle(k, m_half_way) - level));
+    return m_step.dt * power;
+  }
+
+  // Of the vertices of the mesh: the mean of the pressures of the liquids around.
+  std::vector<double> pressures() const {
+    std::vector<double> result(m_positions.size(), 0), number(m_positions.size(), 0);
+    for (std::size_t p = 0; p < m_mesh.vertex_of_pressure.size(); ++p) {
+      result[m_mesh.vertex_of_pressure[p]] += m_pressures(Eigen::Index(p));
+      ++number[m_mesh.vertex_of_pressure[p]];
+    }
+    for (std::size_t v = 0; v < result.size(); ++v)
+      result[v] /= number[v];
+    return result;
+  }
 
   const Vectors_3& destinations() const { return m_destinations; }
 
@@ -173,6 +210,20 @@ private:
     return result < coarsest ? (std::max)(result, finest) : coarsest; // if no number, too
   }
 
+  // Shares nothing with the solver but the system.
+  void check_residual() {
+    System system = m_equations.system();
+    system.held = m_constraints.held();
+    system.closed = m_closed;
+    const Solution& last = m_last_solution;
+    m_residual = relative_residual(system, last.f, last.s, last.v, last.p);
+    if (!(m_residual <= largest_residual))
+      throw Convergence_error(
+          "the solution of the equations of the flow is not accurate: cells may "
+          "be too flat, or the time step too long",
+          m_residual, largest_residual);
+  }
+
   void end() {
     Vectors_3 velocities;
     for (std::size_t v = 0; v < m_before.size(); ++v)
@@ -185,8 +236,9 @@ private:
     m_mesh.keep_on_sides(m_final_velocities);
     for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
       if (!m_final_velocities[v].allFinite() || !m_velocities[v].allFinite())
-        throw Error("the equations of the flow have no finite solution: the step may be too short "
-                    "or too long for numbers, or cells flat");
+        throw Convergence_error("the equations of the flow have no finite solution: the time step "
+                                "may be too short or too long for numbers, or cells flat",
+                                std::numeric_limits<double>::infinity(), largest_residual);
   }
 
   Vectors_3 at_time(double t) const {
@@ -238,10 +290,14 @@ private:
     const Vector& known = m_constraints.prescribed();
     const Vector f = m_equations.forces(m_before),
                  s = m_equations.stabilization(m_accelerations) + m_equations.sources(m_gains);
+    Solution& last = m_last_solution;
+    last.f = f - system.multiply_a(known);
+    last.s = s - system.b * known;
     Vector v = flat(m_velocities) - known;
-    m_iterations += m_solver.solve(f - system.multiply_a(known), s - system.b * known, v,
-                                   m_pressures, accuracy);
+    m_iterations += m_solver.solve(last.f, last.s, v, m_pressures, accuracy);
     ++m_solutions;
+    last.v = v;
+    last.p = m_pressures;
     // By pressures whose least is 0, no wall has to pull for their sake.
     for (const auto& set : m_closed) {
       double least = std::numeric_limits<double>::infinity();
@@ -281,6 +337,12 @@ private:
     return result;
   }
 
+  // Of a system: its right side, and what a solver found.
+  struct Solution
+  {
+    Vector f, s, v, p;
+  };
+
   const Mesh& m_mesh;
   const Fluid_properties_3& m_properties;
   Solver& m_solver;
@@ -302,6 +364,8 @@ private:
   std::vector<System::Closed_set> m_closed;
   bool m_is_factorized = false, m_is_assembled = false, m_is_settled = false;
   unsigned m_iterations = 0, m_solutions = 0;
+  Solution m_last_solution;
+  double m_residual = 0;
 };
 
 } // namespace internal

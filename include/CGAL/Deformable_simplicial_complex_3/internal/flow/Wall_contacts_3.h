@@ -197,18 +197,18 @@ public:
   // liquids stick, along them.
   Vectors_3 forces(const Eigen::VectorXd& reactions) const {
     Vectors_3 result(m_solids.size(), Eigen::Vector3d::Zero());
-    Eigen::VectorXd left = reactions; // along walls
-    for (const Contact& c : m_contacts)
-      if (c.is_active)
-        left.segment<3>(3 * Eigen::Index(c.vertex)) -= push(c, reactions) * c.normal;
-    for (const Contact& c : m_contacts)
-      if (c.is_active && !is_side(c.solid)) {
-        result[c.solid] -= push(c, reactions) * c.normal;
-        if (sticks(c.solid)) {
-          result[c.solid] -= left.segment<3>(3 * Eigen::Index(c.vertex));
-          left.segment<3>(3 * Eigen::Index(c.vertex)).setZero();
-        }
-      }
+    for_each_reaction(reactions, [&](const Contact& c, const Eigen::Vector3d& reaction) {
+      result[c.solid] -= reaction;
+    });
+    return result;
+  }
+
+  // The power, at the most, that moving walls give to liquids: power that they take is left out.
+  double power(const Eigen::VectorXd& reactions) const {
+    double result = 0;
+    for_each_reaction(reactions, [&](const Contact& c, const Eigen::Vector3d& reaction) {
+      result += (std::max)(0., reaction.dot(c.wall_velocity));
+    });
     return result;
   }
 
@@ -232,6 +232,24 @@ private:
       return {vertex, solid, wall};
     }
   };
+
+  // Calls `f(contact, reaction)` with the part of each contact with a solid in the reactions.
+  template <class Function>
+  void for_each_reaction(const Eigen::VectorXd& reactions, const Function& f) const {
+    Eigen::VectorXd left = reactions; // along walls
+    for (const Contact& c : m_contacts)
+      if (c.is_active)
+        left.segment<3>(3 * Eigen::Index(c.vertex)) -= push(c, reactions) * c.normal;
+    for (const Contact& c : m_contacts)
+      if (c.is_active && !is_side(c.solid)) {
+        Eigen::Vector3d reaction = push(c, reactions) * c.normal;
+        if (sticks(c.solid)) {
+          reaction += left.segment<3>(3 * Eigen::Index(c.vertex));
+          left.segment<3>(3 * Eigen::Index(c.vertex)).setZero();
+        }
+        f(c, reaction);
+      }
+  }
 
   // The sides of the domain come after the solids.
   bool is_side(std::size_t solid) const { return solid == m_solids.size(); }

@@ -16,11 +16,11 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What vertices of liquids carry: velocity and, after it, acceleration.
+// What vertices of liquids carry: velocity, acceleration and pressure, in this order.
 class Fluid_motion_3
 {
 public:
-  using Value = Eigen::Matrix<double, 6, 1>;
+  using Value = Eigen::Matrix<double, 7, 1>;
 
   // A map for visitors, by reference. Vertices without a value rest.
   template <class Complex> class Map
@@ -53,13 +53,19 @@ public:
     return at(v->time_stamp()).template head<3>();
   }
   template <class Vertex_handle> Eigen::Vector3d acceleration(Vertex_handle v) const {
-    return at(v->time_stamp()).template tail<3>();
+    return at(v->time_stamp()).template segment<3>(3);
+  }
+  template <class Vertex_handle> double pressure(Vertex_handle v) const {
+    return at(v->time_stamp())(6);
   }
 
+  // The pressure stays.
   template <class Vertex_handle>
   void set(Vertex_handle v, const Eigen::Vector3d& velocity, const Eigen::Vector3d& acceleration) {
-    Value& value = m_values[v->time_stamp()];
-    value << velocity, acceleration;
+    value_of(v).template head<6>() << velocity, acceleration;
+  }
+  template <class Vertex_handle> void set_pressure(Vertex_handle v, double pressure) {
+    value_of(v)(6) = pressure;
   }
 
   // Forgets vertices that are gone.
@@ -72,6 +78,10 @@ public:
   }
 
 private:
+  template <class Vertex_handle> Value& value_of(Vertex_handle v) {
+    return m_values.try_emplace(v->time_stamp(), Value::Zero()).first->second;
+  }
+
   std::unordered_map<std::size_t, Value> m_values; // by time stamp
 };
 

@@ -5,9 +5,9 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SOLVERS_MINIMAL_RESIDUALS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SOLVERS_MINIMAL_RESIDUALS_H
 
+#include <CGAL/Deformable_simplicial_complex_3/fluid_errors.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/solvers/unit_of.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 
 #include <Eigen/Core>
@@ -56,16 +56,20 @@ double sum_of_blocks(const For_each_index& for_each, Eigen::Index n, const Funct
 // Anal. 12, 1975). `multiply(in, out)`, and `precondition(in, out)` by a positive definite matrix,
 // in whose norm the residual is to be a part of the right side. The preconditioner may calculate in
 // single precision: what the method makes of residuals is then true for some digits only, so it
-// begins anew with that of the solution so far. Returns the number of iterations. \throws Error if
-// it does not converge
+// begins anew with that of the solution so far, right - A x. Only such a true residual below the
+// bound ends it. Rounding may permit no residual below the tolerance: where the method stagnates, a
+// residual below `rounding` times the right side is accepted, too. Returns the number of
+// iterations.
+// \throws Convergence_error if the true residual stays above these bounds
 template <class Multiply, class Precondition>
 unsigned minimal_residuals(const For_each_index& for_each, const Multiply& multiply,
                            const Precondition& precondition, const Eigen::VectorXd& right,
                            double tolerance, Eigen::VectorXd& x) {
   using Vector = Eigen::VectorXd;
   static constexpr unsigned most = 3000;
-  static constexpr double trusted = 1e-5; // of the residual with which the method begins
-  static constexpr double less = .5;      // of the last one, or rounding permits no better
+  static constexpr double trusted = 1e-5;  // of the residual with which the method begins
+  static constexpr double less = .5;       // of the last one, or the method stagnates
+  static constexpr double rounding = 1e-9; // of the right side
   const Eigen::Index n = right.size();
   const auto dot = [&](const Vector& a, const Vector& b) {
     return sum_of_blocks(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
@@ -76,20 +80,39 @@ unsigned minimal_residuals(const For_each_index& for_each, const Multiply& multi
   precondition(right, z);
   const double square_of_right = dot(right, z), unit = unit_of(square_of_right);
   const auto norm = [&](double square) { return std::sqrt((std::max)(0., square / unit)); };
-  const double bound = tolerance * norm(square_of_right);
+  const double size = norm(square_of_right), bound = tolerance * size,
+               least_bound = (std::max)(tolerance, rounding);
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
   if (!std::isfinite(square_of_right))
-    throw Error(
-        "the equations of the flow are not finite: the step may be too short or too long for "
-        "numbers, or cells flat");
+    throw Convergence_error("the equations of the flow are not finite: the time step may be too "
+                            "short or too long for numbers, or cells flat",
+                            infinite, least_bound);
+  if (size == 0) {
+    x.setZero();
+    return 0;
+  }
   Vector r(n), r_before(n);
   unsigned k = 0;
-  for (double last = std::numeric_limits<double>::infinity();;) {
+  for (double last = infinite;;) {
     multiply(x, next);
     r = right - next;
     precondition(r, z);
-    double beta = norm(dot(r, z)), beta_before = 1, eta = beta;
-    if (beta <= bound || beta > less * last)
+    const double square_of_residual = dot(r, z);
+    if (!std::isfinite(square_of_residual))
+      throw Convergence_error("the equations of the flow have no finite solution: cells may be too "
+                              "flat",
+                              infinite, least_bound);
+    double beta = norm(square_of_residual), beta_before = 1, eta = beta;
+    if (beta <= bound)
       return k;
+    if (beta > less * last) {
+      if (beta <= least_bound * size)
+        return k;
+      throw Convergence_error("the equations of the flow cannot be solved by iterations: the "
+                              "residual stagnates; cells may be too flat, or the time step too "
+                              "long",
+                              beta / size, least_bound);
+    }
     last = beta;
     const double enough = (std::max)(bound, trusted * beta);
     double cosine = -1, sine = 0, epsilon = 0, delta_bar = 0;
@@ -100,8 +123,9 @@ unsigned minimal_residuals(const For_each_index& for_each, const Multiply& multi
     while (!(std::abs(eta) <= enough)) { // nor for what is no number
       Progress_scope::check();
       if (++k > most)
-        throw Error("the equations of the flow cannot be solved by iterations: cells may be too "
-                    "flat, or the step too long");
+        throw Convergence_error("the equations of the flow cannot be solved by iterations: cells "
+                                "may be too flat, or the time step too long",
+                                std::abs(eta) / size, least_bound);
       q = z / (unit * beta);
       multiply(q, next);
       const double back = beta / beta_before;
@@ -119,7 +143,9 @@ unsigned minimal_residuals(const For_each_index& for_each, const Multiply& multi
       beta_before = beta;
       const double square = dot(r, z);
       if (std::isnan(square))
-        throw Error("the equations of the flow have no finite solution: cells may be too flat");
+        throw Convergence_error(
+            "the equations of the flow have no finite solution: cells may be too flat", infinite,
+            least_bound);
       beta = norm(square);
       const double epsilon_before = epsilon, delta = cosine * delta_bar + sine * alpha,
                    gamma_bar = sine * delta_bar - cosine * alpha;
