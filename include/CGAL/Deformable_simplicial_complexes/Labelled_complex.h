@@ -339,13 +339,13 @@ public:
   /// \name Motion
   /// @{
 
-  /// Lower bound of the quality of cells: motions and proposals give none a lower quality, unless
-  /// the cell, or one that it replaces, was below the bound before.
+  /// Lower bound of the quality of cells: deformations and proposals give none a lower quality,
+  /// unless the cell, or one that it replaces, was below the bound before.
   static constexpr double quality_floor = 1e-3;
 
-  /// Returns whether a cell of a quality may come to have another one, by this bound.
-  static bool keeps_quality(double before, double after) {
-    return after >= quality_floor || before < quality_floor;
+  /// Returns whether a cell of a quality may come to have another one, by a lower bound.
+  static bool keeps_quality(double before, double after, double floor = quality_floor) {
+    return after >= floor || before < floor;
   }
 
   /// The point nearest to q that v may go to within the sides of the domain it lies on, rounded.
@@ -359,20 +359,21 @@ public:
                         const Point& q) const;
 
   /*!
-  Moves v towards q in a straight line: to q if every incident cell is positively oriented there
-  and `keeps_quality()`, else towards the first point where a cell would be flat (Algorithm 2 of the
-  paper). Positive at both ends of a segment means positive between, as volumes are linear in one
-  vertex.
+  Moves v towards q in a straight line: to q if every incident cell is positively oriented there,
+  else almost to the first point where one would be flat (Algorithm 2 of the paper). Positive at
+  both ends of a segment means positive between, as volumes are linear in one vertex.
 
   \param q finite coordinates; a vertex on a side of the domain goes to `admissible_destination()`.
   \param margin the part of the displacement to the flat position that v keeps clear of it, in
-         (0, 1). It keeps clear by more where `keeps_quality()` asks for it.
+         (0, 1).
+  \param floor no cell comes to have a lower quality that did not have one before, in [0, 1); v
+         keeps clear of flat positions by more where that is necessary.
   \return the part of the way to its admissible destination that v went, in [0, 1]; 1 means it is
           there, exactly. At 0 its coordinates are what they were, bit for bit.
 
   Linear in the star of v.
   */
-  double move_vertex(Vertex_handle v, const Point& q, double margin = 1. / 1024);
+  double move_vertex(Vertex_handle v, const Point& q, double margin = 1. / 1024, double floor = 0);
 
   /// Puts v at p, rounded. \pre `star` is the star of v and `is_positive_star(v, star, p)`
   void set_point(Vertex_handle v, const std::vector<Cell_handle>& star, const Point& p);
@@ -441,8 +442,8 @@ private:
   class Created_items;
 
   double cell_quality(Cell_handle c) const;
-  bool is_admissible_star(Vertex_handle v, const std::vector<Cell_handle>& star,
-                          const Point& q) const;
+  bool is_admissible_star(Vertex_handle v, const std::vector<Cell_handle>& star, const Point& q,
+                          double floor) const;
   bool is_positive(Cell_handle c) const;
   void place(Vertex_handle v, const std::vector<Cell_handle>& star, const Point& p);
   void note_motion(Cell_handle c);

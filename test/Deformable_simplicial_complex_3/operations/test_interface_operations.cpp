@@ -157,7 +157,8 @@ int facet_of_contact(const Complex& dsc, Cell_handle c) {
   }
   int result = -1;
   for (int i = 0; i < 4; ++i) {
-    if (!dsc.is_interface(Complex::Facet(c, i)) || !c->vertex(i)->is_interface() ||
+    if (!dsc.is_interface(Complex::Facet(c, i)) ||
+        !(c->vertex(i)->is_interface() || dsc.is_boundary(c->vertex(i))) ||
         !(areas[i] > .98 * largest_area) || (result >= 0 && areas[i] <= areas[result]))
       continue;
     const auto v = dsc.facet_vertices({c, i});

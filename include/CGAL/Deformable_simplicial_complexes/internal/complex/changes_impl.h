@@ -49,16 +49,17 @@ bool CGAL_DSC_CLASS::is_positive_star(Vertex_handle v, const std::vector<Cell_ha
 // Whether all cells would also keep their quality.
 CGAL_DSC_TEMPLATE
 bool CGAL_DSC_CLASS::is_admissible_star(Vertex_handle v, const std::vector<Cell_handle>& star,
-                                        const Point& q) const {
+                                        const Point& q, double floor) const {
   const Approximate_point target = approximate(q);
   const auto position_of = [&](Vertex_handle w) { return w == v ? target : position(w); };
   return is_positive_star(v, star, q) && std::all_of(star.begin(), star.end(), [&](Cell_handle c) {
-           return is_infinite(c) || keeps_quality(c->quality(), quality(c, position_of));
+           return is_infinite(c) || keeps_quality(c->quality(), quality(c, position_of), floor);
          });
 }
 
 CGAL_DSC_TEMPLATE
-double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, double margin) {
+double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, double margin,
+                                   double floor) {
   const Point q = admissible_destination(v, destination);
   if (q == v->point())
     return 1;
@@ -68,7 +69,7 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, do
     for (Cell_handle c : m_star)
       note_motion(c);
   };
-  if (is_admissible_star(v, m_star, q)) {
+  if (is_admissible_star(v, m_star, q, floor)) {
     move_to(q);
     return 1;
   }
@@ -94,7 +95,7 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, do
   way *= 1 - margin;
   for (int i = 0; i < maximum_number_of_halvings && way > 0; ++i, way /= 2) {
     const Point p = rounded(exact(from + way * (to - from)));
-    if (is_admissible_star(v, m_star, p)) {
+    if (is_admissible_star(v, m_star, p, floor)) {
       if (p == v->point())
         return 0;
       move_to(p);

@@ -145,7 +145,7 @@ public:
       });
       if (is_at_contact && !m_complex.is_positive_star(v, m_star, m_destinations[v]))
         continue;
-      m_complex.move_vertex(v, m_destinations[v], margin);
+      m_complex.move_vertex(v, m_destinations[v], margin, Complex::quality_floor);
       for (Cell_handle c : m_star)
         if (!m_complex.is_infinite(c))
           touch(c);
