@@ -89,7 +89,7 @@ Reconstruction by_complex(const std::vector<Point>& points, unsigned threads) {
       result.told += (result.told.empty() ? "" : ", ") + std::to_string(number) + " " + what;
   };
   tell(report.facets_without_points.size(), "triangles without points");
-  tell(report.number_of_strays, "strays");
+  tell(report.number_of_outliers, "outliers");
   tell(report.unfit_points.size(), "unfit points");
   if (!report.is_complete)
     tell(report.number_of_steps, "steps were not enough");

@@ -85,7 +85,7 @@ Json json_of(const Reconstruction_report& report, const Complex& complex) {
   }
   return {{"points", report.number_of_points},
           {"duplicates", report.number_of_duplicates},
-          {"strays", report.number_of_strays},
+          {"outliers", report.number_of_outliers},
           {"spacing", report.spacing},
           {"noise", report.noise},
           {"steps", report.number_of_steps},

@@ -23,9 +23,9 @@ the points.
 */
 template <class Complex> struct Reconstruction_report_3
 {
-  std::size_t number_of_points = 0;     ///< without duplicates and strays
+  std::size_t number_of_points = 0;     ///< without duplicates and outliers
   std::size_t number_of_duplicates = 0; ///< points equal to others, which were left out
-  std::size_t number_of_strays = 0;     ///< points far from all others, or on neither side of the
+  std::size_t number_of_outliers = 0;     ///< points far from all others, or on neither side of the
                                         ///< surface, which were left out
   double spacing = 0;                   ///< the mean distance of points from their 6 nearest ones
   double noise = 0;                     ///< how far points are from quadrics of their neighbors

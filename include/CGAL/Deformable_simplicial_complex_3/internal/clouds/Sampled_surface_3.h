@@ -8,6 +8,7 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/clouds/Cloud_sides_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/clouds/Point_cloud_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/clouds/local_fits_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/clouds/surface_points_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
@@ -39,10 +40,11 @@ public:
   Sampled_surface_3(const std::vector<Point>& points, const std::vector<Vector>& normals,
                     unsigned number_of_threads)
       : m_cloud(points, normals, number_of_threads) {
+    m_cloud.keep(surface_points(m_cloud));
     find_sides();
-    if (drop_strays()) { // which had their say on what is inside
+    if (drop_outliers()) { // which had their say on what is inside
       find_sides();
-      drop_strays();
+      drop_outliers();
     }
     if (!m_sides->encloses_anything())
       throw Invalid_points_error(Invalid_points_error::Reason::open,
@@ -131,7 +133,7 @@ private:
 
   // A point of a surface has poles on both of its sides, or a neighbor that has, and is near one of
   // the planes around. Returns whether there were others.
-  bool drop_strays() {
+  bool drop_outliers() {
     static constexpr unsigned around = 6;
     std::vector<char> is_kept(m_cloud.size());
     m_cloud.for_each()(m_cloud.size(), [&](std::size_t i) {
@@ -225,7 +227,7 @@ private:
   std::unique_ptr<Cloud_sides_3> m_sides;
   std::vector<Vector> m_normals;
   std::vector<double> m_residuals, m_curvatures, m_rooms;
-  std::vector<char> m_is_off; // by what no plane around explains; before strays are dropped
+  std::vector<char> m_is_off; // by what no plane around explains; before outliers are dropped
   double m_noise = 0;
 };
 

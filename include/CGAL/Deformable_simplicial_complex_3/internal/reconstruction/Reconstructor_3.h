@@ -222,7 +222,7 @@ private:
     const Point_cloud_3& cloud = m_surface.cloud();
     report.number_of_points = cloud.size();
     report.number_of_duplicates = cloud.number_of_duplicates();
-    report.number_of_strays = cloud.number_of_strays();
+    report.number_of_outliers = cloud.number_of_outliers();
     report.spacing = cloud.spacing();
     report.noise = m_surface.noise();
     const Front front(m_complex, m_surface);
