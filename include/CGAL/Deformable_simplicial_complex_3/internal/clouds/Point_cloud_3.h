@@ -123,6 +123,7 @@ public:
   double spacing() const { return m_spacing; }
   // The distance of the sixth neighbor.
   double reach(std::size_t i) const { return m_reaches[i]; }
+  const std::vector<double>& reaches() const { return m_reaches; }
 
   // The nearest points, by distance.
   std::vector<std::size_t> nearest(const Point& p, unsigned number) const {
