@@ -12,6 +12,8 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_facets_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_sizes_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Least_squares_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Misplaced_balls_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Small_handles_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/remeshing/Interface_improver_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
@@ -61,7 +63,10 @@ public:
     }
     m_complex.measure_interface_edges();
     m_complex.take_component_events();
-    measure();
+    const Front front(m_complex, m_surface);
+    measure(front);
+    if (m_report.is_complete)
+      certify(front);
     return m_report;
   }
 
@@ -216,7 +221,25 @@ private:
             m_residuals[n - 1] <= enough * m_tolerance);
   }
 
-  void measure() {
+  // Compares the interface with the sides of the points, which are known independently of it.
+  void certify(const Front& front) {
+    static constexpr double radius =
+        2; // known depths: two tunnels and what is between them are wider
+    const auto tell = [&](const Point& p) {
+      m_report.doubtful_places.emplace_back(p.x(), p.y(), p.z());
+    };
+    for (const Point& p : misplaced_balls(m_surface, front.triangles.all()))
+      tell(p);
+    std::vector<double> radii;
+    for (const Point& p : front.positions)
+      radii.push_back(radius * Sampled_surface_3::known_depth *
+                      m_surface.cloud().reach(m_surface.cloud().nearest(p)));
+    for (std::size_t v : Small_handles_3(front.facets(), front.positions).find(radii))
+      tell(front.positions[v]);
+    m_report.is_complete = m_report.doubtful_places.empty();
+  }
+
+  void measure(const Front& front) {
     static constexpr double unfit = 4; // noises
     Reconstruction_report_3<Complex>& report = m_report;
     const Point_cloud_3& cloud = m_surface.cloud();
@@ -225,7 +248,6 @@ private:
     report.number_of_outliers = cloud.number_of_outliers();
     report.spacing = cloud.spacing();
     report.noise = m_surface.noise();
-    const Front front(m_complex, m_surface);
     report.root_mean_square = front.triangles.residual(m_surface);
     const double bound = (std::max)(report.spacing, unfit * report.noise);
     for (std::size_t i = 0; i < cloud.size(); ++i) {
