@@ -11,18 +11,24 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_approach_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_facets_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_sizes_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Crease_planes_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Least_squares_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Misplaced_balls_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Small_handles_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/edges_across_creases_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/remeshing/Interface_improver_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <algorithm>
@@ -90,7 +96,7 @@ private:
           ways[v] = best[v];
     }
     refine(front, planes, ways, fits);
-    deform(front, ways);
+    deform(front.snapshot, front.positions, ways);
     improve();
     if (m_report.number_of_steps % steps_to_coarsen == 0)
       control_detail(m_complex);
@@ -108,8 +114,48 @@ private:
     for (int i = 0; i < fits + rounds; ++i) {
       const Front front(m_complex, m_surface);
       const auto best = fit(front);
-      deform(front, i < fits ? best.ways() : best.ways_of_loose());
+      deform(front.snapshot, front.positions, i < fits ? best.ways() : best.ways_of_loose());
     }
+    sharpen();
+  }
+
+  // Moves vertices beside creases onto them, and splits edges that cut across.
+  void sharpen() {
+    static constexpr int rounds = 4;      // of which the last ones find next to nothing
+    static constexpr double shortest = 1; // spacings: halves of shorter edges would have no points
+    const Crease_planes_3 planes(m_surface);
+    for (int i = 0; i < rounds; ++i) {
+      const Snapshot front(m_complex);
+      const std::vector<Point> positions = cloud_points(front.positions(m_complex));
+      std::vector<Vector> ways(positions.size());
+      m_surface.cloud().for_each()(ways.size(), [&](std::size_t v) {
+        Progress_scope::check();
+        ways[v] = planes.to_crease(positions[v]);
+      });
+      const bool moves = std::any_of(ways.begin(), ways.end(),
+                                     [](const Vector& way) { return way != NULL_VECTOR; });
+      if (moves)
+        deform(front, positions, ways);
+      const Snapshot moved(m_complex);
+      const auto edges = edges_across_creases(
+          planes, moved.facets(), cloud_points(moved.positions(m_complex)),
+          shortest * m_surface.cloud().spacing(), m_surface.cloud().for_each());
+      for (const auto& e : edges)
+        split(moved.vertices[e[0]], moved.vertices[e[1]]);
+      if (!moves && edges.empty())
+        return;
+    }
+  }
+
+  void split(typename Complex::Vertex_handle v, typename Complex::Vertex_handle w) {
+    typename Complex::Cell_handle c;
+    int i, j;
+    Cavity<Complex> cavity(m_complex);
+    if (!m_complex.triangulation().is_edge(v, w, c, i, j) ||
+        !propose_edge_split(m_complex, c, i, j, .5, cavity))
+      return;
+    Any_visitor<Complex> nobody;
+    commit_split(m_complex, cavity, v, w, nobody, m_report.changes);
   }
 
   using Snapshot = Interface_snapshot<Complex>;
@@ -179,15 +225,16 @@ private:
     m_sizes.refine(front.triangles, planes, rests, fits);
   }
 
-  void deform(const Front& front, const std::vector<Vector>& ways) {
+  void deform(const Snapshot& front, const std::vector<Point>& positions,
+              const std::vector<Vector>& ways) {
     std::vector<typename Complex::Approximate_point> destinations;
     for (std::size_t v = 0; v < ways.size(); ++v) {
-      const Point q = front.positions[v] + ways[v];
+      const Point q = positions[v] + ways[v];
       destinations.emplace_back(q.x(), q.y(), q.z());
     }
     static constexpr unsigned passes = 3; // who is not there by then is sent anew
     const Deformation_report<Complex> report = deform_interface_to(
-        m_complex, front.snapshot, destinations,
+        m_complex, front, destinations,
         parameters::manifold_interface(true).maximum_number_of_passes(passes).number_of_threads(
             m_threads));
     m_report.changes =
