@@ -207,9 +207,11 @@ private:
     const Vector v = a.center - p, w = b.center - p;
     return angle(-(v * w) / std::sqrt(v.squared_length() * w.squared_length()));
   }
-  template <class Reaches> static double reach_of(Vertex_handle v, const Reaches& reaches) {
-    return v->info() < reaches.size() ? reaches[v->info()]
-                                      : std::numeric_limits<double>::infinity();
+  // Infinite at points that were left out; 0 at the corners of the box.
+  template <class Reaches> double reach_of(Vertex_handle v, const Reaches& reaches) const {
+    if (is_of_box(v))
+      return 0;
+    return v->info() == left_out ? std::numeric_limits<double>::infinity() : reaches[v->info()];
   }
   static bool has_both(const Poles& p) { return p[0] != none && p[1] != none; }
   bool is_of_box(Vertex_handle v) const { return v->info() == box_corner; }
