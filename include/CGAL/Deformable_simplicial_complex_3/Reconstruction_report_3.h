@@ -25,10 +25,11 @@ template <class Complex> struct Reconstruction_report_3
 {
   std::size_t number_of_points = 0;     ///< without duplicates and outliers
   std::size_t number_of_duplicates = 0; ///< points equal to others, which were left out
-  std::size_t number_of_outliers = 0;   ///< points far from all others, or on neither side of the
-                                        ///< surface, which were left out
-  double spacing = 0;                   ///< the mean distance of points from their 6 nearest ones
-  double noise = 0;                     ///< how far points are from quadrics of their neighbors
+  std::size_t number_of_outliers =
+      0; ///< points far from all others, in clusters that are no surfaces, or on neither side of
+         ///< the surface, which were left out
+  double spacing = 0; ///< the mean distance of points from their 6 nearest ones
+  double noise = 0;   ///< how far points are from quadrics of their neighbors
 
   std::size_t number_of_steps = 0;       ///< of the interface
   bool is_complete = false;              ///< whether it came to rest and there are no
@@ -43,8 +44,8 @@ template <class Complex> struct Reconstruction_report_3
   std::vector<std::size_t> unfit_points; ///< those farther than a spacing and four times the noise,
                                          ///< by their places among the points that were given
   /// Where the interface contradicts the sides of the points: the centers of large empty balls that
-  /// lie on the wrong side of it, and a vertex of each handle that is smaller than these balls. None
-  /// if it did not come to rest.
+  /// lie on the wrong side of it, and a vertex of each handle that is smaller than these balls.
+  /// None if it did not come to rest.
   std::vector<typename Complex::Approximate_point> doubtful_places;
   std::vector<typename Complex::Facet> facets_without_points; ///< that no point is
                                                               ///< near to: they close holes

@@ -110,7 +110,7 @@ private:
   // Moves vertices once more, without other changes.
   void finish() {
     static constexpr int fits = 2;   // by when vertices stay where they are
-    static constexpr int rounds = 4; // fins are hardly ever wider than two edges
+    static constexpr int rounds = 4; // fins are rarely wider than two edges
     for (int i = 0; i < fits + rounds; ++i) {
       const Front front(m_complex, m_surface);
       const auto best = fit(front);
@@ -121,7 +121,7 @@ private:
 
   // Moves vertices beside creases onto them, and splits edges that cut across.
   void sharpen() {
-    static constexpr int rounds = 4;      // of which the last ones find next to nothing
+    static constexpr int rounds = 4;      // each halves the edges that cut across
     static constexpr double shortest = 1; // spacings: halves of shorter edges would have no points
     const Crease_planes_3 planes(m_surface);
     for (int i = 0; i < rounds; ++i) {
