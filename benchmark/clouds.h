@@ -5,6 +5,7 @@
 #ifndef DSC_BENCHMARK_CLOUDS_H
 #define DSC_BENCHMARK_CLOUDS_H
 
+#include "gear.h"
 #include "inputs.h"
 
 #include <CGAL/Random.h>
@@ -179,6 +180,22 @@ inline Cloud drilled_box(const Drilled_box& box, std::size_t n, unsigned seed, d
     if (CGAL::squared_distance(p, middle) >= gap * gap / 4)
       cloud.points.push_back(turn(p) + noise * numbers.vector());
   }
+  return cloud;
+}
+
+/// Points of a gear with 12 teeth, turned, one in each cell of that side, with noise of a standard
+/// deviation along each axis.
+inline Cloud gear(double side, unsigned seed, double noise = 0) {
+  static constexpr unsigned teeth = 12;
+  Numbers numbers(seed);
+  const Turn turn(numbers);
+  const Gear gear(teeth);
+  Cloud cloud{
+      {}, [gear, turn](const Point& p) { return gear.distance(turn.back(p)); }, {}, gear.volume()};
+  for (const Point& p : gear.creases())
+    cloud.creases.push_back(turn(p));
+  for (const Point& p : gear.sample(side, [&] { return numbers.uniform(0, 1); }))
+    cloud.points.push_back(turn(p) + noise * numbers.vector());
   return cloud;
 }
 

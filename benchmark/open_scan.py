@@ -36,7 +36,7 @@ def measure(program, points, folder):
     with open(cloud, "w") as file:
         file.write("\n".join(points) + "\n")
     child = subprocess.Popen(
-        [program, "reconstruct", cloud, "-o", surface], stdout=subprocess.PIPE, text=True
+        [program, "reconstruct", cloud, "--open", "-o", surface], stdout=subprocess.PIPE, text=True
     )
     told = child.stdout.read().strip()
     _, status, usage = os.wait4(child.pid, 0)

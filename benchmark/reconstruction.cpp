@@ -81,7 +81,7 @@ using Method = std::function<Reconstruction(const std::vector<Point>&)>;
 Reconstruction by_complex(const std::vector<Point>& points, unsigned threads) {
   CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Complex> report;
   const Complex complex = CGAL::reconstruct_point_set_3<Complex>(
-      points, parameters::number_of_threads(threads).report(std::ref(report)));
+      points, parameters::number_of_threads(threads).keep_open(true).report(std::ref(report)));
   Reconstruction result;
   CGAL::interface_to_surface_mesh(CGAL::extract_interface(complex), result.mesh);
   const auto tell = [&](std::size_t number, const char* what) {
@@ -89,9 +89,10 @@ Reconstruction by_complex(const std::vector<Point>& points, unsigned threads) {
       result.told += (result.told.empty() ? "" : ", ") + std::to_string(number) + " " + what;
   };
   tell(report.facets_without_points.size(), "triangles without points");
-  tell(report.number_of_strays, "strays");
+  tell(report.number_of_outliers, "outliers");
   tell(report.unfit_points.size(), "unfit points");
-  if (!report.is_complete)
+  tell(report.doubtful_places.size(), "doubtful places");
+  if (!report.is_complete && report.doubtful_places.empty())
     tell(report.number_of_steps, "steps were not enough");
   return result;
 }
@@ -236,7 +237,8 @@ struct Options
 };
 
 Cloud make_cloud(const Options& options) {
-  static constexpr double width = 2, height = 1, hole = .4, noise = .005, outliers = .01;
+  static constexpr double width = 2, height = 1, hole = .4, noise = .005, outliers = .01,
+                          gear_side = .02; // of cells of a point: 34 000 points
   const std::size_t n = options.points;
   const unsigned seed = options.seed;
   const Drilled_box box(width, height, hole);
@@ -262,6 +264,10 @@ Cloud make_cloud(const Options& options) {
     const double unit = clouds::spacing_on_plane(Drilled_box(width, 0, 0).area() / double(n));
     return clouds::drilled_box(Drilled_box(width, options.width * unit, 0), n, seed);
   }
+  if (name == "gear")
+    return clouds::gear(gear_side, seed);
+  if (name == "noisy_gear")
+    return clouds::gear(gear_side, seed, noise);
   if (name == "spheres")
     return clouds::spheres({{4000, 0, 1}, {4000, 2.5, 1}}, seed);
   if (name == "nested")
@@ -290,10 +296,10 @@ int main(int argc, char** argv) {
   using namespace dsc_benchmark;
   Options options;
   CLI::App app("Solids from points");
-  app.add_option(
-         "CLOUD", options.cloud,
-         "tunnel, noise, outliers, hole, narrow, plate, spheres, nested, a closed surface to "
-         "take random points of (.off), or points (.xyz, .pwn, .ply)")
+  app.add_option("CLOUD", options.cloud,
+                 "tunnel, noise, outliers, hole, narrow, plate, gear, noisy_gear, spheres, nested, "
+                 "a closed surface to "
+                 "take random points of (.off), or points (.xyz, .pwn, .ply)")
       ->required();
   app.add_option("--seed", options.seed, "Of points and rotation");
   app.add_option("--points", options.points, "How many; those of spheres and files are fixed");

@@ -180,6 +180,10 @@ measure_points() {
   done
   add_row "$table" "$reconstruction" "$meshes/fandisk.off" --points 30000 --peers
   add_row "$table" "$reconstruction" "$meshes/elephant.off" --peers
+  for seed in 1 2 3 4 5; do
+    add_row "$table" "$reconstruction" gear --seed "$seed" --peers
+    add_row "$table" "$reconstruction" noisy_gear --seed "$seed"
+  done
   add_row "$table" "$reconstruction" spheres --peers
   add_row "$table" "$reconstruction" nested --peers
   for width in 14 7 5 3.5; do

@@ -77,6 +77,12 @@ points, which the report lists.
                           for that are shorter than two of these distances and 12 times the noise.}
     \cgalParamType{`double`} \cgalParamDefault{0.03}
   \cgalParamNEnd
+  \cgalParamNBegin{keep_open}
+    \cgalParamDescription{whether points that sample an open sheet are accepted. The result is closed
+                          all the same; the sheet is its interface without
+                          `Reconstruction_report_3::facets_without_points`.}
+    \cgalParamType{`bool`} \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{how many steps the interface makes at the most; 1 or more}
     \cgalParamType{`unsigned int`} \cgalParamDefault{80}
@@ -101,7 +107,9 @@ points, which the report lists.
 \return the complex: label 1 inside, 0 between that and a box around it. Its interface is manifold.
 \throws Deformable_simplicial_complexes::Invalid_points_error if coordinates are not finite, the extent
         of the points is not between 1e-30 and 1e30, there are fewer than four different points, all
-        lie in a plane, or what they enclose is nothing or too thin
+        lie in a plane, what they enclose is nothing or too thin, or they sample an open sheet: more
+        than a quarter of the boundary of what they enclose has no points, and `keep_open` is
+`false`
 \throws Deformable_simplicial_complexes::Error if a parameter is out of its range. The report stays
         what it was if anything is thrown, by the observer or a map, too.
 \throws Deformable_simplicial_complexes::Interrupted_error if the callback of a
@@ -136,7 +144,8 @@ Complex reconstruct_point_set_3(
 
   const Deformable_simplicial_complexes::Progress_phase phase("reconstructing a surface");
   const auto given = internal::collect_points(points, np);
-  const internal::Sampled_surface_3 surface(given.points, given.normals, threads);
+  const bool keeps_open = internal::parameter_or(np, tags::keep_open, false);
+  const internal::Sampled_surface_3 surface(given.points, given.normals, keeps_open, threads);
   const internal::Cloud_shell_3 shell(surface);
   Complex complex = internal::complex_of_shell<Complex>(shell);
   internal::Reconstructor_3<Complex> reconstructor(complex, surface, shell.edge(), tolerance,

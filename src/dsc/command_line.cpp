@@ -204,6 +204,8 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
                    "How far triangles may be from their points, in mean distances of a point from "
                    "its neighbors")
       ->capture_default_str();
+  reconstruct->add_flag("--open", reconstruct_options.keeps_open,
+                        "Accept points of an open sheet, and write the triangles that have points");
   reconstruct->add_option("--steps", reconstruct_options.steps, "Number of steps at the most")
       ->check(CLI::Range(1, INT_MAX))
       ->capture_default_str();
@@ -313,6 +315,11 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
     require_extension(reconstruct_options.output, {"off", "obj", "ply", "stl", "vtu", "mesh"});
     if (!reconstruct_options.picture.empty())
       require_extension(reconstruct_options.picture, {"png"});
+    if (reconstruct_options.keeps_open) {
+      require_extension(reconstruct_options.output, {"off", "obj", "ply", "stl"});
+      if (!reconstruct_options.picture.empty())
+        throw Usage_error("--picture draws closed surfaces only; leave it out, or --open");
+    }
     reconstruct_options.tolerance = parse_positive(tolerance, "--tolerance");
     return reconstruct_options;
   }

@@ -186,10 +186,11 @@ struct Cut_locus_options
 /// What `dsc reconstruct` is asked to do.
 struct Reconstruct_options
 {
-  std::string input;      ///< points
-  std::string output;     ///< surface or tetrahedra
-  double tolerance = .03; ///< in spacings of the points
-  unsigned steps = 80;    ///< at the most
+  std::string input;       ///< points
+  std::string output;      ///< surface or tetrahedra
+  double tolerance = .03;  ///< in spacings of the points
+  bool keeps_open = false; ///< writes the sheet that the points sample, and not the closed surface
+  unsigned steps = 80;     ///< at the most
   unsigned threads = 1;
   std::string folder;  ///< for the steps; empty for none
   std::string report;  ///< file; empty for none

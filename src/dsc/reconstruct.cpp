@@ -13,7 +13,9 @@
 
 #include <CGAL/IO/PVD_series.h>
 #include <CGAL/IO/VTU_3.h>
+#include <CGAL/IO/labelled_surface_3.h>
 #include <CGAL/IO/point_set_3.h>
+#include <CGAL/extract_interface_3.h>
 #include <CGAL/property_map.h>
 #include <CGAL/reconstruct_point_set_3.h>
 
@@ -83,9 +85,12 @@ Json json_of(const Reconstruction_report& report, const Complex& complex) {
     }
     facets.push_back(facet);
   }
+  Json doubtful_places = Json::array();
+  for (const auto& p : report.doubtful_places)
+    doubtful_places.push_back({p.x(), p.y(), p.z()});
   return {{"points", report.number_of_points},
           {"duplicates", report.number_of_duplicates},
-          {"strays", report.number_of_strays},
+          {"outliers", report.number_of_outliers},
           {"spacing", report.spacing},
           {"noise", report.noise},
           {"steps", report.number_of_steps},
@@ -101,6 +106,7 @@ Json json_of(const Reconstruction_report& report, const Complex& complex) {
           {"root_mean_square", report.root_mean_square},
           {"maximum_distance", report.maximum_distance},
           {"unfit_points", report.unfit_points},
+          {"doubtful_places", doubtful_places},
           {"facets_without_points", facets}};
 }
 
@@ -120,18 +126,56 @@ void warn_of_openness(const Reconstruction_report& report, std::size_t triangles
                  n, triangles);
 }
 
+/// Tells where the surface contradicts the points.
+void warn_of_doubts(const Reconstruction_report& report) {
+  if (report.doubtful_places.empty())
+    return;
+  const auto& p = report.doubtful_places.front();
+  std::fprintf(stderr,
+               "dsc: the surface contradicts its points at %zu %s, such as (%.6g, %.6g, %.6g): a "
+               "tunnel or component is lost or extra there; add points there\n",
+               report.doubtful_places.size(),
+               report.doubtful_places.size() == 1 ? "place" : "places", p.x(), p.y(), p.z());
+}
+
+/// Why a result is not complete; nothing if it is.
+const char* what_is_incomplete(const Reconstruction_report& report) {
+  if (report.is_complete)
+    return "";
+  return report.doubtful_places.empty() ? "; did not come to rest" : "; not complete";
+}
+
+/// Writes the triangles that have points.
+void write_sheet(const std::string& path, const Complex& complex,
+                 const Reconstruction_report& report) {
+  std::vector<Complex::Facet> facets = complex.interface_facets();
+  auto without = report.facets_without_points.begin(); // in the same order
+  facets.erase(std::remove_if(facets.begin(), facets.end(),
+                              [&](const Complex::Facet& f) {
+                                const bool has_none =
+                                    without != report.facets_without_points.end() && f == *without;
+                                without += has_none;
+                                return has_none;
+                              }),
+               facets.end());
+  CGAL::IO::write_interface(
+      path,
+      CGAL::Deformable_simplicial_complexes::internal::interface_surface(complex, facets, false));
+}
+
 void print_summary(const Reconstruction_report& report, std::size_t normals,
                    const Statistics& statistics, double seconds) {
   const Label_statistics& solid = statistics.labels.back();
-  std::printf("dsc: %zu points, %zu normals used, %zu triangles, %zu %s, Euler characteristic %d; "
-              "distances of "
-              "points %.3g in the mean square, %.3g at the most (spacing %.3g); %zu unfit points, "
-              "%zu triangles without points%s; %.3g s\n",
-              report.number_of_points, normals, statistics.interface_facets, solid.components,
-              solid.components == 1 ? "part" : "parts", solid.euler_characteristic,
-              report.root_mean_square, report.maximum_distance, report.spacing,
-              report.unfit_points.size(), report.facets_without_points.size(),
-              report.is_complete ? "" : "; did not come to rest", seconds);
+  std::printf(
+      "dsc: %zu points, %zu %s, %zu normals used, %zu triangles, %zu %s, Euler "
+      "characteristic %d; distances of "
+      "points %.3g in the mean square, %.3g at the most (spacing %.3g); %zu unfit points, "
+      "%zu triangles without points%s; %.3g s\n",
+      report.number_of_points, report.number_of_outliers,
+      report.number_of_outliers == 1 ? "outlier" : "outliers", normals, statistics.interface_facets,
+      solid.components, solid.components == 1 ? "part" : "parts", solid.euler_characteristic,
+      report.root_mean_square, report.maximum_distance, report.spacing, report.unfit_points.size(),
+      report.facets_without_points.size(), what_is_incomplete(report), seconds);
 }
 
 } // namespace
@@ -163,6 +207,7 @@ int execute(const Reconstruct_options& options) {
       points, parameters::point_map(CGAL::First_of_pair_property_map<Point_and_normal_3>())
                   .normal_map(CGAL::Second_of_pair_property_map<Point_and_normal_3>())
                   .fit_tolerance(options.tolerance)
+                  .keep_open(options.keeps_open)
                   .number_of_iterations(options.steps)
                   .number_of_threads(options.threads)
                   .observer(observe)
@@ -170,7 +215,10 @@ int execute(const Reconstruct_options& options) {
   progress.clear();
   interruptible.reset();
 
-  tracked.write(options.output);
+  if (options.keeps_open)
+    write_sheet(options.output, tracked.complex, report);
+  else
+    tracked.write(options.output);
   if (!options.picture.empty())
     tracked.write(options.picture);
   const double seconds = seconds_since(begin);
@@ -184,7 +232,9 @@ int execute(const Reconstruct_options& options) {
     write_json(options.report, json);
   }
   if (!options.quiet) {
-    warn_of_openness(report, statistics.interface_facets);
+    if (!options.keeps_open)
+      warn_of_openness(report, statistics.interface_facets);
+    warn_of_doubts(report);
     print_summary(report, normals, statistics, seconds);
   }
   return 0;

@@ -54,6 +54,27 @@ TEST_F(Reconstruction, writes_surface_report_and_steps) {
   EXPECT_EQ(run(command).exit_code, 1);
 }
 
+TEST_F(Reconstruction, tells_outliers_and_refuses_open_sheets) {
+  write("sphere.xyz", sphere(800) + "5 5 5\n");
+  const Outcome outcome =
+      run("reconstruct " + path("sphere.xyz").string() + " -o " + path("sphere.off").string());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("1 outlier,"), std::string::npos) << outcome.out;
+  std::ostringstream hills;
+  for (int i = 0; i < 900; ++i)
+    hills << i % 30 << ' ' << i / 30 << ' ' << 2 * std::sin(.2 * (i % 30)) * std::cos(.2 * (i / 30))
+          << '\n';
+  write("hills.xyz", hills.str());
+  const std::string command =
+      "reconstruct " + path("hills.xyz").string() + " -o " + path("hills.off").string();
+  const Outcome refused = run(command);
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_NE(refused.err.find("open sheet"), std::string::npos) << refused.err;
+  EXPECT_EQ(run(command + " --open").exit_code, 0);
+  EXPECT_TRUE(fs::exists(path("hills.off")));
+  EXPECT_EQ(run(command + " --open --picture " + path("hills.png").string()).exit_code, 2);
+}
+
 TEST_F(Reconstruction, refuses_points_that_bound_nothing) {
   write("plane.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 1 0\n");
   const std::string plane = path("plane.xyz").string(), off = " -o " + path("a.off").string();

@@ -145,7 +145,8 @@ public:
     out_of_range, ///< the extent of the points is not between 1e-30 and 1e30
     too_few,      ///< fewer than four points differ
     flat,         ///< all points lie in a plane
-    open          ///< what the points enclose is nothing, or too thin beside their distances
+    open,         ///< what the points enclose is nothing, or too thin beside their distances
+    sheet         ///< the points sample an open sheet, and not a solid with holes
   };
 
   /// constructs the error; the arguments are returned by the functions below.

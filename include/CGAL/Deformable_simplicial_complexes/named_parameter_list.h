@@ -41,6 +41,7 @@ CGAL_add_named_parameter(degenerate_quality_t, degenerate_quality, degenerate_qu
 CGAL_add_named_parameter(degenerate_cosine_t, degenerate_cosine, degenerate_cosine)
 CGAL_add_named_parameter(degenerate_length_t, degenerate_length, degenerate_length)
 CGAL_add_named_parameter(fit_tolerance_t, fit_tolerance, fit_tolerance)
+CGAL_add_named_parameter(keep_open_t, keep_open, keep_open)
 CGAL_add_named_parameter(largest_hole_t, largest_hole, largest_hole)
 CGAL_add_named_parameter(wrap_alpha_t, wrap_alpha, wrap_alpha)
 CGAL_add_named_parameter(wrap_offset_t, wrap_offset, wrap_offset)

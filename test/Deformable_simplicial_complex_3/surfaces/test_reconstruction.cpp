@@ -151,7 +151,7 @@ TEST(Reconstruction, closes_a_hole_and_tells_it) {
   }
 }
 
-TEST(Reconstruction, leaves_strays_and_duplicates_out) {
+TEST(Reconstruction, leaves_outliers_and_duplicates_out) {
   std::vector<Point> points = sphere(2000);
   points.insert(points.end(), points.begin(), points.begin() + 100);
   points.emplace_back(1e6, 0, 0);
@@ -162,7 +162,7 @@ TEST(Reconstruction, leaves_strays_and_duplicates_out) {
   EXPECT_EQ(ball.euler_characteristic(), 2);
   EXPECT_NEAR(ball.complex.volume(1), 4 * CGAL_PI / 3, .01);
   EXPECT_EQ(ball.report.number_of_duplicates, 100);
-  EXPECT_EQ(ball.report.number_of_strays, 4);
+  EXPECT_EQ(ball.report.number_of_outliers, 4);
   EXPECT_EQ(ball.report.number_of_points, 2000);
   EXPECT_LT(ball.report.spacing, .1);
 }

@@ -2,6 +2,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Random.h>
 #include <CGAL/reconstruct_point_set_3.h>
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace test_reconstruction_of_scans {
@@ -20,6 +22,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Report = CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Complex>;
 using CGAL::Deformable_simplicial_complexes::Interrupted_error;
+using CGAL::Deformable_simplicial_complexes::Invalid_points_error;
 using CGAL::Deformable_simplicial_complexes::Progress_scope;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
@@ -61,12 +64,52 @@ TEST(Reconstruction_of_scans, begins_with_cells_of_good_shape) {
     return false;
   };
   const std::vector<Point> points = house(12000);
-  CGAL::reconstruct_point_set_3<Complex>(points, parameters::observer(observer));
+  CGAL::reconstruct_point_set_3<Complex>(points, parameters::keep_open(true).observer(observer));
   std::size_t number_of_flat = 0;
   for (auto c : complex.cells())
     number_of_flat += c->quality() < flat;
   EXPECT_EQ(number_of_flat, 0);
   EXPECT_LT(complex.number_of_cells(), 8 * points.size());
+}
+
+TEST(Reconstruction_of_scans, leaves_clusters_of_outliers_out) {
+  static constexpr std::size_t outliers = 60;
+  std::vector<Point> points = ball(2000, 1);
+  CGAL::Random random(9);
+  for (std::size_t i = 0; i < outliers; ++i) {
+    const double x = random.uniform_real(5., 6.), y = random.uniform_real(-1., 0.),
+                 z = random.uniform_real(1., 2.);
+    points.emplace_back(x, y, z);
+  }
+  Report report;
+  const Complex complex =
+      CGAL::reconstruct_point_set_3<Complex>(points, parameters::report(std::ref(report)));
+  EXPECT_EQ(report.number_of_outliers, outliers);
+  EXPECT_EQ(report.number_of_points, 2000);
+  EXPECT_EQ(complex.number_of_components(1), 1);
+  EXPECT_TRUE(report.is_complete);
+}
+
+TEST(Reconstruction_of_scans, refuses_open_sheets_or_keeps_them_on_request) {
+  CGAL::Random random(4);
+  std::vector<Point> hills;
+  for (int i = 0; i < 1500; ++i) {
+    const double x = random.get_double(), y = random.get_double();
+    hills.emplace_back(x, y, .1 * std::sin(6 * x) * std::cos(6 * y));
+  }
+  try {
+    CGAL::reconstruct_point_set_3<Complex>(hills);
+    ADD_FAILURE() << "accepted";
+  } catch (const Invalid_points_error& error) {
+    EXPECT_EQ(error.reason(), Invalid_points_error::Reason::sheet);
+    EXPECT_NE(std::string(error.what()).find("open sheet"), std::string::npos) << error.what();
+  }
+  Report report;
+  const Complex complex = CGAL::reconstruct_point_set_3<Complex>(
+      hills, parameters::keep_open(true).report(std::ref(report)));
+  EXPECT_TRUE(complex.is_valid());
+  EXPECT_FALSE(report.facets_without_points.empty());
+  EXPECT_LT(report.facets_without_points.size(), complex.interface_facets().size());
 }
 
 TEST(Reconstruction_of_scans, stops_at_any_moment) {

@@ -51,6 +51,27 @@ public:
   using Point = Kernel::Point_3;
   using Vector = Kernel::Vector_3;
 
+  struct Ball // that is empty and circumscribes a cell
+  {
+    Point center;
+    double squared_radius = 0; // also of cells that are flat in double precision
+  };
+
+  // A Delaunay facet between the inside and the outside.
+  struct Boundary_facet
+  {
+    std::array<Point, 3> points;
+    double reach; // the largest one of the points: infinite at points that were left out
+  };
+
+  // A ball whose side is certain: at one of its points, the two poles are on different sides.
+  struct Certain_ball
+  {
+    Ball ball;
+    double reach; // as of a facet
+    bool is_inside;
+  };
+
   template <class Points>
   explicit Cloud_sides_3(const Points& points)
       : m_outward(points.size(), NULL_VECTOR),
@@ -64,6 +85,7 @@ public:
     join_by(relations_of_neighbors(balls), sides);
     for (std::size_t c = 0; c < balls.size(); ++c)
       m_is_inside.push_back(sides.find(c).second != sides.find(outside).second);
+    m_is_certain.assign(balls.size(), 0);
     for (std::size_t i = 0; i < poles.size(); ++i)
       if (has_both(poles[i]) && m_is_inside[poles[i][0]] != m_is_inside[poles[i][1]]) {
         const bool is_first_inside = m_is_inside[poles[i][0]] != 0;
@@ -71,6 +93,8 @@ public:
                    &outer = balls[poles[i][is_first_inside ? 1 : 0]];
         m_outward[i] = outer.center - inner.center;
         m_room[i] = std::sqrt(outer.squared_radius);
+        if (angle_of_poles(m_vertices[i]->point(), inner, outer) < CGAL_PI / 3)
+          m_is_certain[poles[i][0]] = m_is_certain[poles[i][1]] = 1;
       }
   }
 
@@ -102,7 +126,43 @@ public:
   // The radius of the largest empty ball that touches a point from outside; infinite where unknown.
   double room(std::size_t i) const { return m_room[i]; }
 
+  // The boundary of the inside. The reaches of the points that are kept.
+  template <class Reaches> std::vector<Boundary_facet> boundary(const Reaches& reaches) const {
+    std::vector<Boundary_facet> result;
+    for (const auto& f : m_delaunay.finite_facets()) {
+      Progress_scope::check();
+      if (is_inside(f.first) == is_inside(f.first->neighbor(f.second)))
+        continue;
+      Boundary_facet facet{{}, 0};
+      for (int k = 0; k < 3; ++k) {
+        const Vertex_handle v = f.first->vertex((f.second + 1 + k) % 4);
+        facet.points[std::size_t(k)] = v->point();
+        facet.reach = (std::max)(facet.reach, reach_of(v, reaches));
+      }
+      result.push_back(facet);
+    }
+    return result;
+  }
+
+  // The balls whose sides are certain.
+  template <class Reaches> std::vector<Certain_ball> certain_balls(const Reaches& reaches) const {
+    std::vector<Certain_ball> result;
+    for (auto c : m_delaunay.finite_cell_handles()) {
+      Progress_scope::check();
+      if (m_is_certain[c->info()] == 0)
+        continue;
+      Certain_ball ball{ball_of(c), 0, is_inside(c)};
+      for (int k = 0; k < 4; ++k)
+        ball.reach = (std::max)(ball.reach, reach_of(c->vertex(k), reaches));
+      result.push_back(ball);
+    }
+    return result;
+  }
+
   void keep(const std::vector<char>& is_kept) {
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < m_vertices.size(); ++i)
+      m_vertices[i]->info() = is_kept[i] != 0 ? number++ : left_out;
     keep_marked(m_outward, is_kept);
     keep_marked(m_room, is_kept);
     keep_marked(m_vertices, is_kept);
@@ -119,13 +179,9 @@ private:
   using Cell_handle = Delaunay::Cell_handle;
   using Poles = std::array<Ball_index, 2>;
   static constexpr Ball_index outside = 0, none = static_cast<Ball_index>(-1);
-  static constexpr std::size_t box_corner = static_cast<std::size_t>(-1);
+  static constexpr std::size_t box_corner = static_cast<std::size_t>(-1),
+                               left_out = static_cast<std::size_t>(-2);
 
-  struct Ball // that is empty and circumscribes a cell
-  {
-    Point center;
-    double squared_radius = 0; // also of cells that are flat in double precision
-  };
   struct Relation
   {
     float angle; // how far it is from being certain
@@ -145,6 +201,17 @@ private:
       return CGAL_PI / 2; // which tells nothing
     return angle((a.squared_radius + b.squared_radius - squared_distance(a.center, b.center)) /
                  (2 * std::sqrt(a.squared_radius * b.squared_radius)));
+  }
+  // Between the directions to the poles, if one were reversed: 0 if they are opposite.
+  static double angle_of_poles(const Point& p, const Ball& a, const Ball& b) {
+    const Vector v = a.center - p, w = b.center - p;
+    return angle(-(v * w) / std::sqrt(v.squared_length() * w.squared_length()));
+  }
+  // Infinite at points that were left out; 0 at the corners of the box.
+  template <class Reaches> double reach_of(Vertex_handle v, const Reaches& reaches) const {
+    if (is_of_box(v))
+      return 0;
+    return v->info() == left_out ? std::numeric_limits<double>::infinity() : reaches[v->info()];
   }
   static bool has_both(const Poles& p) { return p[0] != none && p[1] != none; }
   bool is_of_box(Vertex_handle v) const { return v->info() == box_corner; }
@@ -255,9 +322,8 @@ private:
     for (auto v : m_delaunay.finite_vertex_handles())
       if (!is_of_box(v) && has_both(poles[v->info()])) {
         const Poles& p = poles[v->info()];
-        const Vector a = balls[p[0]].center - v->point(), b = balls[p[1]].center - v->point();
-        const double cosine = a * b / std::sqrt(a.squared_length() * b.squared_length());
-        result.push_back({float(angle(-cosine)), p[0], p[1], true});
+        result.push_back(
+            {float(angle_of_poles(v->point(), balls[p[0]], balls[p[1]])), p[0], p[1], true});
       }
     for (const auto& e : m_delaunay.finite_edges()) {
       Progress_scope::check();
@@ -303,6 +369,7 @@ private:
   Delaunay m_delaunay;
   std::vector<Vertex_handle> m_vertices; // of points
   std::vector<char> m_is_inside;         // by balls
+  std::vector<char> m_is_certain;        // whether a ball is on its side for certain
   std::vector<Vector> m_outward;
   std::vector<double> m_room;
 };

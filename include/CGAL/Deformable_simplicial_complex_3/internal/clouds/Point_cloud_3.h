@@ -63,6 +63,7 @@ class Point_cloud_3
 public:
   using Point = Cloud_kernel::Point_3;
   using Vector = Cloud_kernel::Vector_3;
+  static constexpr unsigned ring = 6; // neighbors of a point of a surface
 
   // Of equal points, that with the greatest vector counts, if there are any vectors; 0 is the
   // least. Throws Invalid_points_error if coordinates are not finite, or too large or small, or the
@@ -99,7 +100,7 @@ public:
   std::size_t index(std::size_t i) const { return m_indices[i]; }
   std::size_t number_of_duplicates() const { return m_duplicates; }
   // Of points that were left out, as they were far from others.
-  std::size_t number_of_strays() const { return m_strays; }
+  std::size_t number_of_outliers() const { return m_outliers; }
 
   // For what is asked for each of many points or facets.
   const For_each_index& for_each() const { return m_for_each; }
@@ -109,7 +110,7 @@ public:
     const auto number = std::size_t(std::count(is_kept.begin(), is_kept.end(), 1));
     if (number == size())
       return;
-    m_strays += size() - number;
+    m_outliers += size() - number;
     keep_marked(m_points, is_kept);
     keep_marked(m_indices, is_kept);
     keep_marked(m_reaches, is_kept);
@@ -122,6 +123,7 @@ public:
   double spacing() const { return m_spacing; }
   // The distance of the sixth neighbor.
   double reach(std::size_t i) const { return m_reaches[i]; }
+  const std::vector<double>& reaches() const { return m_reaches; }
 
   // The nearest points, by distance.
   std::vector<std::size_t> nearest(const Point& p, unsigned number) const {
@@ -147,8 +149,6 @@ private:
   using Tree = Search::Tree;
   using Distance = Search::Distance;
   using Reason = Invalid_points_error::Reason;
-  static constexpr unsigned ring = 6; // neighbors of a point of a surface
-
   static bool less(const Vector& a, const Vector& b) {
     return std::make_tuple(a != NULL_VECTOR, a.x(), a.y(), a.z()) <
            std::make_tuple(b != NULL_VECTOR, b.x(), b.y(), b.z());
@@ -174,7 +174,7 @@ private:
     static constexpr double thinnest = 1e-9; // of the extent
     if (m_points.size() < least)
       throw Invalid_points_error(
-          Reason::too_few, m_strays == 0
+          Reason::too_few, m_outliers == 0
                                ? "there are fewer than four different points: they bound no solid"
                                : "fewer than four points are near others: they bound no solid");
     static constexpr double smallest = 1e-30, largest = 1e30; // extents of complexes
@@ -251,7 +251,7 @@ private:
   For_each_index m_for_each;
   std::vector<Point> m_points;
   std::vector<std::size_t> m_indices; // among the points that were given
-  std::size_t m_duplicates = 0, m_strays = 0;
+  std::size_t m_duplicates = 0, m_outliers = 0;
   std::unique_ptr<Tree> m_tree;
   std::vector<double> m_reaches;
   double m_spacing = 0;

@@ -5,9 +5,11 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CLOUDS_SAMPLED_SURFACE_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_CLOUDS_SAMPLED_SURFACE_3_H
 
+#include <CGAL/Deformable_simplicial_complex_3/internal/clouds/Cloud_holes_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/clouds/Cloud_sides_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/clouds/Point_cloud_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/clouds/local_fits_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/clouds/surface_points_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
@@ -20,6 +22,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -35,18 +38,23 @@ public:
   using Vector = Point_cloud_3::Vector;
 
   // Normals, if there are any, of any length and sign, in the order of the points. Throws
-  // Invalid_points_error if the points bound no solid.
+  // Invalid_points_error if the points bound no solid, or sample an open sheet that is not
+  // accepted.
   Sampled_surface_3(const std::vector<Point>& points, const std::vector<Vector>& normals,
-                    unsigned number_of_threads)
+                    bool accepts_sheets, unsigned number_of_threads)
       : m_cloud(points, normals, number_of_threads) {
+    m_cloud.keep(surface_points(m_cloud));
     find_sides();
-    if (drop_strays()) { // which had their say on what is inside
+    if (drop_outliers()) { // which had their say on what is inside
       find_sides();
-      drop_strays();
+      drop_outliers();
     }
     if (!m_sides->encloses_anything())
       throw Invalid_points_error(Invalid_points_error::Reason::open,
                                  "the points enclose nothing: they bound no solid");
+    m_holes = std::make_unique<Cloud_holes_3>(m_sides->boundary(m_cloud.reaches()));
+    if (!accepts_sheets)
+      require_solid();
     measure_rooms();
     for (std::size_t i = 0; i < m_cloud.size(); ++i) {
       if (!normals.empty())
@@ -60,6 +68,22 @@ public:
   bool is_inside(const Point& p) const {
     return m_sides->is_inside({p.x(), p.y(), p.z()}, m_cloud.nearest(p));
   }
+
+  // The empty balls whose sides are known: they are large beside the distances of points, which a
+  // sampled surface cannot cross, and meet no hole of the cloud.
+  std::vector<Cloud_sides_3::Certain_ball> known_balls() const {
+    static constexpr double noisy = 4; // noises: so far may points be from the surface
+    std::vector<Cloud_sides_3::Certain_ball> result;
+    for (const auto& ball : m_sides->certain_balls(m_cloud.reaches())) {
+      const double depth = known_depth * ball.reach + noisy * m_noise;
+      if (ball.ball.squared_radius > depth * depth && !m_holes->meets(ball.ball))
+        result.push_back(ball);
+    }
+    return result;
+  }
+  // Of balls, in distances of points from their sixth neighbors: balls at gaps between random
+  // points of a sharp edge are up to 1.3 of them.
+  static constexpr double known_depth = 1.75;
 
   // Of unit length; where planes meet, that of the neighbors on one side.
   const Vector& normal(std::size_t i) const { return m_normals[i]; }
@@ -116,6 +140,19 @@ private:
     return points;
   }
 
+  void require_solid() const {
+    static constexpr double most = .25; // of the boundary: a cube may lack one of its sides
+    if (m_holes->share() <= most)
+      return;
+    const auto percent = [](double share) { return std::to_string(std::lround(100 * share)); };
+    throw Invalid_points_error(
+        Invalid_points_error::Reason::sheet,
+        "the points sample an open sheet: " + percent(m_holes->share()) +
+            " % of the boundary of what they enclose has no points, and at most " + percent(most) +
+            " % are closed; add points of the missing sides, or ask for the sheet (keep_open, "
+            "--open)");
+  }
+
   void find_sides() {
     static constexpr double noisy = .25; // spacings: of layers, sides are decided by their middles
     m_sides = std::make_unique<Cloud_sides_3>(m_cloud.points());
@@ -131,7 +168,7 @@ private:
 
   // A point of a surface has poles on both of its sides, or a neighbor that has, and is near one of
   // the planes around. Returns whether there were others.
-  bool drop_strays() {
+  bool drop_outliers() {
     static constexpr unsigned around = 6;
     std::vector<char> is_kept(m_cloud.size());
     m_cloud.for_each()(m_cloud.size(), [&](std::size_t i) {
@@ -223,9 +260,10 @@ private:
 
   Point_cloud_3 m_cloud;
   std::unique_ptr<Cloud_sides_3> m_sides;
+  std::unique_ptr<Cloud_holes_3> m_holes;
   std::vector<Vector> m_normals;
   std::vector<double> m_residuals, m_curvatures, m_rooms;
-  std::vector<char> m_is_off; // by what no plane around explains; before strays are dropped
+  std::vector<char> m_is_off; // by what no plane around explains; before outliers are dropped
   double m_noise = 0;
 };
 

@@ -26,6 +26,7 @@ struct Fitted_plane_3
   Cloud_kernel::Point_3 center;
   Cloud_kernel::Vector_3 normal; // of unit length
   double residual;
+  double width, length; // of the points in the plane, along its axes: roots of mean squares
 
   double height(const Cloud_kernel::Point_3& p) const { return normal * (p - center); }
 };
@@ -45,7 +46,9 @@ template <class Points> Fitted_plane_3 fit_plane(const Points& points) {
   const Eigen::Vector3d n = solver.eigenvectors().col(0);
   return {{mean[0], mean[1], mean[2]},
           {n[0], n[1], n[2]},
-          std::sqrt((std::max)(0., solver.eigenvalues()[0]))};
+          std::sqrt((std::max)(0., solver.eigenvalues()[0])),
+          std::sqrt((std::max)(0., solver.eigenvalues()[1])),
+          std::sqrt((std::max)(0., solver.eigenvalues()[2]))};
 }
 
 // The graph of a quadratic function over a plane that is nearest to points, by least squares.

@@ -11,16 +11,24 @@
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_approach_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_facets_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Cloud_sizes_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Crease_planes_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Least_squares_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Misplaced_balls_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Small_handles_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/edges_across_creases_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/remeshing/Interface_improver_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <algorithm>
@@ -61,7 +69,10 @@ public:
     }
     m_complex.measure_interface_edges();
     m_complex.take_component_events();
-    measure();
+    const Front front(m_complex, m_surface);
+    measure(front);
+    if (m_report.is_complete)
+      certify(front);
     return m_report;
   }
 
@@ -85,7 +96,7 @@ private:
           ways[v] = best[v];
     }
     refine(front, planes, ways, fits);
-    deform(front, ways);
+    deform(front.snapshot, front.positions, ways);
     improve();
     if (m_report.number_of_steps % steps_to_coarsen == 0)
       control_detail(m_complex);
@@ -99,12 +110,52 @@ private:
   // Moves vertices once more, without other changes.
   void finish() {
     static constexpr int fits = 2;   // by when vertices stay where they are
-    static constexpr int rounds = 4; // fins are hardly ever wider than two edges
+    static constexpr int rounds = 4; // fins are rarely wider than two edges
     for (int i = 0; i < fits + rounds; ++i) {
       const Front front(m_complex, m_surface);
       const auto best = fit(front);
-      deform(front, i < fits ? best.ways() : best.ways_of_loose());
+      deform(front.snapshot, front.positions, i < fits ? best.ways() : best.ways_of_loose());
     }
+    sharpen();
+  }
+
+  // Moves vertices beside creases onto them, and splits edges that cut across.
+  void sharpen() {
+    static constexpr int rounds = 4;      // each halves the edges that cut across
+    static constexpr double shortest = 1; // spacings: halves of shorter edges would have no points
+    const Crease_planes_3 planes(m_surface);
+    for (int i = 0; i < rounds; ++i) {
+      const Snapshot front(m_complex);
+      const std::vector<Point> positions = cloud_points(front.positions(m_complex));
+      std::vector<Vector> ways(positions.size());
+      m_surface.cloud().for_each()(ways.size(), [&](std::size_t v) {
+        Progress_scope::check();
+        ways[v] = planes.to_crease(positions[v]);
+      });
+      const bool moves = std::any_of(ways.begin(), ways.end(),
+                                     [](const Vector& way) { return way != NULL_VECTOR; });
+      if (moves)
+        deform(front, positions, ways);
+      const Snapshot moved(m_complex);
+      const auto edges = edges_across_creases(
+          planes, moved.facets(), cloud_points(moved.positions(m_complex)),
+          shortest * m_surface.cloud().spacing(), m_surface.cloud().for_each());
+      for (const auto& e : edges)
+        split(moved.vertices[e[0]], moved.vertices[e[1]]);
+      if (!moves && edges.empty())
+        return;
+    }
+  }
+
+  void split(typename Complex::Vertex_handle v, typename Complex::Vertex_handle w) {
+    typename Complex::Cell_handle c;
+    int i, j;
+    Cavity<Complex> cavity(m_complex);
+    if (!m_complex.triangulation().is_edge(v, w, c, i, j) ||
+        !propose_edge_split(m_complex, c, i, j, .5, cavity))
+      return;
+    Any_visitor<Complex> nobody;
+    commit_split(m_complex, cavity, v, w, nobody, m_report.changes);
   }
 
   using Snapshot = Interface_snapshot<Complex>;
@@ -174,15 +225,16 @@ private:
     m_sizes.refine(front.triangles, planes, rests, fits);
   }
 
-  void deform(const Front& front, const std::vector<Vector>& ways) {
+  void deform(const Snapshot& front, const std::vector<Point>& positions,
+              const std::vector<Vector>& ways) {
     std::vector<typename Complex::Approximate_point> destinations;
     for (std::size_t v = 0; v < ways.size(); ++v) {
-      const Point q = front.positions[v] + ways[v];
+      const Point q = positions[v] + ways[v];
       destinations.emplace_back(q.x(), q.y(), q.z());
     }
     static constexpr unsigned passes = 3; // who is not there by then is sent anew
     const Deformation_report<Complex> report = deform_interface_to(
-        m_complex, front.snapshot, destinations,
+        m_complex, front, destinations,
         parameters::manifold_interface(true).maximum_number_of_passes(passes).number_of_threads(
             m_threads));
     m_report.changes =
@@ -216,16 +268,33 @@ private:
             m_residuals[n - 1] <= enough * m_tolerance);
   }
 
-  void measure() {
+  // Compares the interface with the sides of the points, which are known independently of it.
+  void certify(const Front& front) {
+    static constexpr double radius =
+        2; // known depths: two tunnels and what is between them are wider
+    const auto tell = [&](const Point& p) {
+      m_report.doubtful_places.emplace_back(p.x(), p.y(), p.z());
+    };
+    for (const Point& p : misplaced_balls(m_surface, front.triangles.all()))
+      tell(p);
+    std::vector<double> radii;
+    for (const Point& p : front.positions)
+      radii.push_back(radius * Sampled_surface_3::known_depth *
+                      m_surface.cloud().reach(m_surface.cloud().nearest(p)));
+    for (std::size_t v : Small_handles_3(front.facets(), front.positions).find(radii))
+      tell(front.positions[v]);
+    m_report.is_complete = m_report.doubtful_places.empty();
+  }
+
+  void measure(const Front& front) {
     static constexpr double unfit = 4; // noises
     Reconstruction_report_3<Complex>& report = m_report;
     const Point_cloud_3& cloud = m_surface.cloud();
     report.number_of_points = cloud.size();
     report.number_of_duplicates = cloud.number_of_duplicates();
-    report.number_of_strays = cloud.number_of_strays();
+    report.number_of_outliers = cloud.number_of_outliers();
     report.spacing = cloud.spacing();
     report.noise = m_surface.noise();
-    const Front front(m_complex, m_surface);
     report.root_mean_square = front.triangles.residual(m_surface);
     const double bound = (std::max)(report.spacing, unfit * report.noise);
     for (std::size_t i = 0; i < cloud.size(); ++i) {

@@ -1,0 +1,99 @@
+// Solids with sharp edges from points: no nicks and no cut corners.
+
+#include "../../../benchmark/gear.h"
+
+#include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Crease_planes_3.h>
+#include <CGAL/Random.h>
+#include <CGAL/extract_interface_3.h>
+#include <CGAL/reconstruct_point_set_3.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace test_reconstruction_of_creases {
+
+using Complex = CGAL::Deformable_simplicial_complex_3<>;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Report = CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Complex>;
+using dsc_benchmark::clouds::Gear;
+namespace internal = CGAL::Deformable_simplicial_complexes::internal;
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
+std::vector<Kernel::Triangle_3> triangles_of(const Complex& complex) {
+  std::vector<Kernel::Triangle_3> result;
+  const auto surface = CGAL::extract_interface(complex);
+  const auto point = [&](std::size_t i) {
+    const auto& p = surface.points[i];
+    return Point(p.x(), p.y(), p.z());
+  };
+  for (const auto& t : surface.triangles)
+    result.emplace_back(point(t[0]), point(t[1]), point(t[2]));
+  return result;
+}
+
+TEST(Reconstruction_of_creases, makes_a_gear_without_nicks) {
+  static constexpr unsigned teeth = 6;
+  static constexpr double side = .045; // of cells with one point
+  static constexpr int n = 4;          // places along an edge
+  const Gear gear(teeth);
+  CGAL::Random random(5);
+  const std::vector<Point> points = gear.sample(side, [&] { return random.get_double(); });
+  Report report;
+  const Complex complex =
+      CGAL::reconstruct_point_set_3<Complex>(points, parameters::report(std::ref(report)));
+  EXPECT_TRUE(report.is_complete);
+  EXPECT_EQ(complex.euler_characteristic(1), 0);
+  EXPECT_NEAR(complex.volume(1), gear.volume(), .002 * gear.volume());
+  const auto triangles = triangles_of(complex);
+  double largest = 0, squares = 0;
+  for (const auto& t : triangles)
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; i + j <= n; ++j)
+        largest = (std::max)(largest, gear.distance(t[0] + double(i) / n * (t[1] - t[0]) +
+                                                    double(j) / n * (t[2] - t[0])));
+  EXPECT_LT(largest, .5 * report.spacing);
+  const std::vector<Point> creases = gear.creases();
+  for (const Point& p : creases) {
+    double nearest = 10;
+    for (const auto& t : triangles)
+      nearest = (std::min)(nearest, CGAL::squared_distance(p, t));
+    squares += nearest;
+  }
+  EXPECT_LT(std::sqrt(squares / double(creases.size())), .1 * report.spacing);
+}
+
+TEST(Reconstruction_of_creases, finds_where_planes_meet) {
+  using Place = internal::Sampled_surface_3::Point;
+  using Vector = internal::Sampled_surface_3::Vector;
+  CGAL::Random random(3);
+  std::vector<Place> cube;
+  for (int k = 0; k < 6000; ++k) {
+    double x[3] = {random.get_double(), random.get_double(), random.get_double()};
+    x[k % 3] = k % 2;
+    cube.emplace_back(x[0], x[1], x[2]);
+  }
+  const internal::Sampled_surface_3 surface(cube, {}, false, 1);
+  const internal::Crease_planes_3 planes(surface);
+  const double spacing = surface.cloud().spacing();
+  const auto expect = [&](const Place& from, const Place& to) {
+    EXPECT_LT(std::sqrt((from + planes.to_crease(from) - to).squared_length()), .1 * spacing);
+  };
+  const double a = .4 * spacing;
+  expect({.5, a, a}, {.5, 0, 0});                           // a cut edge
+  expect({.5, -a, -a}, {.5, 0, 0});                         // a fin
+  expect({.5, -a, 0}, {.5, 0, 0});                          // beyond the end of a face
+  expect({a, a, a}, {0, 0, 0});                             // a corner
+  expect({.5, 2 * spacing, 0}, {.5, 2 * spacing, 0});       // on a face
+  expect({.5, .5, a}, {.5, .5, a});                         // no edge is near
+  EXPECT_EQ(planes.to_crease({.5, 0, 0}), Vector(0, 0, 0)); // on the edge
+}
+
+} // namespace test_reconstruction_of_creases
