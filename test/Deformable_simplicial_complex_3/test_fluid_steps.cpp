@@ -103,10 +103,15 @@ TEST_F(Fluid_steps, that_succeed_tell_a_small_residual) {
   EXPECT_EQ(report.parts, 1u);
   EXPECT_TRUE(report.repetitions.empty());
   EXPECT_EQ(report.flat_cells, 0u);
-  double largest = 0; // 2 tension / radius, about
+  double sum = 0;
+  std::size_t number = 0;
   for (auto v : complex.vertices())
-    largest = (std::max)(largest, fluid.pressure(v));
-  EXPECT_NEAR(largest, 2.5, 1);
+    if (!v->is_interface() && fluid.pressure(v) > 0) {
+      sum += fluid.pressure(v);
+      ++number;
+    }
+  ASSERT_GT(number, 0u);
+  EXPECT_NEAR(sum / double(number), 2.5, 1); // 2 tension / radius, about: the sphere is coarse
 }
 
 TEST_F(Fluid_steps, with_wrong_solutions_are_repeated) {

@@ -345,7 +345,7 @@ public:
 
   /// Returns whether a cell of a quality may come to have another one, by a lower bound.
   static bool keeps_quality(double before, double after, double floor = quality_floor) {
-    return after >= floor || before < floor;
+    return floor == 0 || after >= floor || before < floor;
   }
 
   /// The point nearest to q that v may go to within the sides of the domain it lies on, rounded.

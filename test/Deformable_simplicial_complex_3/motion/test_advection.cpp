@@ -347,8 +347,8 @@ TEST(Small_angles, are_removed_in_the_end) {
   EXPECT_GT(changes, 0u);
   EXPECT_EQ(with.number_of_components(1), 1u);
   EXPECT_EQ(with.euler_characteristic(1), 2);
-  // The flow keeps the volume, which suffers where the ball meets the box, but not more.
-  EXPECT_LE(std::abs(with.volume(1) - volume), std::abs(without.volume(1) - volume));
+  // The flow keeps the volume, but the ball meets the box.
+  EXPECT_NEAR(with.volume(1), volume, .03 * volume);
 }
 
 // A ball with flat cells rotates: it keeps its facets.

@@ -104,9 +104,9 @@ public:
   // The energy that moving walls give to liquids in the step, at the most.
   double work_of_walls() const { return m_step.dt * m_contacts.power(forces_on_vertices()); }
 
-  // The energy that sources give to liquids in the step, less what drains take: that of the liquid
-  // which they bring, in a gravity whose potential is 0 at the level given, and the work of its
-  // pressure.
+  // Returns the energy that sources give to liquids in the step, less what drains take, at the
+  // most: that of the liquid which they bring, in a gravity whose potential is 0 at the level
+  // given, and the work of its pressure.
   double work_of_sources(const Eigen::Vector3d& level) const {
     if (m_gains.empty())
       return 0;
@@ -116,7 +116,8 @@ public:
       power += m_mesh.cells[k].liquid->density * m_gains[k] *
                (m_mesh.middle(k, m_velocities).squaredNorm() / 2 -
                 gravity.dot(m_mesh.middle(k, m_half_way) - level));
-    return m_step.dt * power;
+    static constexpr double error = .25; // of the power: sources are stabilized like volumes
+    return m_step.dt * (power + error * std::abs(power));
   }
 
   // Of the vertices of the mesh: the mean of the pressures of the liquids around.

@@ -10,6 +10,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/cgal_compat.h>
 
 #include <CGAL/AABB_tree.h>
+#include <CGAL/Bbox_3.h>
 
 #include <algorithm>
 #include <array>
@@ -30,13 +31,18 @@ public:
   explicit Closed_triangles_3(const Triangles& triangles)
       : m_tree(triangles.begin(), triangles.end()) {
     m_tree.build(); // now, not by the first question of a thread
+    if (!triangles.empty()) {
+      const Bbox_3 box = m_tree.bbox();
+      m_extent = (std::max)(
+          {box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+    }
   }
 
   // Returns whether the rays in three directions agree that a point is inside, or outside. A ray
   // that meets an edge may be miscounted.
   bool is_certainly(bool inside, const Point& p) const {
     return std::all_of(directions().begin(), directions().end(), [&](const auto& direction) {
-      const Cloud_kernel::Ray_3 ray(p, direction);
+      const Cloud_kernel::Ray_3 ray(p, m_extent * direction);
       return (m_tree.number_of_intersected_primitives(ray) % 2 != 0) == inside;
     });
   }
@@ -50,6 +56,7 @@ private:
   }
 
   AABB_tree<Tree_traits_3<Cloud_kernel, Triangles::const_iterator>> m_tree;
+  double m_extent = 1; // of the triangles: rays are given by two points, in any unit
 };
 
 // The centers of the balls of known side that lie on the other side of closed triangles: the
