@@ -33,8 +33,8 @@ public:
     m_tree.build(); // now, not by the first question of a thread
     if (!triangles.empty()) {
       const Bbox_3 box = m_tree.bbox();
-      m_extent = (std::max)(
-          {box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+      m_extent =
+          (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
     }
   }
 
