@@ -121,7 +121,10 @@ template <class Surface> Json json_of(const CGAL::Cut_locus_2& locus, const Surf
                         {"multiplicity", vertex.multiplicity}});
     surface.describe(vertex.point, vertices.back());
   }
-  return {{"vertices", vertices}, {"arcs", locus.polylines}, {"is_complete", locus.is_complete}};
+  return {{"vertices", vertices},
+          {"arcs", locus.polylines},
+          {"is_complete", locus.is_complete},
+          {"doubtful_vertices", locus.doubtful}};
 }
 
 Json parameters(const Cut_locus_options& options, double spacing, double step) {
@@ -173,12 +176,11 @@ double step_of(const Cut_locus_options& options, double spacing, double scale) {
 
 template <class Surface>
 int find_cut_locus(const Cut_locus_options& options, const Surface& surface, double spacing) {
-  // A short cut locus may slip through a mesh that happens to lie symmetrically about it.
   static constexpr int attempts = 3;
-  static constexpr double finer = .75; // no simple ratio to what lies symmetrically
+  static constexpr double finer = .5; // spacing of the next attempt
   std::optional<Interruptible> interruptible(std::in_place, options.quiet);
   CGAL::Cut_locus_2 locus = surface.cut_locus(spacing, step_of(options, spacing, surface.scale()));
-  for (int i = 1; i < attempts && locus.vertices.empty() && options.spacing == 0; ++i) {
+  for (int i = 1; i < attempts && !locus.is_complete && options.spacing == 0; ++i) {
     spacing *= finer;
     locus = surface.cut_locus(spacing, step_of(options, spacing, surface.scale()));
   }
@@ -200,7 +202,12 @@ int find_cut_locus(const Cut_locus_options& options, const Surface& surface, dou
     }
     std::printf("dsc: %zu arcs of %zu points, at distances of %.9g to %.9g%s\n",
                 locus.polylines.size(), locus.vertices.size(), nearest, farthest,
-                locus.is_complete ? "" : "; there is more of it: use a smaller --spacing");
+                locus.is_complete ? "" : "; it is not complete: use a smaller --spacing");
+    if (!locus.doubtful.empty()) {
+      const auto& p = locus.vertices[locus.doubtful.front()].point;
+      std::printf("dsc: %zu points are in doubt, the first at u = %.9g, v = %.9g\n",
+                  locus.doubtful.size(), p.x(), p.y());
+    }
   }
   return 0;
 }

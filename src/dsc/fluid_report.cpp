@@ -17,6 +17,14 @@
 namespace dsc {
 namespace {
 
+// Returns a number as far as it means something: of a residual, the size.
+double three_digits(double x) {
+  if (!(x > 0))
+    return x;
+  const double unit = std::pow(10., std::floor(std::log10(x)) - 2);
+  return std::round(x / unit) * unit;
+}
+
 using Complex = Tracked_complex_3::Complex;
 
 template <class Vector> Json vector_json(const Vector& v) { return {v.x(), v.y(), v.z()}; }
@@ -257,7 +265,7 @@ Json step_json(const Fluid& fluid, const Fluid_scene& scene, unsigned step,
                {"smoothed", motion.smoothed + report->adaptation.smoothed},
                {"solutions", report->solutions},
                {"iterations", report->iterations},
-               {"residual", report->residual},
+               {"residual", three_digits(report->residual)},
                {"flat_cells", report->flat_cells},
                {"substeps", report->parts},
                {"repetitions", repetitions_json(*report)},

@@ -210,7 +210,8 @@ TEST_F(Program, reports_each_step) {
                                            "split",
                                            "collapsed",
                                            "flipped",
-                                           "relabeled"}));
+                                           "relabeled",
+                                           "stopped_at_boundary"}));
     EXPECT_EQ(step.at("step"), i);
     EXPECT_EQ(step.at("time"), double(i));
     EXPECT_EQ(step.at("complete"), true);

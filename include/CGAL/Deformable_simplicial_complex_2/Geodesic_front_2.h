@@ -42,9 +42,6 @@ template <class Metric> class Geodesic_front_2
 public:
   /// The torus of the chart.
   using Domain = Deformable_simplicial_complexes::Torus_domain<2>;
-  /// The number of cycles in a cut locus that leaves a disk.
-  static constexpr std::size_t cycles_of_cut_locus =
-      Deformable_simplicial_complexes::internal::Geodesics_2<Metric>::cycles_of_cut_locus;
   /// Of the chart.
   using Complex =
       Deformable_simplicial_complex_2<Deformable_simplicial_complex_traits_2<>, Default, Domain>;

@@ -48,11 +48,15 @@ inline void write_SVG(const std::string& path, const Cut_locus_2& locus,
   const internal::Svg_canvas canvas(options.window, Bbox_2(0, 0, periods[0], periods[1]),
                                     options.width, periods);
   std::string arcs, source;
-  for (const auto& polyline : locus.polylines)
+  for (const auto& polyline : locus.polylines) {
+    Point p = locus.vertices[polyline.front()].point;
     for (std::size_t k = 1; k < polyline.size(); ++k) {
-      const Point p = locus.vertices[polyline[k - 1]].point;
-      canvas.add(std::array<Point, 2>{p, domain.near(p, locus.vertices[polyline[k]].point)}, arcs);
+      // On the seam of the chart, points may be on either side of it.
+      const Point q = domain.near(p, locus.vertices[polyline[k]].point);
+      canvas.add(std::array<Point, 2>{p, q}, arcs);
+      p = q;
     }
+  }
   canvas.add(std::array<Point, 2>{point, point}, source);
   internal::replace_file_by_stream(path, [&](std::ostream& out) {
     canvas.begin(out);

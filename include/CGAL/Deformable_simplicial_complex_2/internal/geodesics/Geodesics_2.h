@@ -134,9 +134,18 @@ public:
             std::sqrt(along * w.x() + across * w.y())};
   }
 
+  // Returns the length of a vector of the chart at a point.
+  double length(const Point& p, double du, double dv) const {
+    const Metric_jet_2 g = m_metric(p.x(), p.y());
+    return std::sqrt(g.E * du * du + 2 * g.F * du * dv + g.G * dv * dv);
+  }
+
   // About the least and the largest length of vectors of a length in the chart, at the source.
   double shortest(double in_chart) const { return m_shortest * in_chart; }
   double longest(double in_chart) const { return m_longest * in_chart; }
+
+  // Returns the length of geodesics that have arrived in the chart: a step is enough.
+  double shortest_length(double step) const { return step; }
 
   // The radius of the first front, some edges away. Throws Error if that goes around the torus.
   double first_radius(double spacing) const {
@@ -206,9 +215,14 @@ public:
     return m_at_source.departure(Point(x / squared, y / squared));
   }
 
+  double length(const Point& p, double du, double dv) const { return m_opposite.length(p, du, dv); }
+
   // Opposite to the source, where the front closes in.
   double shortest(double in_chart) const { return m_opposite.shortest(in_chart); }
   double longest(double in_chart) const { return m_opposite.longest(in_chart); }
+
+  // In the chart, they come from infinity.
+  double shortest_length(double) const { return first_radius(); }
 
   // Its front is well within the box.
   double first_radius(double = 0) const {

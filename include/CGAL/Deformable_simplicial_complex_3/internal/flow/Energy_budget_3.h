@@ -27,6 +27,9 @@ public:
   // Of the scale of energies, in a step: above the errors of a step that resolves the flow, which
   // are below 1e-4, and far below the growth of a flow that explodes.
   static constexpr double tolerance = 1e-3;
+  // The same for changes of the mesh: at a line of contact on a coarse mesh, they wet or dry whole
+  // facets.
+  static constexpr double tolerance_of_mesh = .05;
 
   // The energy of gases as springs: the sum of their pressures times their volumes.
   Energy_budget_3(const Fluid_balance_3& before, const Eigen::Vector3d& gravity,

@@ -33,7 +33,10 @@ struct Energy_judge_3
     const double by_motion = report.moved.energy() - report.before.energy() - budget->supplied(),
                  by_mesh = now.energy() - report.moved.energy() + report.before.energy() -
                            budget->energy_at_begin();
-    failure = by_mesh > by_motion ? Fluid_failure_3::mesh : Fluid_failure_3::motion;
+    if (by_mesh <= by_motion)
+      failure = Fluid_failure_3::motion;
+    else if (rise > Energy_budget_3::tolerance_of_mesh)
+      failure = Fluid_failure_3::mesh;
   }
 };
 
