@@ -169,8 +169,9 @@ TEST_F(Fluid_steps, that_are_interrupted_leave_no_trace) {
   EXPECT_EQ(fluid.state().motion, other.state().motion);
 }
 
-// Drops that land on a plane: the mesh adheres and is adapted there.
-TEST(Fluid, that_lands_gains_no_energy) {
+// Drops that land on a plane: the mesh adheres and is adapted there, by whole facets. The motion
+// alone may raise the energy by a thousandth, the mesh by a twentieth.
+TEST(Fluid, that_lands_gains_hardly_any_energy) {
   for (const double angle : {70., 100.}) {
     Complex complex = sphere(8, .4);
     CGAL::Incompressible_fluid_3<Complex> drop(complex, liquid(1.3, .02, .5, 2));
@@ -181,8 +182,9 @@ TEST(Fluid, that_lands_gains_no_energy) {
       const auto before = complex.state();
       try {
         const auto report = drop.advance(.02, parameters::adaptation_interval(2u));
-        EXPECT_LE(report.after.energy() - energy,
-                  1.1e-3 * (std::abs(energy - floor) + 2 * std::abs(report.after.surface_energy)));
+        const double scale = std::abs(energy - floor) + 2 * std::abs(report.after.surface_energy);
+        EXPECT_LE(report.after.energy() - energy, .05 * scale);
+        EXPECT_LE(report.moved.energy() - report.before.energy(), 1.1e-3 * scale);
         energy = report.after.energy();
       } catch (const dsc::Fluid_step_error&) {
         EXPECT_TRUE(complex.state() == before);
