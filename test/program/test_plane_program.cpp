@@ -189,12 +189,14 @@ TEST_F(Planar_program, finds_cut_loci_of_surfaces_like_a_sphere) {
     expect_error("cut-locus --surface " + arguments, 2);
   expect_error("cut-locus --surface ellipsoid --point 0,0,0", 1);
   expect_error("cut-locus --surface x,0,0 --point 1,0,0", 1);
-  expect_success("cut-locus --surface x,y,z --point 1,2,3 --quiet --report a.json -o a.svg");
+  expect_success(
+      "cut-locus --surface x,y,z --point 1,2,3 --spacing .4 --quiet --report a.json -o a.svg");
   ASSERT_EQ(report("a.json").at("vertices").size(), 1u);
   EXPECT_NEAR(report("a.json").at("vertices")[0].at("distance").get<double>(), std::acos(-1.),
               1e-6);
   EXPECT_TRUE(report("a.json").at("is_complete").get<bool>());
-  expect_success("cut-locus --point 1,0,0 --surface x,y,.8*z --quiet -o a.svg --report a.json");
+  expect_success(
+      "cut-locus --point 1,0,0 --surface x,y,.8*z --spacing .2 --quiet -o a.svg --report a.json");
   const Json locus = report("a.json");
   EXPECT_EQ(locus.at("arcs").size(), 1u);
   for (const Json& vertex : locus.at("vertices"))

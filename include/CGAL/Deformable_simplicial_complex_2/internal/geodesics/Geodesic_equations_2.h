@@ -135,9 +135,8 @@ private:
     static constexpr double width = 1e-5; // radians
     const State state = m_geodesics.shoot(g.angle, g.length);
     const Point p = point(state);
-    const Pair left = difference(p, m_geodesics.shoot(g.angle + width, g.length)),
-               right = difference(p, m_geodesics.shoot(g.angle - width, g.length));
-    return {state, (left - right) / (2 * width), Pair(state[2], state[3]) * (m_step / m_spacing)};
+    const Pair left = difference(p, m_geodesics.shoot(g.angle + width, g.length));
+    return {state, left / width, Pair(state[2], state[3]) * (m_step / m_spacing)};
   }
 
   // Returns by how much a geodesic misses a point, in spacings.
