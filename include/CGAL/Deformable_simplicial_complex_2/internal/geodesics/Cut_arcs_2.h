@@ -7,11 +7,12 @@
 
 #include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/Cut_certificate_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/Cut_circle_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/directions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Disjoint_sets.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -25,7 +26,7 @@ template <class Metric> class Cut_arcs_2
 public:
   using Circle = Cut_circle_2<Metric>;
 
-  explicit Cut_arcs_2(const Circle& circle, const Geodesic_equations_2<Metric>& equations)
+  Cut_arcs_2(const Circle& circle, const Geodesic_equations_2<Metric>& equations)
       : m_circle(circle), m_equations(equations), m_is_complete(circle.is_complete()) {
     if (circle.only_point()) {
       const auto& cut = *circle.only_point();
@@ -49,7 +50,7 @@ public:
   const std::vector<Cut_claim_2>& vertices() const { return m_vertices; }
   const std::vector<std::vector<std::size_t>>& arcs() const { return m_arcs; }
 
-  // Whether each part of the circle has its partner, and what is left of the surface is a disk.
+  // Returns whether each interval has its partner, and the complement of the graph is a disk.
   bool is_complete() const { return m_is_complete; }
 
 private:
@@ -83,7 +84,7 @@ private:
     const double angle = intervals[i].cuts[intervals[i].cuts.size() / 2].partner;
     for (std::size_t j = 0; j < n; ++j) {
       const double begin = angle_at_end((j + n - 1) % n);
-      if (Circle::gap_between(begin, angle) < Circle::gap_between(begin, angle_at_end(j)))
+      if (gap_between(begin, angle) < gap_between(begin, angle_at_end(j)))
         return j;
     }
     return n == 1 ? 0 : none;
@@ -112,26 +113,19 @@ private:
   }
 
   bool leaves_a_disk() const {
-    std::vector<std::size_t> part(m_breaks.size());
-    std::iota(part.begin(), part.end(), std::size_t(0));
-    const auto root = [&](std::size_t i) {
-      while (part[i] != i)
-        i = part[i] = part[part[i]];
-      return i;
-    };
-    std::size_t parts = part.size();
+    Disjoint_sets parts(m_breaks.size());
+    std::size_t number = m_breaks.size();
     for (const auto& arc : m_arcs) {
-      const std::size_t a = root(arc.front()), b = root(arc.back());
-      parts -= a != b;
-      part[a] = b;
+      number -= parts.find(arc.front()) != parts.find(arc.back());
+      parts.join(arc.front(), arc.back());
     }
-    return parts == 1 &&
+    return number == 1 &&
            m_arcs.size() + 1 == m_breaks.size() + Geodesics_2<Metric>::cycles_of_cut_locus;
   }
 
   const Circle& m_circle;
   const Geodesic_equations_2<Metric>& m_equations;
-  std::vector<Cut_claim_2> m_vertices; // first those of breaks
+  std::vector<Cut_claim_2> m_vertices; // vertices of breaks first
   std::vector<std::size_t> m_breaks;   // number of breaks of each
   std::vector<std::size_t> m_ends;     // vertices at the ends of intervals
   std::vector<std::size_t> m_partners; // of intervals

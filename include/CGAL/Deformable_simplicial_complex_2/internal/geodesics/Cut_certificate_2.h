@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A point of a cut locus as it is claimed: which directions lead to it, and how far it is. One
-// direction alone claims that it is conjugate to the source there.
+// A claim to be checked: geodesics in these directions lead to the point at this distance. A claim
+// with one direction says that the point is conjugate to the source along it.
 struct Cut_claim_2
 {
   Simple_cartesian<double>::Point_2 point;

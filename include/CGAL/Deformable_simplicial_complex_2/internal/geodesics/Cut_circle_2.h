@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/Geodesic_equations_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/Geodesic_fan_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/directions.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
 #include <algorithm>
@@ -21,10 +22,11 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-The circle of directions at the source, with the cut point of each: where its geodesic meets another
-one of the same length, that of its partner, for the first time. Along the circle, the partner goes
-the other way around, but for breaks: at a junction it jumps, and at an end, a conjugate point, a
-direction is its own partner. So each arc of the cut locus belongs to two intervals between breaks.
+The circle of directions at the source, with the cut point of each direction. In the cut point, the
+geodesic of the direction first meets another geodesic of the same length, that of its partner.
+While the direction turns to the left, the partner turns to the right, continuously between breaks.
+At a junction, the partner jumps. At an end, which is a conjugate point, a direction is its own
+partner. So each arc of the cut locus belongs to two intervals between breaks.
 */
 template <class Metric> class Cut_circle_2
 {
@@ -58,9 +60,10 @@ public:
   Cut_circle_2(const Equations& equations, const Fan& fan)
       : m_equations(equations), m_fan(fan), m_is_complete(fan.is_complete()) {
     std::vector<Cut> cuts;
-    for (const auto& direction : fan.directions())
+    const auto directions = fan.directions();
+    for (const auto& direction : directions)
       m_rays.push_back(direction.angle);
-    for (const auto& direction : fan.directions())
+    for (const auto& direction : directions)
       if (const auto cut = first_cut(direction)) // not next to an end
         cuts.push_back(*cut);
     if (cuts.empty() || is_point(cuts))
@@ -68,16 +71,9 @@ public:
     m_intervals.emplace_back();
     for (std::size_t i = 0; i < cuts.size(); ++i) {
       m_intervals.back().cuts.push_back(cuts[i]);
-      Cut next = cuts[(i + 1) % cuts.size()];
-      connect(cuts[i], next, 0);
+      connect(cuts[i], cuts[(i + 1) % cuts.size()], 0);
     }
     close();
-  }
-
-  // Returns the angle from one direction to the left to another, in (0, 2 pi].
-  static double gap_between(double right, double left) {
-    const double gap = std::fmod(left - right, 2 * std::acos(-1.));
-    return gap > 0 ? gap : gap + 2 * std::acos(-1.);
   }
 
   // Whether all directions have a cut point, and all breaks were found.
@@ -100,15 +96,10 @@ private:
 
   // Returns the angle between the rays around a direction.
   double unit(double angle) const {
-    const auto left = std::upper_bound(m_rays.begin(), m_rays.end(), wrapped(angle));
+    const auto left = std::upper_bound(m_rays.begin(), m_rays.end(), canonical_angle(angle));
     return left == m_rays.begin() || left == m_rays.end()
                ? gap_between(m_rays.back(), m_rays.front())
                : *left - *(left - 1);
-  }
-
-  static double wrapped(double angle) {
-    const double a = std::fmod(angle, 2 * std::acos(-1.));
-    return a < 0 ? a + 2 * std::acos(-1.) : a;
   }
 
   std::vector<Geodesic_2> geodesics_to(const Point& p) const {
@@ -119,8 +110,6 @@ private:
               return std::abs(turn(other.angle, g->angle)) < same_angle * unit(g->angle);
             }))
           result.push_back(*g);
-    std::sort(result.begin(), result.end(),
-              [](const Geodesic_2& a, const Geodesic_2& b) { return a.length < b.length; });
     return result;
   }
 

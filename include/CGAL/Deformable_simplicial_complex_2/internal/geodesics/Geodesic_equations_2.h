@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_GEODESICS_GEODESIC_EQUATIONS_2_H
 
 #include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/Geodesics_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/directions.h>
 
 #include <Eigen/Dense>
 #include <boost/math/tools/minima.hpp>
@@ -27,9 +28,6 @@ struct Geodesic_2
 {
   double angle, length;
 };
-
-// Returns the angle by which one direction is to the left of another, in [-pi, pi].
-inline double turn(double from, double to) { return std::remainder(to - from, 2 * std::acos(-1.)); }
 
 // Equations of geodesics from the source, solved by Newton's method: which one leads to a point,
 // where two or three of equal length meet, and where one is conjugate to the source.
@@ -88,23 +86,6 @@ public:
     return angles.size() == 2 ? meeting_of<2>(angles, length) : meeting_of<3>(angles, length);
   }
 
-  // Returns the first length near a given one at which a geodesic is conjugate to the source.
-  std::optional<double> conjugate_length(double angle, double near) const {
-    double low = near, high = near;
-    const auto diverges = [&](double length) { return spread(angle, length) > 0; };
-    while (diverges(high) && high < near + widest * m_step)
-      high += m_step / 2;
-    while (!diverges(low) && low > m_step && low > near - widest * m_step)
-      low -= m_step / 2;
-    if (low == high || !diverges(low) || diverges(high))
-      return std::nullopt;
-    std::uintmax_t calls = most_calls;
-    const auto found = boost::math::tools::toms748_solve(
-        [&](double length) { return spread(angle, length); }, low, high,
-        [this](double a, double b) { return b - a < precision * m_step; }, calls);
-    return (found.first + found.second) / 2;
-  }
-
   // Returns the direction between two others whose conjugate point is nearest, and its length.
   std::optional<Geodesic_2> nearest_conjugate(double right, double left, double near) const {
     static constexpr int bits = 26; // half of those of a number: it is a minimum
@@ -123,6 +104,23 @@ private:
   static constexpr std::uintmax_t most_calls = 100;
   static constexpr double widest = 8; // steps around a length, where conjugate points are sought
   static constexpr double precision = 1e-8; // spacings, steps, and radians
+
+  // Returns the first length near a given one at which a geodesic is conjugate to the source.
+  std::optional<double> conjugate_length(double angle, double near) const {
+    double low = near, high = near;
+    const auto diverges = [&](double length) { return spread(angle, length) > 0; };
+    while (diverges(high) && high < near + widest * m_step)
+      high += m_step / 2;
+    while (!diverges(low) && low > m_step && low > near - widest * m_step)
+      low -= m_step / 2;
+    if (low == high || !diverges(low) || diverges(high))
+      return std::nullopt;
+    std::uintmax_t calls = most_calls;
+    const auto found = boost::math::tools::toms748_solve(
+        [&](double length) { return spread(angle, length); }, low, high,
+        [this](double a, double b) { return b - a < precision * m_step; }, calls);
+    return (found.first + found.second) / 2;
+  }
 
   // The end of a geodesic with its derivatives, in spacings by radians and by steps.
   struct Arrival

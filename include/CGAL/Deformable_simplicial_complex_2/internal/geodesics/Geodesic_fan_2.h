@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_GEODESICS_GEODESIC_FAN_2_H
 
 #include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/Geodesic_equations_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/directions.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
@@ -53,7 +54,7 @@ public:
       m_numbers[axis] = (std::max)(
           1, (std::min)(most_squares, int(periods[axis] / (square_size * equations.spacing()))));
     begin();
-    for (m_level = 0; is_going() && length(m_level) < longest_distance; ++m_level) {
+    for (; is_going() && length(m_level) < longest_distance; ++m_level) {
       refine();
       advance();
     }
@@ -113,14 +114,14 @@ private:
 
   void begin() {
     const int number =
-        (std::max)(first_rays, int(std::ceil(2 * std::acos(-1.) * m_first_length / m_step)));
+        (std::max)(first_rays, int(std::ceil(full_turn() * m_first_length / m_step)));
     static constexpr double first = .6180339887498949; // angles between: none is special
     for (int i = 0; i < number; ++i)
-      add_ray(2 * std::acos(-1.) * (i + first) / number, 0);
+      add_ray(full_turn() * (i + first) / number);
   }
 
-  void add_ray(double angle, unsigned level) {
-    m_rays[angle].state = m_equations.geodesics().shoot(angle, length(level));
+  void add_ray(double angle) {
+    m_rays[angle].state = m_equations.geodesics().shoot(angle, length(m_level));
   }
 
   bool is_going() {
@@ -139,10 +140,6 @@ private:
   Ray_iterator previous(Ray_iterator it) {
     return --(it == m_rays.begin() ? it = m_rays.end() : it);
   }
-  static double angle_between(double right, double left) {
-    const double a = left - right;
-    return a > 0 ? a : a + 2 * std::acos(-1.);
-  }
 
   // Puts rays between those that are far from each other and both go on.
   void refine() {
@@ -151,14 +148,14 @@ private:
       std::vector<double> angles;
       for (auto it = m_rays.begin(); it != m_rays.end(); ++it) {
         const auto left = next(it);
-        const double angle = angle_between(it->first, left->first);
+        const double angle = gap_between(it->first, left->first);
         if (it->second.left > 0 && left->second.left > 0 && angle > narrowest &&
             distance(it->second.state, left->second.state) > farthest * m_step)
-          angles.push_back(std::fmod(it->first + angle / 2, 2 * std::acos(-1.)));
+          angles.push_back(canonical_angle(it->first + angle / 2));
       }
       for (double angle : angles)
         if (m_rays.count(angle) == 0) {
-          add_ray(angle, m_level);
+          add_ray(angle);
           has_changed = true;
         }
     }
@@ -208,7 +205,7 @@ private:
     put(2, left.second.state);
     put(3, right.second.state);
     cell.right = right.first;
-    cell.angle = angle_between(right.first, left.first);
+    cell.angle = gap_between(right.first, left.first);
     cell.level = m_level;
     std::array<double, 2> low = {cell.corners[0].x(), cell.corners[0].y()}, high = low;
     for (const Point& p : cell.corners)

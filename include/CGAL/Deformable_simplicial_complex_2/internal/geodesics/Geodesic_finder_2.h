@@ -5,6 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_GEODESICS_GEODESIC_FINDER_2_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_GEODESICS_GEODESIC_FINDER_2_H
 
+#include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/directions.h>
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -87,10 +89,6 @@ public:
   Pair miss(const Point& p, const typename Front::State& state) const {
     const Point q = near(p, state);
     return Pair(q.x() - p.x(), q.y() - p.y());
-  }
-
-  static double turn(double from, double to) {
-    return std::remainder(to - from, 2 * std::acos(-1.));
   }
 
   // Two geodesics that have become one meet everywhere.

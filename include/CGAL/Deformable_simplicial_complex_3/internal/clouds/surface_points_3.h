@@ -7,8 +7,8 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/clouds/Point_cloud_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/clouds/local_fits_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/soups/Disjoint_sets.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Disjoint_sets.h>
 
 #include <algorithm>
 #include <cmath>

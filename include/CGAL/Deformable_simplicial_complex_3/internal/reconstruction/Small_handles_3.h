@@ -6,8 +6,8 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_RECONSTRUCTION_SMALL_HANDLES_3_H
 
 #include <CGAL/Deformable_simplicial_complex_3/internal/clouds/Sampled_surface_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/soups/Disjoint_sets.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Disjoint_sets.h>
 
 #include <algorithm>
 #include <array>

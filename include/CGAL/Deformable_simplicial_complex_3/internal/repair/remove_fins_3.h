@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_REPAIR_REMOVE_FINS_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_REPAIR_REMOVE_FINS_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/soups/Disjoint_sets.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/soups/Triangle_soup_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Disjoint_sets.h>
 
 #include <algorithm>
 #include <cstddef>

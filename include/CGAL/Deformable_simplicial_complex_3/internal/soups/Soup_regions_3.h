@@ -5,11 +5,11 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SOUPS_SOUP_REGIONS_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_INTERNAL_SOUPS_SOUP_REGIONS_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/soups/Disjoint_sets.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/soups/Triangle_soup_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/soups/edge_crossings_3.h>
 #include <CGAL/Deformable_simplicial_complex_3/internal/soups/soup_rays_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Disjoint_sets.h>
 
 #include <CGAL/enum.h>
 

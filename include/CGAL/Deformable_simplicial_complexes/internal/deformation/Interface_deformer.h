@@ -8,6 +8,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Stopwatch.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_care.h>
@@ -235,9 +236,8 @@ public:
     for (Cell_handle c : m_complex.finite_cells())
       if (c->quality() < Complex::quality_floor)
         report.flat.push_back({c, c->quality()});
-    std::sort(report.flat.begin(), report.flat.end(), [](const auto& a, const auto& b) {
-      return a.cell->time_stamp() < b.cell->time_stamp();
-    });
+    std::sort(report.flat.begin(), report.flat.end(),
+              [](const auto& a, const auto& b) { return Less_time_stamp()(a.cell, b.cell); });
     report.vanished = m_vanished;
     report.stopped_at_boundary = m_stopped_at_boundary;
     report.complete = report.unfinished.empty();
