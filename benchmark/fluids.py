@@ -2,8 +2,8 @@
 """Compares scenes of `dsc fluid` with exact solutions and prints a row of a table for each.
 
 Usage: fluids.py DSC [--data DIR] [PART...], of droplets, decay, rest, waves, jets, sessile, sloshing,
-dam, bubble, breathing, figures, speed, subdivision. Scenes are those of the program with the changes that the rows name;
-figures need the meshes bunny00.off and armadillo.off of CGAL in DIR.
+dam, bubble, breathing, figures, speed, subdivision, survival. Scenes are scenes of the program with
+the changes that the rows name; figures need the meshes bunny00.off and armadillo.off of CGAL in DIR.
 """
 
 import cmath
@@ -19,10 +19,15 @@ data = "."
 
 
 def run(dsc, name, change):
-    """The steps that the program reports of one of its scenes, changed. If it ends with an error,
-    which it prints, those until then."""
+    """Returns the reported steps of a scene of the program after `change(scene)`. If the run ends with
+    an error, the program prints it, and the steps until then are returned."""
     scene = json.loads(subprocess.check_output([dsc, "fluid", "--print", name]))
     change(scene)
+    return report_of(dsc, scene, name)["steps"]
+
+
+def report_of(dsc, scene, name):
+    """Returns the report of a run of `scene`."""
     with tempfile.TemporaryDirectory() as folder:
         files = [os.path.join(folder, f) for f in ("scene.json", "report.json")]
         with open(files[0], "w") as out:
@@ -32,7 +37,7 @@ def run(dsc, name, change):
         if not os.path.exists(files[1]):
             sys.exit(f"the scene {name} did not begin")
         with open(files[1]) as report:
-            return json.load(report)["steps"]
+            return json.load(report)
 
 
 def solve(matrix, right):
@@ -462,11 +467,66 @@ def subdivision(dsc):
                       f"{abs(volume) / (4 / 3 * math.pi):.5f} |", flush=True)
 
 
+def drop_on_plane(contact_angle, viscosity, tilt=0):
+    """Returns the scene of a drop that falls onto a plane, which is tilted by `tilt` degrees."""
+    gravity = [2 * math.sin(math.radians(tilt)), 0, -2 * math.cos(math.radians(tilt))]
+    plane = {"type": "plane", "point": [0, 0, 0], "normal": [0, 0, 1], "contact_angle": contact_angle}
+    return {"domain": [-1.5, -1.5, -1.5, 4, 1.5, 1.5], "edge": .14,
+            "liquids": [{"shape": {"type": "ball", "center": [0, 0, .55], "radius": .5},
+                         "density": 1.3, "viscosity": viscosity}],
+            "surface_tension": .5, "gravity": gravity, "solids": [plane],
+            "time_step": .03, "cfl": .5, "end": 1.2}
+
+
+def heavy_above_light():
+    """Returns the scene of two viscous liquids; the upper one has three times the density."""
+    return {"domain": [0, 0, 0, 1, .25, 1.2], "edge": .0625,
+            "liquids": [{"shape": {"type": "pool", "level": .5, "height": "0.5+0.004*cos(2*pi*x)"},
+                         "density": 1, "viscosity": .003},
+                        {"shape": {"type": "surroundings"}, "density": 3, "viscosity": .009}],
+            "gravity": [0, 0, -1], "time_step": .077, "end": 4.5}
+
+
+def vortices(cells):
+    """Returns the scene of the vortices of Taylor and Green with `cells` edges in a unit of length."""
+    velocity = "sin(pi*x)*cos(pi*z),0,-cos(pi*x)*sin(pi*z)"
+    liquid = {"density": 1, "viscosity": 0, "velocity": velocity}
+    return {"domain": [0, 0, 0, 1, 3 / cells, 2], "edge": 1 / cells,
+            "liquids": [dict(liquid, shape={"type": "pool", "level": 1}),
+                        dict(liquid, shape={"type": "surroundings"})],
+            "time_step": .48 / cells, "cfl": .4, "end": 1}
+
+
+def survival(dsc):
+    scenes = [(f"drop, contact angle {angle}, viscosity {viscosity}", drop_on_plane(angle, viscosity))
+              for angle in (70, 80, 90, 100, 110, 120, 140) for viscosity in (0, .02, .1)]
+    scenes += [(f"drop on an incline of {tilt} degrees", drop_on_plane(100, .05, tilt))
+               for tilt in (10, 20, 30, 45, 60)]
+    scenes += [("Rayleigh-Taylor, viscous", heavy_above_light())]
+    scenes += [(f"Taylor-Green, {cells} cells", vortices(cells)) for cells in (12, 24)]
+    print("| scene | steps | end | steps repeated | attempts undone | energy, greatest rise in a step: "
+          "motion (%) | and remeshing (%) | volume, change | greatest residual | flat cells | seconds |")
+    print("| --- " * 11 + "|")
+    for name, scene in scenes:
+        report = report_of(dsc, scene, name)
+        steps = report["steps"]
+        scale = max(abs(step["energy"]) for step in steps)
+        moved = max((s["energy_moved"] - s["energy_before"]) / scale for s in steps[1:])
+        whole = max((b["energy"] - a["energy"]) / scale for a, b in zip(steps[1:], steps[2:]))
+        undone = ", ".join(f"{n} {cause}" for cause, n in report["repeated"]["attempts"].items())
+        seconds = sum(s["seconds_of_solver"] + s["seconds_of_mesh"] for s in steps[1:])
+        print(f"| {name} | {len(steps) - 1} | {steps[-1]['time']:.4g} of {scene['end']} | "
+              f"{report['repeated']['steps']} | {undone or '-'} | {100 * moved:.3f} | {100 * whole:.3f} | "
+              f"{relative_change([s['volume'] for s in steps]):.1e} | "
+              f"{greatest(steps, 'residual'):.0e} | {greatest(steps, 'flat_cells')} | {seconds:.0f} |",
+              flush=True)
+
+
 def main():
     global data
     parts = {"droplets": droplets, "decay": decay, "rest": rest, "waves": waves, "jets": jets,
              "sessile": sessile, "sloshing": sloshing, "dam": dam, "bubble": bubble, "breathing": breathing,
-             "figures": figures, "speed": speed, "subdivision": subdivision}
+             "figures": figures, "speed": speed, "subdivision": subdivision, "survival": survival}
     dsc, *wanted = sys.argv[1:]
     if wanted and wanted[0] == "--data":
         data, wanted = wanted[1], wanted[2:]
