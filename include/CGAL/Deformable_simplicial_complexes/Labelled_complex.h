@@ -358,6 +358,11 @@ public:
   bool is_positive_star(Vertex_handle v, const std::vector<Cell_handle>& star,
                         const Point& q) const;
 
+  /// Returns whether, besides, each finite cell of the star would keep its quality: see
+  /// `keeps_quality()`.
+  bool is_admissible_star(Vertex_handle v, const std::vector<Cell_handle>& star, const Point& q,
+                          double floor = quality_floor) const;
+
   /*!
   Moves v towards q in a straight line: to q if every incident cell is positively oriented there,
   else almost to the first point where one would be flat (Algorithm 2 of the paper). Positive at
@@ -442,8 +447,6 @@ private:
   class Created_items;
 
   double cell_quality(Cell_handle c) const;
-  bool is_admissible_star(Vertex_handle v, const std::vector<Cell_handle>& star, const Point& q,
-                          double floor) const;
   bool is_positive(Cell_handle c) const;
   void place(Vertex_handle v, const std::vector<Cell_handle>& star, const Point& p);
   void note_motion(Cell_handle c);

@@ -46,7 +46,6 @@ bool CGAL_DSC_CLASS::is_positive_star(Vertex_handle v, const std::vector<Cell_ha
                      [&](Cell_handle c) { return is_infinite(c) || is_positive(c, point_of); });
 }
 
-// Whether all cells would also keep their quality.
 CGAL_DSC_TEMPLATE
 bool CGAL_DSC_CLASS::is_admissible_star(Vertex_handle v, const std::vector<Cell_handle>& star,
                                         const Point& q, double floor) const {
