@@ -18,6 +18,7 @@
 #include "surface.h"
 #include "tracked_complex.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
