@@ -8,6 +8,7 @@
 // number of fields and the seed: compare it between runs, with other threads, also with and without
 // address space randomization (`setarch -R`).
 
+#include "Worst_cells.h"
 #include "betti_numbers.h"
 #include "measures.h"
 #include "random_fields.h"
@@ -118,6 +119,7 @@ struct Counts
   std::size_t fields = 0, refused = 0, complete = 0, incomplete = 0, restarts = 0;
   std::size_t split = 0, collapsed = 0, flipped = 0, relabeled = 0;
   std::size_t merged_components = 0, split_components = 0, vanished_components = 0;
+  dsc_benchmark::Worst_cells worst_cells;
 
   void add(const Report& report) {
     ++(report.complete ? complete : incomplete);
@@ -160,7 +162,9 @@ public:
         granted.insert({c->label(), label});
       return is_granted;
     };
-    counts.add(advect(field, policy, control));
+    const Report report = advect(field, policy, control);
+    counts.add(report);
+    counts.worst_cells.add(m_complex, report);
     require(dsc_benchmark::check(m_complex), "the complex is invalid");
     const auto topology = betti_numbers::of_complex(m_complex);
     require(differ_only_in(granted, m_topology, topology), "a change of topology was not granted");
@@ -210,7 +214,7 @@ void print(const std::string& mesh, const std::string& policy, const Counts& c, 
        {c.fields, c.refused, c.complete, c.incomplete, c.restarts, c.split, c.collapsed, c.flipped,
         c.relabeled, c.merged_components, c.split_components, c.vanished_components})
     out << " | " << count;
-  out << " |\n";
+  out << " | " << c.worst_cells << " |\n";
 }
 
 // Prints the rows of a mesh and returns its last complex.
@@ -255,9 +259,10 @@ void run(std::size_t number_of_fields, std::uint64_t seed, unsigned threads,
   std::ostringstream out;
   out << "| mesh | topology | interface | fields | refused | complete | incomplete | restarts | "
          "split "
-         "| collapsed | flipped | relabeled | merged | divided | vanished |\n"
+         "| collapsed | flipped | relabeled | merged | divided | vanished | worst quality | fields "
+         "with cells below the floor | most cells |\n"
          "| --- | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: "
-         "| ---: | ---: |\n";
+         "| ---: | ---: | ---: | ---: | ---: |\n";
   Complex last;
   std::size_t done = 0, left = std::size(meshes);
   for (const auto& [name, initial] : meshes) {

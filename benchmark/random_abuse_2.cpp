@@ -6,6 +6,8 @@
 // under all kinds of topology control, and checks after each that they are valid, that the domain
 // is filled, and that no topology has changed where that was forbidden.
 
+#include "Worst_cells.h"
+
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
 #include <CGAL/advect_interface_2.h>
 #include <CGAL/make_deformable_simplicial_complex_2.h>
@@ -119,6 +121,7 @@ struct Counts
 {
   std::size_t fields = 0, refused = 0, complete = 0, incomplete = 0, restarts = 0, relabeled = 0,
               exchanges = 0, merged = 0, split = 0, vanished = 0;
+  dsc_benchmark::Worst_cells worst_cells;
 };
 
 void require(bool condition, const char* message) {
@@ -166,6 +169,7 @@ public:
       ++(report.complete ? counts.complete : counts.incomplete);
       counts.relabeled += report.relabeled;
       counts.exchanges += report.exchanges.size();
+      counts.worst_cells.add(m_complex, report);
       for (const auto& label : report.labels) {
         counts.merged += label.merged;
         counts.split += label.split;
@@ -209,7 +213,7 @@ void abuse(const std::string& name, const Complex& initial, std::size_t number_o
   for (std::size_t count : {c.fields, c.refused, c.complete, c.incomplete, c.restarts, c.relabeled,
                             c.exchanges, c.merged, c.split, c.vanished})
     std::cout << " | " << count;
-  std::cout << " |\n";
+  std::cout << " | " << c.worst_cells << " |\n";
 }
 
 // A ring with a disk in it; or three disks of their own labels between two rows of another.
@@ -229,8 +233,10 @@ void run(std::size_t number_of_fields, std::uint64_t seed) {
   Random random(seed);
   std::cout
       << "| domain, labels | fields | refused | complete | incomplete | restarts | relabeled | "
-         "exchanges | merged | divided | vanished |\n"
-         "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
+         "exchanges | merged | divided | vanished | worst quality | fields with cells below the "
+         "floor | most cells |\n"
+         "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | "
+         "---: | ---: |\n";
   for (const auto& [labels, label_at] :
        {std::make_pair("2", two_labels), std::make_pair("5", five_labels)}) {
     abuse(std::string("plane, ") + labels,

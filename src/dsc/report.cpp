@@ -68,6 +68,7 @@ void Report::add(const Run_position& position, const Step_outcome& outcome,
                {"complete", outcome.complete},
                {"unfinished_vertices", outcome.unfinished_vertices},
                {"stopped_at_boundary", outcome.stopped_at_boundary},
+               {"cells_below_floor", outcome.flat_cells},
                {"passes", outcome.passes}};
   step.update(statistics_json(statistics));
   step.update({{"split", outcome.split},

@@ -18,6 +18,7 @@
 #include "surface.h"
 #include "tracked_complex.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -94,15 +95,38 @@ bool is_whole_period(double time, double time_step, double period) {
   return std::abs(time - std::round(time / period) * period) < 1e-6 * time_step;
 }
 
+/// What remained below the floor of quality after steps, in all and in the worst one.
+struct Flat_cells
+{
+  unsigned steps = 0;
+  std::size_t most = 0;
+  double quality = 1; ///< the worst
+
+  void add(const Step_outcome& outcome, const Statistics& statistics) {
+    steps += outcome.flat_cells > 0;
+    most = std::max(most, outcome.flat_cells);
+    quality = std::min(quality, statistics.min_quality);
+  }
+};
+
+void print_flat_cells(const Flat_cells& flat) {
+  if (flat.steps > 0)
+    std::printf(
+        "dsc: after %u steps cells were flatter than they should be, %zu at most; the worst "
+        "quality of any cell was %.3g\n",
+        flat.steps, flat.most, flat.quality);
+}
+
 void print_summary(const Run_position& position, const Statistics& statistics,
                    std::size_t unfinished, double seconds) {
   const bool is_planar = statistics.dimension == 2;
-  std::printf("dsc: step %u, time %g: %zu %s, %zu interface %s, %s %.3g to %.4g degrees; %zu "
-              "unfinished vertices, %.3g s\n",
+  std::printf("dsc: step %u, time %g: %zu %s, %zu interface %s, %s %.3g to %.4g degrees, worst "
+              "quality %.3g; %zu unfinished vertices, %.3g s\n",
               position.step, position.time, statistics.cells,
               is_planar ? "triangles" : "tetrahedra", statistics.interface_facets,
               is_planar ? "segments" : "triangles", is_planar ? "angles" : "dihedral angles",
-              statistics.min_angle, statistics.max_angle, unfinished, seconds);
+              statistics.min_angle, statistics.max_angle, statistics.min_quality, unfinished,
+              seconds);
 }
 
 /// Does a step. A domain that may grow does so before the interface comes near its boundary, and
@@ -187,6 +211,7 @@ int execute(const Run_options& asked) {
   unsigned done = 0;
   std::size_t unfinished = 0, stopped_at_boundary = 0;
   double seconds = 0;
+  Flat_cells flat_cells;
   Progress_line progress(options.steps, options.quiet);
   progress.show(done);
   const auto advance = [&] {
@@ -201,6 +226,7 @@ int execute(const Run_options& asked) {
     position.time = time;
     unfinished += outcome.unfinished_vertices;
     stopped_at_boundary += outcome.stopped_at_boundary;
+    flat_cells.add(outcome, statistics);
     seconds += outcome.seconds;
     report.add(position, outcome, statistics);
     if (position.step % options.every == 0)
@@ -239,6 +265,7 @@ int execute(const Run_options& asked) {
     complex.write(options.picture);
   if (!options.quiet) {
     print_boundary(stopped_at_boundary);
+    print_flat_cells(flat_cells);
     print_summary(position, statistics, unfinished, seconds);
   }
   return stopped ? exit_code_of_interrupt : 0;

@@ -55,6 +55,7 @@ struct Step_outcome
   bool complete = true;
   std::size_t unfinished_vertices = 0;
   std::size_t stopped_at_boundary = 0; ///< vertices whose destinations lay outside the domain
+  std::size_t flat_cells = 0;          ///< cells that the step left below the floor of quality
   unsigned passes = 0;
   std::size_t split = 0;
   std::size_t collapsed = 0;

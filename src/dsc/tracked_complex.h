@@ -117,9 +117,17 @@ double seconds_of_sweep(const Cells& cells, const Evaluate& evaluate) {
 
 /// What a step did, by the report of the library.
 template <class Report> Step_outcome step_outcome(double seconds, const Report& report) {
-  return {seconds,          report.complete, report.unfinished.size(), report.stopped_at_boundary,
-          report.passes,    report.split,    report.collapsed,         report.flipped,
-          report.relabeled, std::nullopt};
+  return {seconds,
+          report.complete,
+          report.unfinished.size(),
+          report.stopped_at_boundary,
+          report.flat.size(),
+          report.passes,
+          report.split,
+          report.collapsed,
+          report.flipped,
+          report.relabeled,
+          std::nullopt};
 }
 
 } // namespace dsc

@@ -105,6 +105,23 @@ template <class Complex> std::vector<Interface_triangle> interface_triangles(con
   return result;
 }
 
+// The qualities that finite cells have with vertices at points.
+template <class Complex>
+std::vector<double> qualities_with(const Complex& dsc,
+                                   const std::vector<typename Complex::Cell_handle>& cells,
+                                   const std::vector<typename Complex::Vertex_handle>& vertices,
+                                   const std::vector<typename Complex::Point_3>& points) {
+  const auto position_of = [&](auto v) {
+    const auto i = std::find(vertices.begin(), vertices.end(), v) - vertices.begin();
+    return dsc.approximate(i == std::ptrdiff_t(points.size()) ? v->point()
+                                                              : dsc.rounded(points[i]));
+  };
+  std::vector<double> result;
+  for (auto c : cells)
+    result.push_back(dsc.quality(c, position_of));
+  return result;
+}
+
 // Whether all finite cells around v would be positive with v at q, by other means than the complex.
 template <class Complex>
 bool is_positive_with(const Complex& dsc, typename Complex::Vertex_handle v,

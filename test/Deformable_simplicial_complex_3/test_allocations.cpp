@@ -165,6 +165,7 @@ TEST(Allocations, points_are_all_set_or_none_if_one_fails) {
   std::vector<double> measures;
   for (auto c : cells)
     measures.push_back(dsc.measure(c));
+  const auto qualities = mesh_helpers::qualities_with(dsc, cells, vertices, points);
   const double volume = dsc.volume(1);
   const auto in_turn = [](std::size_t n, const auto& function) {
     for (std::size_t i = 0; i < n; ++i)
@@ -172,7 +173,7 @@ TEST(Allocations, points_are_all_set_or_none_if_one_fails) {
   };
   EXPECT_GT(fail_in_turn([&] {
               try {
-                dsc.set_points(vertices, points, cells, measures, in_turn);
+                dsc.set_points(vertices, points, cells, measures, qualities, in_turn);
               } catch (const std::bad_alloc&) {
                 failing_allocation = 0;
                 EXPECT_TRUE(dsc.is_valid(true));

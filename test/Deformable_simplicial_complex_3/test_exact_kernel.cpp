@@ -90,7 +90,8 @@ TEST(Exact_kernel, points_are_rounded_wherever_they_come_in) {
   std::vector<double> measures;
   for (auto c : star)
     measures.push_back(dsc.measure(c));
-  dsc.set_points({v}, {q}, star, measures, [](std::size_t n, const auto& f) {
+  const auto qualities = mesh_helpers::qualities_with(dsc, star, {v}, {q});
+  dsc.set_points({v}, {q}, star, measures, qualities, [](std::size_t n, const auto& f) {
     for (std::size_t i = 0; i < n; ++i)
       f(i);
   });

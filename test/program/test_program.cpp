@@ -211,11 +211,13 @@ TEST_F(Program, reports_each_step) {
                                            "collapsed",
                                            "flipped",
                                            "relabeled",
-                                           "stopped_at_boundary"}));
+                                           "stopped_at_boundary",
+                                           "cells_below_floor"}));
     EXPECT_EQ(step.at("step"), i);
     EXPECT_EQ(step.at("time"), double(i));
     EXPECT_EQ(step.at("complete"), true);
     EXPECT_EQ(step.at("unfinished_vertices"), 0);
+    EXPECT_EQ(step.at("cells_below_floor"), 0);
     EXPECT_NEAR(step.at("sweeps").get<double>(),
                 step.at("seconds").get<double>() / report.at("sweep_seconds").get<double>(),
                 1e-9 * step.at("sweeps").get<double>());

@@ -181,11 +181,12 @@ public:
     });
   }
 
-  /// Whether, besides, the planned cells keep the quality of the removed ones:
+  /// Returns whether the worst planned cell keeps the quality of the worst removed one, see
   /// `Labelled_complex::keeps_quality()`.
-  bool is_admissible() const {
-    return Complex::keeps_quality(m_quality_before, m_quality_after) && is_positive();
-  }
+  bool keeps_quality() const { return Complex::keeps_quality(m_quality_before, m_quality_after); }
+
+  /// Returns whether the planned cells keep the quality and are positively oriented.
+  bool is_admissible() const { return keeps_quality() && is_positive(); }
 
   /// Whether a cell of finite cavity vertices is positively oriented, exactly.
   bool is_positive(const Indices& cell) const {

@@ -348,6 +348,10 @@ public:
     return floor == 0 || after >= floor || before < floor;
   }
 
+  /// Returns the finite cells of a quality below `quality_floor`, by increasing time stamp.
+  /// Constant time if there is none, else linear.
+  std::vector<Cell_handle> flat_cells() const;
+
   /// The point nearest to q that v may go to within the sides of the domain it lies on, rounded.
   Point admissible_destination(Vertex_handle v, const Point& q) const {
     return m_domain.admissible(*this, v, rounded(q));
@@ -357,6 +361,11 @@ public:
   /// rounded; exact.
   bool is_positive_star(Vertex_handle v, const std::vector<Cell_handle>& star,
                         const Point& q) const;
+
+  /// Returns whether, besides, each finite cell of the star would keep its quality: see
+  /// `keeps_quality()`.
+  bool is_admissible_star(Vertex_handle v, const std::vector<Cell_handle>& star, const Point& q,
+                          double floor = quality_floor) const;
 
   /*!
   Moves v towards q in a straight line: to q if every incident cell is positively oriented there,
@@ -381,12 +390,13 @@ public:
   /// Puts vertices at points, rounded, all at once. \pre `cells` are all cells of the vertices'
   /// stars, each once, and the finite ones are positively oriented afterwards.
   /// \param measures what finite cells measure before, in the order of `cells`; see `measure()`.
+  /// \param qualities the qualities of finite cells afterwards, in the same order; see `quality()`.
   /// \param for_each_index `for_each_index(n, f)` calls `f(i)` for all i below n, in any order and on
   ///        any threads.
   template <class ForEachIndex>
   void set_points(const std::vector<Vertex_handle>& vertices, const std::vector<Point>& points,
                   const std::vector<Cell_handle>& cells, const std::vector<double>& measures,
-                  const ForEachIndex& for_each_index);
+                  const std::vector<double>& qualities, const ForEachIndex& for_each_index);
 
   /// @}
   /// \name Change of the mesh
@@ -442,8 +452,12 @@ private:
   class Created_items;
 
   double cell_quality(Cell_handle c) const;
-  bool is_admissible_star(Vertex_handle v, const std::vector<Cell_handle>& star, const Point& q,
-                          double floor) const;
+  // Each quality is cached by this function, which counts those below the floor.
+  void set_quality(Cell_handle c, double quality) {
+    m_number_of_flat_cells += quality < quality_floor;
+    m_number_of_flat_cells -= c->quality() < quality_floor;
+    c->set_quality(quality);
+  }
   bool is_positive(Cell_handle c) const;
   void place(Vertex_handle v, const std::vector<Cell_handle>& star, const Point& p);
   void note_motion(Cell_handle c);
@@ -488,6 +502,7 @@ private:
   internal::Label_totals m_totals;
   Normalization m_normalization;
   double m_mean_interface_edge = 0, m_minimum_interface_edge = 0;
+  size_type m_number_of_flat_cells = 0;
   std::uint64_t m_version = 0;
   mutable internal::Component_tracker<Cell_handle> m_components;
 

@@ -285,7 +285,8 @@ TEST(Set_points, moves_vertices_together_that_could_not_move_alone) {
     while (n > 0)
       function(--n);
   };
-  dsc.set_points(vertices, points, dsc.cells(), measures, backwards);
+  const auto qualities = mesh_helpers::qualities_with(dsc, dsc.cells(), vertices, points);
+  dsc.set_points(vertices, points, dsc.cells(), measures, qualities, backwards);
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_NEAR(dsc.volume(0) + dsc.volume(1), 8, 1e-14);
   for (std::size_t i = 0; i < vertices.size(); ++i)

@@ -239,9 +239,10 @@ private:
   // Where cells stay, the interface may move farther.
   double slack() const { return m_bound / m_wanted; }
 
-  // Keeps the proposal in m_cavity, if there is one, if it is the best so far.
+  // Keeps the proposal in m_cavity, if there is one, if it is the best so far. Sines say little of
+  // needles: the quality counts, too.
   void consider(bool is_proposed) {
-    if (!is_proposed)
+    if (!is_proposed || !m_cavity.keeps_quality())
       return;
     double before = std::numeric_limits<double>::infinity(), after = before;
     for (Cell_handle c : m_cavity.removed())
@@ -303,7 +304,7 @@ private:
       const Position to = v->is_interface() ? near_home(v, optimizer.run()) : optimizer.run();
       const double after = worst_sine(v, to);
       if (after > best && after > better_star * worst_sine(v, from) &&
-          m_complex.is_positive_star(v, m_star, exact(to))) {
+          m_complex.is_admissible_star(v, m_star, exact(to))) {
         best = after;
         moving = v;
         target = to;

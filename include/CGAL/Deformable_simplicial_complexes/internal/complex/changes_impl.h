@@ -46,7 +46,6 @@ bool CGAL_DSC_CLASS::is_positive_star(Vertex_handle v, const std::vector<Cell_ha
                      [&](Cell_handle c) { return is_infinite(c) || is_positive(c, point_of); });
 }
 
-// Whether all cells would also keep their quality.
 CGAL_DSC_TEMPLATE
 bool CGAL_DSC_CLASS::is_admissible_star(Vertex_handle v, const std::vector<Cell_handle>& star,
                                         const Point& q, double floor) const {
@@ -125,7 +124,7 @@ void CGAL_DSC_CLASS::place(Vertex_handle v, const std::vector<Cell_handle>& star
     if (!is_infinite(c)) {
       CGAL_assertion(is_positive(c));
       add_volume(c, m_totals.units(measure(c)));
-      c->set_quality(cell_quality(c));
+      set_quality(c, cell_quality(c));
     }
 }
 
@@ -151,6 +150,7 @@ void CGAL_DSC_CLASS::set_points(const std::vector<Vertex_handle>& vertices,
                                 const std::vector<Point>& points,
                                 const std::vector<Cell_handle>& cells,
                                 const std::vector<double>& measures,
+                                const std::vector<double>& qualities,
                                 const ForEachIndex& for_each_index) {
   m_volume_changes.resize(cells.size());
   // From here on nothing can fail.
@@ -161,12 +161,13 @@ void CGAL_DSC_CLASS::set_points(const std::vector<Vertex_handle>& vertices,
     if (is_infinite(cells[i]))
       return;
     CGAL_assertion(is_positive(cells[i]));
+    CGAL_assertion(qualities[i] == cell_quality(cells[i]));
     m_volume_changes[i] = m_totals.units(measure(cells[i])) - m_totals.units(measures[i]);
-    cells[i]->set_quality(cell_quality(cells[i]));
   });
   for (size_type i = 0; i < cells.size(); ++i)
     if (!is_infinite(cells[i])) {
       add_volume(cells[i], m_volume_changes[i]);
+      set_quality(cells[i], qualities[i]);
       note_motion(cells[i]);
     }
 }
@@ -276,6 +277,7 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
       const double volume = measure(c);
       m_totals.remove_cell(c->label(), volume);
       m_components.add_volume(c->component(), -m_totals.units(volume));
+      m_number_of_flat_cells -= c->quality() < quality_floor;
     }
   }
   if (is_label_mixed)
@@ -295,7 +297,7 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
     c->set_component(plan.parent->component());
     if (!is_infinite(c)) {
       c->set_label(plan.parent->label());
-      c->set_quality(plan.quality);
+      set_quality(c, plan.quality);
       c->set_noted_quality(float(plan.quality));
       const double volume = measure(c);
       m_totals.add_cell(c->label(), volume);

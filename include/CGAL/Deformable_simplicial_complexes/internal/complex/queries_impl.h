@@ -30,6 +30,18 @@ auto CGAL_DSC_CLASS::number_of_cells() const -> size_type {
 }
 
 CGAL_DSC_TEMPLATE
+auto CGAL_DSC_CLASS::flat_cells() const -> std::vector<Cell_handle> {
+  std::vector<Cell_handle> result;
+  if (m_number_of_flat_cells == 0)
+    return result;
+  for (Cell_handle c : finite_cells())
+    if (c->quality() < quality_floor)
+      result.push_back(c);
+  std::sort(result.begin(), result.end(), internal::Less_time_stamp());
+  return result;
+}
+
+CGAL_DSC_TEMPLATE
 auto CGAL_DSC_CLASS::vertices() const -> std::vector<Vertex_handle> {
   std::vector<Vertex_handle> result;
   result.reserve(number_of_vertices());

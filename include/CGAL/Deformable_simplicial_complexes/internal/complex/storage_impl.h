@@ -77,6 +77,7 @@ CGAL_DSC_CLASS::Labelled_complex(Labelled_complex&& other) noexcept
       m_normalization(std::exchange(other.m_normalization, Normalization())),
       m_mean_interface_edge(std::exchange(other.m_mean_interface_edge, 0)),
       m_minimum_interface_edge(std::exchange(other.m_minimum_interface_edge, 0)),
+      m_number_of_flat_cells(std::exchange(other.m_number_of_flat_cells, 0)),
       m_version(other.m_version++), m_components(std::move(other.m_components)) {
   other.m_components = internal::Component_tracker<Cell_handle>();
 }
@@ -92,6 +93,7 @@ void CGAL_DSC_CLASS::swap(Labelled_complex& other) noexcept {
   swap(m_normalization, other.m_normalization);
   swap(m_mean_interface_edge, other.m_mean_interface_edge);
   swap(m_minimum_interface_edge, other.m_minimum_interface_edge);
+  swap(m_number_of_flat_cells, other.m_number_of_flat_cells);
   swap(m_components, other.m_components);
   // What was proposed to either of them holds no more.
   m_version = other.m_version = (std::max)(m_version, other.m_version) + 1;
@@ -412,7 +414,7 @@ void CGAL_DSC_CLASS::initialize_caches() {
   }
   for (Cell_handle c : finite_cells()) {
     m_totals.add_cell(c->label(), measure(c));
-    c->set_quality(cell_quality(c));
+    set_quality(c, cell_quality(c));
     for (int i = 0; i < corners; ++i)
       if (c->neighbor(i)->label() < c->label() && is_interface(Facet(c, i)))
         count_interface_facet(Facet(c, i), 1);
@@ -465,16 +467,18 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
   auto totals = m_totals;
   for (const auto& t : m_totals.totals())
     totals.add_volume(t.label, -t.volume);
-  size_type count = 0;
+  size_type count = 0, flat = 0;
   for (Cell_handle c : finite_cells()) {
     Progress_scope::check();
     ++count;
+    flat += c->quality() < quality_floor;
     totals.add_volume(c->label(), totals.units(measure(c)));
     if (!report(is_positive(c), "a cell is not positively oriented", verbose) ||
         !report(c->quality() == cell_quality(c), "a cached quality is stale", verbose))
       return false;
   }
-  if (!report(count == number_of_cells(), "the number of cells is stale", verbose))
+  if (!report(count == number_of_cells() && flat == m_number_of_flat_cells,
+              "the number of cells is stale", verbose))
     return false;
   for (const auto& t : m_totals.totals()) {
     if (!report(totals.units_of(t.label) == t.volume, "the volume of a label is stale", verbose))

@@ -8,7 +8,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/accounts/Stopwatch.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_care.h>
@@ -233,11 +232,8 @@ public:
     report.passes = passes;
     for (std::size_t k = 0; k < unfinished().size(); ++k)
       report.unfinished.push_back({unfinished()[k], m_destinations.remaining_distance(k)});
-    for (Cell_handle c : m_complex.finite_cells())
-      if (c->quality() < Complex::quality_floor)
-        report.flat.push_back({c, c->quality()});
-    std::sort(report.flat.begin(), report.flat.end(),
-              [](const auto& a, const auto& b) { return Less_time_stamp()(a.cell, b.cell); });
+    for (Cell_handle c : m_complex.flat_cells())
+      report.flat.push_back({c, c->quality()});
     report.vanished = m_vanished;
     report.stopped_at_boundary = m_stopped_at_boundary;
     report.complete = report.unfinished.empty();

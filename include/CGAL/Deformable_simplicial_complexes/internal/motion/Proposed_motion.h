@@ -35,13 +35,17 @@ public:
   Proposed_motion(Complex& complex, const std::vector<Vertex_handle>& vertices,
                   const std::vector<Point>& points, const For_each_index& for_each_index)
       : m_complex(complex), m_for_each_index(for_each_index), m_vertices(vertices),
-        m_points(points), m_numbers(complex, vertices), m_cells(star_union(complex, m_vertices)) {}
+        m_points(points), m_are_changed(points.size()), m_numbers(complex, vertices),
+        m_cells(star_union(complex, m_vertices)) {}
 
   const Complex& complex() const { return m_complex; }
   std::size_t size() const { return m_vertices.size(); }
   Vertex_handle vertex(Number i) const { return m_vertices[i]; }
   const Point& point(Number i) const { return m_points[i]; }
-  void set_point(Number i, const Point& p) { m_points[i] = m_complex.rounded(p); }
+  void set_point(Number i, const Point& p) {
+    m_points[i] = m_complex.rounded(p);
+    m_are_changed[i] = true;
+  }
 
   bool has(Vertex_handle v) const { return m_numbers.has(v); }
   Number number(Vertex_handle v) const { return m_numbers(v); }
@@ -53,12 +57,14 @@ public:
   Approximate_point position(Vertex_handle v) const { return m_complex.approximate(point_of(v)); }
 
   // Of all cells, those that would not be positive or not keep their quality. Measures all cells as
-  // they are, too: they are looked at but once.
+  // they are, too, and keeps the qualities: most cells are looked at once.
   std::vector<Cell_handle> all_bad_cells() {
     std::vector<char> is_bad(m_cells.size());
     m_measures.resize(m_cells.size());
+    m_qualities.resize(m_cells.size());
     m_for_each_index(m_cells.size(), [&](std::size_t i) {
-      is_bad[i] = !is_admissible(m_cells[i]);
+      m_qualities[i] = quality(m_cells[i]);
+      is_bad[i] = !is_admissible(m_cells[i], m_qualities[i]);
       m_measures[i] = m_complex.measure(m_cells[i]);
     });
     return chosen(m_cells, is_bad);
@@ -67,7 +73,9 @@ public:
   // Of some cells, those that would not be positive or not keep their quality.
   std::vector<Cell_handle> bad_cells(const std::vector<Cell_handle>& cells) const {
     std::vector<char> is_bad(cells.size());
-    m_for_each_index(cells.size(), [&](std::size_t i) { is_bad[i] = !is_admissible(cells[i]); });
+    m_for_each_index(cells.size(), [&](std::size_t i) {
+      is_bad[i] = !is_admissible(cells[i], quality(cells[i]));
+    });
     return chosen(cells, is_bad);
   }
 
@@ -99,17 +107,22 @@ public:
   double worst_quality(const std::vector<Cell_handle>& cells, double bound) const {
     double worst = std::numeric_limits<double>::infinity();
     for (Cell_handle c : cells) {
-      const double quality = m_complex.quality(c, [&](Vertex_handle v) { return position(v); });
-      if (!(quality > bound)) // or not a number
+      const double after = quality(c);
+      if (!(after > bound)) // or not a number
         return bound;
-      worst = (std::min)(worst, quality);
+      worst = (std::min)(worst, after);
     }
     return worst;
   }
 
   // \pre all cells would be positive, and were measured
   void commit() {
-    m_complex.set_points(m_vertices, m_points, m_cells, m_measures, m_for_each_index);
+    if (std::find(m_are_changed.begin(), m_are_changed.end(), true) != m_are_changed.end())
+      m_for_each_index(m_cells.size(), [&](std::size_t i) {
+        if (is_changed(m_cells[i]))
+          m_qualities[i] = quality(m_cells[i]);
+      });
+    m_complex.set_points(m_vertices, m_points, m_cells, m_measures, m_qualities, m_for_each_index);
   }
 
 private:
@@ -122,10 +135,21 @@ private:
     return result;
   }
 
-  bool is_admissible(Cell_handle c) const {
+  double quality(Cell_handle c) const {
+    return m_complex.quality(c, [&](Vertex_handle v) { return position(v); });
+  }
+
+  bool is_admissible(Cell_handle c, double quality) const {
     return m_complex.is_positive(c, [&](Vertex_handle v) -> const Point& { return point_of(v); }) &&
-           Complex::keeps_quality(
-               c->quality(), m_complex.quality(c, [&](Vertex_handle v) { return position(v); }));
+           Complex::keeps_quality(c->quality(), quality);
+  }
+
+  // Whether a vertex of a cell got another point than the first proposal.
+  bool is_changed(Cell_handle c) const {
+    for (int i = 0; i < Complex::corners; ++i)
+      if (has(c->vertex(i)) && m_are_changed[number(c->vertex(i))])
+        return true;
+    return false;
   }
 
   const Point& point_of(Vertex_handle v) const {
@@ -137,9 +161,11 @@ private:
   const For_each_index& m_for_each_index;
   const std::vector<Vertex_handle>& m_vertices;
   std::vector<Point> m_points;
+  std::vector<char> m_are_changed; // since the qualities were measured
   Vertex_numbers m_numbers;
   std::vector<Cell_handle> m_cells;
-  std::vector<double> m_measures; // of the cells, as they are
+  std::vector<double> m_measures;  // of the cells, as they are
+  std::vector<double> m_qualities; // of the cells, as they would be
 };
 
 } // namespace internal
