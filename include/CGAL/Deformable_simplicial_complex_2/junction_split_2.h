@@ -67,7 +67,7 @@ public:
   }
 
   // Plans to move a sector to a new vertex at a part of its shorter side from the center. Returns
-  // whether the interface gets shorter and all triangles are positive.
+  // whether the interface gets shorter and all triangles are positive and keep their quality.
   bool plan(std::size_t s, double part, Cavity<Complex>& cavity) const {
     const Vector pull = this->pull(s), left = to_corner(begin(s + 1)), right = to_corner(begin(s));
     const double shorter = std::sqrt((std::min)(left.squared_length(), right.squared_length()));
@@ -85,7 +85,7 @@ public:
     divide(cavity, s + 1, new_one, old_one);
     for (std::size_t other = s + 2; other + 1 < s + number(); ++other)
       create(cavity, other, old_one);
-    return cavity.is_positive();
+    return cavity.is_admissible();
   }
 
 private:
@@ -167,7 +167,7 @@ and pull it away.
 \param cavity filled with the proposal if there is one. Its last vertex is the new one.
 \return whether v is inside the domain, more than three sectors meet there, the interface gets
         shorter by the split, the phases that become neighbors differ, and all new triangles are
-        positive.
+        positive and `complex.keeps_quality()`.
 
 Linear in the star of v, but quadratic in the two sectors that become neighbors.
 */

@@ -105,7 +105,9 @@ became bad.
                           Else the topology stays; the interface moves by the cell or by a tenth of
                           the cube of the mean edge there at most, or one of its vertices that moved
                           by a twentieth of that edge; by up to five times as much where nothing
-                          less helps. In [0, 30]; 0 leaves what has arrived in place.}
+                          less helps. In the plane, triangles with a smaller angle; only the mesh
+                          beside the interface changes for them. In [0, 30]; 0 leaves what has
+                          arrived in place.}
     \cgalParamType{`double`} \cgalParamDefault{5}
   \cgalParamNEnd
   \cgalParamNBegin{minimum_facet_angle}

@@ -6,11 +6,16 @@
 #include <CGAL/curve_shortening_flow_2.h>
 #include <CGAL/make_deformable_simplicial_complex_2.h>
 
+#include <CGAL/determinant.h>
+#include <CGAL/number_utils.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace test_junctions {
@@ -112,6 +117,52 @@ TEST(Curvature_flow_2, keeps_its_interface_fit) {
   EXPECT_TRUE(dsc.is_valid(true));
   const double rate = (dsc.area(1) - before) / (steps * dt), exact = -2 * std::acos(-1.);
   EXPECT_NEAR(rate, exact, .01 * std::abs(exact));
+}
+
+// An image of polygons: a pixel has the label of the nearest of some points.
+Complex foam(std::size_t n, std::size_t cells) {
+  std::uint32_t state = 2;
+  const auto next = [&] {
+    state = state * 1664525u + 1013904223u;
+    return double(n) * double(state >> 8) / double(1u << 24);
+  };
+  std::vector<std::array<double, 2>> seeds(cells);
+  for (auto& seed : seeds)
+    seed = {next(), next()};
+  CGAL::Labelled_image_2 image;
+  image.width = image.height = n;
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto nearest =
+          std::min_element(seeds.begin(), seeds.end(), [&](const auto& a, const auto& b) {
+            const double x = double(i) + .5, y = double(j) + .5;
+            return std::hypot(a[0] - x, a[1] - y) < std::hypot(b[0] - x, b[1] - y);
+          });
+      image.labels.push_back(1 + int(nearest - seeds.begin()));
+    }
+  return CGAL::make_deformable_simplicial_complex_2<Complex>(image);
+}
+
+// Of all triangles, in degrees.
+double smallest_angle(const Complex& dsc) {
+  double result = 180;
+  for (const auto c : dsc.finite_cells())
+    for (int i = 0; i < 3; ++i) {
+      const auto a = dsc.displacement(c->vertex(i), c->vertex((i + 1) % 3)),
+                 b = dsc.displacement(c->vertex(i), c->vertex((i + 2) % 3));
+      result = std::min(result, std::atan2(CGAL::determinant(a, b), a * b) * 180 / CGAL_PI);
+    }
+  return result;
+}
+
+TEST(Curvature_flow_2, leaves_no_small_angles) {
+  Complex dsc = foam(100, 20);
+  const double dt = .4;
+  for (int i = 0; i < 60; ++i) {
+    CGAL::advect_adaptively(dsc, CGAL::Curve_shortening_flow_2(), i * dt, dt);
+    EXPECT_GE(smallest_angle(dsc), 5) << "after step " << i + 1;
+  }
+  EXPECT_TRUE(dsc.is_valid(true));
 }
 
 TEST(Curvature_flow_2, restores_volumes_that_the_adaptation_changes) {

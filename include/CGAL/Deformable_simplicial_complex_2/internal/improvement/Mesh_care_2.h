@@ -6,6 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_INTERNAL_IMPROVEMENT_MESH_CARE_2_H
 
 #include <CGAL/Deformable_simplicial_complex_2/internal/improvement/Own_operations_2.h>
+#include <CGAL/Deformable_simplicial_complex_2/internal/improvement/Small_angle_remover_2.h>
 #include <CGAL/Deformable_simplicial_complex_2/neighbor_exchange_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
@@ -27,7 +28,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// In the plane: Algorithm 3, and the removal of short edges and of free vertices that are trapped.
+// In the plane: Algorithm 3, and the removal of short edges, of free vertices that are trapped, and
+// of small angles.
 template <class Complex> class Mesh_care<Complex, 2>
 {
 public:
@@ -36,11 +38,13 @@ public:
   using Cells = Work_list<Cell_handle>;
 
   Mesh_care(Complex& complex, Any_visitor<Complex>& visitor,
-            const Destinations<Complex>& destinations, const Rigid_parts<Complex>&,
+            const Destinations<Complex>& destinations, const Rigid_parts<Complex>& rigid_parts,
             const Deformation_options<Complex>& options)
       : m_complex(complex), m_visitor(visitor), m_topology_control(options.topology_control),
         m_relabeling_threshold(options.relabeling_threshold), m_cavity(complex),
-        m_improver(complex, visitor, destinations, options.quality_threshold) {}
+        m_improver(complex, visitor, destinations, options.quality_threshold),
+        m_small_angles(complex, visitor, rigid_parts, options.minimum_angle,
+                       options.quality_threshold) {}
 
   void begin_pass(const For_each_index&) {}
   bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
@@ -79,11 +83,11 @@ public:
 
   const std::vector<Neighbor_exchange<Complex>>& exchanges() const { return m_exchanges; }
 
-  Cells cells_with_small_angles() const { return {}; }
-  bool keeps_small_angles(Cell_handle) const { return false; }
-  template <class Relabel> void remove_small_angles(const Relabel&) {}
+  Cells cells_with_small_angles() const { return m_small_angles.bad_cells(); }
+  bool keeps_small_angles(Cell_handle) const { return false; } // nothing is relabeled for them
+  template <class Relabel> void remove_small_angles(const Relabel&) { m_small_angles.run(); }
 
-  const Improvement_report& report() const { return m_improver.report(); }
+  Improvement_report report() const { return m_improver.report() + m_small_angles.report(); }
   std::size_t number_of_relocated() const { return 0; }
 
 private:
@@ -109,6 +113,7 @@ private:
   double m_relabeling_threshold;
   Cavity<Complex> m_cavity;
   Mesh_improver<Complex> m_improver;
+  Small_angle_remover_2<Complex> m_small_angles;
   std::vector<Cell_handle> m_star;
   std::vector<Neighbor_exchange<Complex>> m_exchanges;
 };

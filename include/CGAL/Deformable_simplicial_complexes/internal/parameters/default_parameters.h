@@ -40,8 +40,9 @@ struct Minimum_facet_angle
   static constexpr double of_interface = 15;
 };
 
-// minimum_angle: tetrahedra with a smaller dihedral angle in the end are removed, in degrees. Of
-// those that flows leave, few have any; these would stay.
+// minimum_angle: tetrahedra with a smaller dihedral angle in the end are removed, in the plane
+// triangles with a smaller angle, in degrees. Of those that flows leave, few have any; these would
+// stay.
 inline constexpr double minimum_angle = 5;
 
 // relabeling_threshold: trapped cells below this quality take another label; the paper's.

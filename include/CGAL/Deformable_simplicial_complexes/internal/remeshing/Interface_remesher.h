@@ -224,7 +224,11 @@ private:
     return curved_midpoint(m_complex, a, b);
   }
 
+  // Whether the planned collapse makes an edge that would be split. On a curve this does no harm:
+  // the halves of a long edge are not collapsed again, and vertices near junctions find room.
   bool makes_long_edge() const {
+    if (Complex::dimension == 2 && m_thresholds.split >= 2 * m_thresholds.collapse)
+      return false;
     const Vertex_handle kept = m_cavity.kept_vertex();
     return std::any_of(m_cavity.vertices().begin(), m_cavity.vertices().end(), [&](const auto& v) {
       return v.handle != kept && v.handle != m_cavity.vanishing_vertex() &&
