@@ -20,10 +20,9 @@ namespace internal {
 // Judges an attempt at a time step by its energy.
 struct Energy_judge_3
 {
-  double tolerance_of_mesh;                              // of rises that changes of the mesh cause
-  std::optional<Energy_budget_3> budget = std::nullopt;  // none before the first look
-  std::optional<Fluid_failure_3> failure = std::nullopt; // none as long as the energy is explained
-  double rise = 0; // that is not explained, see `Energy_budget_3::rise()`
+  std::optional<Energy_budget_3> budget;
+  std::optional<Fluid_failure_3> failure; // none as long as the energy is explained
+  double rise = 0;                        // that is not explained, see `Energy_budget_3::rise()`
 
   // Looks at the energy of now. What the motion does not explain is due to the mesh. \pre there is
   // a budget
@@ -36,7 +35,7 @@ struct Energy_judge_3
                            budget->energy_at_begin();
     if (by_mesh <= by_motion)
       failure = Fluid_failure_3::motion;
-    else if (rise > tolerance_of_mesh)
+    else if (rise > Energy_budget_3::tolerance_of_mesh)
       failure = Fluid_failure_3::mesh;
   }
 };

@@ -51,7 +51,7 @@ auto Incompressible_fluid<Complex, Solver>::advance_in_parts(const Options& chos
     if (failure) {
       last->put_back(m_complex, *this);
       done.repetitions.push_back(*failure);
-      if (!plan.fail(failure->cause, failure->amount))
+      if (!plan.fail(failure->cause))
         throw Fluid_step_error(internal::message_of(*failure, m_steps + 1), m_steps + 1, *failure);
       continue;
     }
@@ -94,8 +94,7 @@ auto Incompressible_fluid<Complex, Solver>::attempt(const internal::Step_plan_3&
       return true;
     }
   };
-  Energy_judge judge{plan.is_strict() ? internal::Energy_budget_3::tolerance
-                                      : internal::Energy_budget_3::tolerance_of_mesh};
+  Energy_judge judge;
   try {
     if (chosen.adaptation_interval > 0 && is_due()) {
       if (!is_new && m_knows_accelerations)

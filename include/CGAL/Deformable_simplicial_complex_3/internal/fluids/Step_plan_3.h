@@ -7,8 +7,6 @@
 
 #include <CGAL/Deformable_simplicial_complex_3/fluid_errors.h>
 
-#include <limits>
-
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
@@ -22,11 +20,10 @@ enum class Mesh_treatment_3 {
 };
 
 // The attempts at a time step. The step is divided into parts, which follow each other. A part that
-// fails is attempted again with half the length and another treatment of the mesh. Where changes of
-// the mesh alone are the cause, the same length is attempted with the mesh preserved; if that
-// raises the energy, too, then with the treatment that raises it less, and with tolerance. Parts
-// are dyadic fractions of the step, so their ends are exact. There are at most 2^halvings parts and
-// 4 * (halvings + 1) failures.
+// fails is attempted again with another treatment of the mesh and half the length; where changes of
+// the mesh alone are the cause, first with the mesh preserved and the same length. Parts are dyadic
+// fractions of the step, so their ends are exact. There are at most 2^halvings parts and
+// 2 * halvings + 1 failures.
 class Step_plan_3
 {
 public:
@@ -38,38 +35,25 @@ public:
   double length() const { return double(m_size) / units; }
   double end() const { return double(m_begin + m_size) / units; }
   Mesh_treatment_3 mesh() const { return m_mesh; }
-  // Whether changes of the mesh may raise the energy as little only as the motion may.
-  bool is_strict() const { return m_is_strict; }
   unsigned parts() const { return m_parts; } // done
 
   // The part is done.
   void succeed() {
     m_begin += m_size;
     ++m_parts;
-    begin_part();
     if (m_mesh != Mesh_treatment_3::preserved)
       m_mesh = Mesh_treatment_3::chosen;
   }
 
-  // The part has been undone. `rise` is the rise of the energy, if that is the cause. Returns
-  // whether there is another attempt.
-  bool fail(Fluid_failure_3 cause, double rise) {
+  // The part has been undone. Returns whether there is another attempt.
+  bool fail(Fluid_failure_3 cause) {
     if (cause == Fluid_failure_3::mesh && m_mesh != Mesh_treatment_3::preserved) {
-      m_rise = rise;
-      m_changed = m_mesh;
       m_mesh = Mesh_treatment_3::preserved;
-      return true;
-    }
-    if (cause == Fluid_failure_3::mesh && m_is_strict) {
-      m_is_strict = false;
-      if (m_rise < rise)
-        m_mesh = m_changed;
       return true;
     }
     if (m_size == 1)
       return false;
     m_size /= 2;
-    begin_part();
     if (cause != Fluid_failure_3::mesh) {
       m_mesh = m_adapts ? Mesh_treatment_3::adapted : Mesh_treatment_3::improved;
       m_adapts = !m_adapts;
@@ -80,16 +64,9 @@ public:
 private:
   static constexpr unsigned units = 1u << halvings; // of a step
 
-  void begin_part() {
-    m_is_strict = true;
-    m_rise = std::numeric_limits<double>::infinity();
-  }
-
   unsigned m_begin = 0, m_size = units, m_parts = 0;
-  Mesh_treatment_3 m_mesh = Mesh_treatment_3::chosen, m_changed = Mesh_treatment_3::chosen;
+  Mesh_treatment_3 m_mesh = Mesh_treatment_3::chosen;
   bool m_adapts = false; // adaptation, improvement of tetrahedra alone: the other one is next
-  bool m_is_strict = true;
-  double m_rise = std::numeric_limits<double>::infinity(); // if the mesh is changed as by m_changed
 };
 
 } // namespace internal
