@@ -56,25 +56,40 @@ public:
   // Where any vertex would be.
   Approximate_point position(Vertex_handle v) const { return m_complex.approximate(point_of(v)); }
 
-  // Of all cells, those that would not be positive or not keep their quality. Measures all cells as
-  // they are, too, and keeps the qualities: most cells are looked at once.
-  std::vector<Cell_handle> all_bad_cells() {
-    std::vector<char> is_bad(m_cells.size());
+  // Returns the cells that would not be positive. Also measures all cells as they are, so that each
+  // is looked at once.
+  std::vector<Cell_handle> inverted_cells() {
+    std::vector<char> is_inverted(m_cells.size());
     m_measures.resize(m_cells.size());
-    m_qualities.resize(m_cells.size());
     m_for_each_index(m_cells.size(), [&](std::size_t i) {
-      m_qualities[i] = quality(m_cells[i]);
-      is_bad[i] = !is_admissible(m_cells[i], m_qualities[i]);
+      is_inverted[i] = !is_positive(m_cells[i]);
       m_measures[i] = m_complex.measure(m_cells[i]);
     });
-    return chosen(m_cells, is_bad);
+    return chosen(m_cells, is_inverted);
+  }
+
+  // Returns the cells that would not keep their quality. Measures the qualities that have changed
+  // since the last call. \pre all cells would be positive
+  std::vector<Cell_handle> degraded_cells() {
+    std::vector<char> is_degraded(m_cells.size());
+    const bool is_first = m_qualities.empty();
+    m_qualities.resize(m_cells.size());
+    m_for_each_index(m_cells.size(), [&](std::size_t i) {
+      if (is_first || is_changed(m_cells[i])) {
+        m_qualities[i] = quality(m_cells[i]);
+        is_degraded[i] = !Complex::keeps_quality(m_cells[i]->quality(), m_qualities[i]);
+      }
+    });
+    std::fill(m_are_changed.begin(), m_are_changed.end(), false);
+    return chosen(m_cells, is_degraded);
   }
 
   // Of some cells, those that would not be positive or not keep their quality.
   std::vector<Cell_handle> bad_cells(const std::vector<Cell_handle>& cells) const {
     std::vector<char> is_bad(cells.size());
     m_for_each_index(cells.size(), [&](std::size_t i) {
-      is_bad[i] = !is_admissible(cells[i], quality(cells[i]));
+      is_bad[i] = !(is_positive(cells[i]) &&
+                    Complex::keeps_quality(cells[i]->quality(), quality(cells[i])));
     });
     return chosen(cells, is_bad);
   }
@@ -115,13 +130,8 @@ public:
     return worst;
   }
 
-  // \pre all cells would be positive, and were measured
+  // \pre there are no inverted cells and no degraded ones, by the functions above
   void commit() {
-    if (std::find(m_are_changed.begin(), m_are_changed.end(), true) != m_are_changed.end())
-      m_for_each_index(m_cells.size(), [&](std::size_t i) {
-        if (is_changed(m_cells[i]))
-          m_qualities[i] = quality(m_cells[i]);
-      });
     m_complex.set_points(m_vertices, m_points, m_cells, m_measures, m_qualities, m_for_each_index);
   }
 
@@ -139,12 +149,11 @@ private:
     return m_complex.quality(c, [&](Vertex_handle v) { return position(v); });
   }
 
-  bool is_admissible(Cell_handle c, double quality) const {
-    return m_complex.is_positive(c, [&](Vertex_handle v) -> const Point& { return point_of(v); }) &&
-           Complex::keeps_quality(c->quality(), quality);
+  bool is_positive(Cell_handle c) const {
+    return m_complex.is_positive(c, [&](Vertex_handle v) -> const Point& { return point_of(v); });
   }
 
-  // Whether a vertex of a cell got another point than the first proposal.
+  // Whether a vertex of a cell has another point than when qualities were measured.
   bool is_changed(Cell_handle c) const {
     for (int i = 0; i < Complex::corners; ++i)
       if (has(c->vertex(i)) && m_are_changed[number(c->vertex(i))])

@@ -38,8 +38,8 @@ public:
       m_targets.push_back(motion.point(i));
   }
 
-  // Until no cell inverts, given those that would. The rounds end because in each a vertex is held
-  // back further, and cells whose vertices all stay are positive.
+  // Runs until no cell inverts or degrades, given those that would. The rounds end because in each a
+  // vertex is held back further, and cells whose vertices all stay are positive.
   void run(std::vector<Cell_handle> bad) {
     while (!bad.empty())
       bad = m_motion.bad_cells(m_motion.stars(hold_back(bad)));
@@ -100,9 +100,9 @@ private:
 };
 
 /*
-Moves vertices towards their targets all at once, as far as no cell inverts. Where a cell would, its
-free vertices look for a better place; if there is none, its moving vertices are held back. Returns
-the cells around the vertices.
+Moves vertices towards their targets all at once, as far as no cell inverts or falls below the
+quality floor. Where a cell would, its free vertices look for a better place; if there is none, its
+moving vertices are held back. Returns the cells around the vertices.
 
 With every cell positive and the boundary of the domain in place, the map from the old to the new
 complex is a homeomorphism: nothing was passed through on the way.
@@ -113,8 +113,12 @@ move_simultaneously(Complex& complex, const std::vector<typename Complex::Vertex
                     const std::vector<typename Complex::Point>& targets,
                     const For_each_index& for_each_index) {
   Proposed_motion<Complex> motion(complex, vertices, targets, for_each_index);
-  auto bad = untangle(motion, motion.all_bad_cells());
-  Holding_back<Complex>(motion).run(std::move(bad));
+  auto bad = motion.inverted_cells();
+  do {
+    bad = untangle(motion, std::move(bad));
+    Holding_back<Complex>(motion).run(std::move(bad));
+    bad = motion.degraded_cells();
+  } while (!bad.empty());
   motion.commit();
   return motion.cells();
 }
