@@ -38,8 +38,8 @@ public:
       m_targets.push_back(motion.point(i));
   }
 
-  // Runs until no cell inverts or degrades, given those that would. The rounds end because in each a
-  // vertex is held back further, and cells whose vertices all stay are positive.
+  // Runs until no cell inverts or degrades, given those that would. The rounds end because in each
+  // a vertex is held back further, and cells whose vertices all stay are positive.
   void run(std::vector<Cell_handle> bad) {
     while (!bad.empty())
       bad = m_motion.bad_cells(m_motion.stars(hold_back(bad)));
