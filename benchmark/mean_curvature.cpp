@@ -9,9 +9,7 @@
 #include "measures.h"
 
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/control_detail_3.h>
-#include <CGAL/improve_interface_3.h>
+#include <CGAL/advect_adaptively_3.h>
 #include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/mean_curvature_flow_3.h>
 
@@ -47,16 +45,11 @@ struct Flow
   std::size_t components = 1; // of label 1, in the end
   int characteristic = 2;     // of Euler, of its interface
 
-  // One step; `improves` keeps the triangles of the interface as large and as good as they were,
-  // and the tetrahedra around it as large as they are.
-  void step(Complex& complex, double dt, bool improves) {
+  // One step, as users do it.
+  void step(Complex& complex, double dt) {
     const double sweep = sweep_seconds(complex, complex.cells());
     const double begin = processor_seconds();
-    if (improves) {
-      CGAL::improve_interface(complex, parameters::interface_collapse_length(.5));
-      CGAL::control_detail(complex, parameters::collapse_length(2.));
-    }
-    const auto report = CGAL::advect_interface(complex, CGAL::Mean_curvature_flow_3(), time, dt);
+    const auto report = CGAL::advect_adaptively(complex, CGAL::Mean_curvature_flow_3(), time, dt);
     const double used = processor_seconds() - begin;
     seconds += used;
     sum_of_sweeps += used / sweep;
@@ -87,7 +80,7 @@ Flow shrink_sphere(std::size_t n) {
   double error = 0;
   const double end = (1 - last_radius * last_radius) / 4;
   while (flow.time < end) {
-    flow.step(complex, (std::min)(dt, end - flow.time), false);
+    flow.step(complex, (std::min)(dt, end - flow.time));
     double sum = 0;
     const auto vertices = complex.interface_vertices();
     for (const auto v : vertices)
@@ -123,7 +116,7 @@ Flow run_until_change(const std::string& name, const Surface& surface, const std
     double thickness = 2 * complex.volume(1) / complex.area(1); // the radius of a tube
     if (closes_hole)
       thickness = (std::max)(hole(complex), smallest_hole);
-    flow.step(complex, part * (std::min)(thickness * thickness, tube * tube), true);
+    flow.step(complex, part * (std::min)(thickness * thickness, tube * tube));
   }
   std::cout << "| " << name << " | " << triangles << " | " << what << " | " << exact << " | "
             << flow.time;
@@ -137,7 +130,7 @@ Flow smooth(const std::string& input) {
   const double volume = complex.volume(1), edge = complex.mean_interface_edge();
   Flow flow;
   for (int i = 0; i < 20; ++i)
-    flow.step(complex, .1 * edge * edge, false);
+    flow.step(complex, .1 * edge * edge);
   std::cout << "| " << input.substr(input.find_last_of('/') + 1) << " | " << triangles
             << " | volume left (%) | | " << 100 * complex.volume(1) / volume;
   return flow;
