@@ -73,6 +73,7 @@ TEST(Reconstruction_of_creases, makes_a_gear_without_nicks) {
 TEST(Reconstruction_of_creases, finds_concave_corners) {
   using Place = internal::Sampled_surface_3::Point;
   using Vector = internal::Sampled_surface_3::Vector;
+  CGAL::Random random(3);
   std::vector<Place> bracket; // a cube without its quarter of x > .5, y > .5
   for (std::size_t k = 0; k < 8000; ++k) {
     double x[3] = {random.get_double(), random.get_double(), random.get_double()};

@@ -127,6 +127,10 @@ private:
     static constexpr double shortest = 1; // spacings: halves of shorter edges would have no points
     // Degrees: small facets at a sharp corner stay, as removing them would cut it off again.
     static constexpr double smallest_angle = 0;
+    // Spacings: planes through more noise cut edges off instead of meeting in them.
+    static constexpr double noisiest = .1;
+    if (m_surface.noise() > noisiest * m_surface.cloud().spacing())
+      return;
     const Crease_planes_3 planes(m_surface);
     std::map<typename Complex::Vertex_handle, Point> destinations; // of new vertices
     for (int i = 0; i < rounds; ++i) {
