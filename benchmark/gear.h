@@ -35,6 +35,9 @@ public:
   }
 
   double volume() const { return height * area_of_cover(); }
+  double area() const {
+    return 2 * area_of_cover() + height * (length_of_outline() + 2 * CGAL_PI * hole);
+  }
 
   /// Points that are evenly spread: one at random in each cell of grids of about that side.
   /// \param uniform returns random numbers between 0 and 1
@@ -95,6 +98,13 @@ private:
   }
   static Place place_on_hole(double t) {
     return {{hole * std::cos(2 * CGAL_PI * t), hole * std::sin(2 * CGAL_PI * t)}};
+  }
+
+  double length_of_outline() const {
+    double result = 0;
+    for (std::size_t i = 0; i < m_outline.size(); ++i)
+      result += length(m_outline[i], m_outline[(i + 1) % m_outline.size()]);
+    return result;
   }
 
   double area_of_cover() const {

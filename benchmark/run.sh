@@ -205,6 +205,27 @@ measure_points() {
   add_row "$table" "$reconstruction" tunnel --points 100000 --threads 2
   add_row "$table" "$reconstruction" tunnel --points 1000000
   add_row "$table" "$reconstruction" tunnel --points 1000000 --threads 2
+
+  measure_sharp_edges
+}
+
+measure_sharp_edges() {
+  local table=$results/sharp_edges.md sharp_edges=$programs/sharp_edges seed noise solid
+  begin_table "$table" solid points seed "noise (sp)" "surface to truth, rms (sp)" maximum \
+    "truth to surface, maximum (sp)" "creases, rms (sp)" triangles components \
+    "Euler characteristic" "processor (s)"
+  add_row "$table" "$sharp_edges" gear --teeth 6 --points 7700 --seed 5
+  for seed in 1 2 3; do
+    add_row "$table" "$sharp_edges" gear --seed "$seed"
+  done
+  add_row "$table" "$sharp_edges" gear --teeth 24 --points 40000
+  for noise in .05 .1 .2 .3; do
+    add_row "$table" "$sharp_edges" gear --noise "$noise"
+  done
+  for solid in cube bracket cylinder cone pyramid; do
+    add_row "$table" "$sharp_edges" "$solid" --points 10000
+  done
+  add_row "$table" "$sharp_edges" plate # of 5 spacings
 }
 
 measure_memory() {

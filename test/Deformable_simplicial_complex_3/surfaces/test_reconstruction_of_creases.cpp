@@ -59,7 +59,7 @@ TEST(Reconstruction_of_creases, makes_a_gear_without_nicks) {
       for (int j = 0; i + j <= n; ++j)
         largest = (std::max)(largest, gear.distance(t[0] + double(i) / n * (t[1] - t[0]) +
                                                     double(j) / n * (t[2] - t[0])));
-  EXPECT_LT(largest, 1.25 * report.spacing); // at corners of teeth, where a facet spans a gap
+  EXPECT_LT(largest, .5 * report.spacing);
   const std::vector<Point> creases = gear.creases();
   for (const Point& p : creases) {
     double nearest = 10;
@@ -68,6 +68,34 @@ TEST(Reconstruction_of_creases, makes_a_gear_without_nicks) {
     squares += nearest;
   }
   EXPECT_LT(std::sqrt(squares / double(creases.size())), .1 * report.spacing);
+}
+
+TEST(Reconstruction_of_creases, finds_concave_corners) {
+  using Place = internal::Sampled_surface_3::Point;
+  using Vector = internal::Sampled_surface_3::Vector;
+  CGAL::Random random(3);
+  std::vector<Place> bracket; // a cube without its quarter of x > .5, y > .5
+  for (std::size_t k = 0; k < 8000; ++k) {
+    double x[3] = {random.get_double(), random.get_double(), random.get_double()};
+    const std::size_t face = k % 8;
+    if (face < 6) {
+      x[face % 3] = double(face / 3);
+    } else {
+      x[face - 6] = .5;
+      x[7 - face] = (1 + x[7 - face]) / 2;
+    }
+    if (face >= 6 || x[0] <= .5 || x[1] <= .5)
+      bracket.emplace_back(x[0], x[1], x[2]);
+  }
+  const internal::Sampled_surface_3 surface(bracket, {}, false, 1);
+  const internal::Crease_planes_3 planes(surface);
+  const double a = .4 * surface.cloud().spacing();
+  // In the plane of the top, but beyond both inner walls.
+  const Place beside(.5 + a, .5 + a, 1);
+  EXPECT_LT(std::sqrt((beside + planes.to_crease(beside) - Place(.5, .5, 1)).squared_length()),
+            .1 * surface.cloud().spacing());
+  const Place on_top(.5 - 2 * a, .5 - 2 * a, 1);
+  EXPECT_EQ(planes.to_crease(on_top), Vector(0, 0, 0));
 }
 
 TEST(Reconstruction_of_creases, finds_where_planes_meet) {

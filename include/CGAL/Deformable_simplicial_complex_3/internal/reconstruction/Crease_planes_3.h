@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -21,9 +22,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The planes that meet in a sharp edge or corner of a sampled surface, and the displacement of a
-// place beside the edge to it. The planes are fitted to the points around the place, each to the
-// points that are within a tolerance of it.
+// The faces around a sharp edge or corner of a sampled surface, and the displacement of a place to
+// them. The planes of faces are fitted to the points around the place, each to the points that are
+// within a tolerance of it; a face ends at other planes where it has no points beyond them.
 class Crease_planes_3
 {
 public:
@@ -34,25 +35,19 @@ public:
       : m_surface(surface),
         m_tolerance((std::max)(exact * surface.cloud().spacing(), noisy * surface.noise())) {}
 
-  // Returns the displacement of a place to where planes meet, or null if the place lies on one of
-  // the planes, or there is no sharp edge.
+  // Returns the displacement of a place beside the surface to a corner or sharp edge of it, or else
+  // to a face; null if the place lies on a face, or there is no sharp edge.
   Vector to_crease(const Point& p) const {
-    static constexpr double longest[] = {1.5, 1}; // spacings: to an edge, to a corner
+    static constexpr double longest[] = {2, 1.5, 1}; // spacings: to a face, an edge, a corner
     if (!is_rough_around(p))
       return NULL_VECTOR;
-    std::vector<Plane> planes = planes_around(p);
+    const std::vector<Plane> planes = planes_around(p);
     if (planes.size() < 2 || lies_on_face(p, planes))
       return NULL_VECTOR;
-    std::stable_sort(planes.begin(), planes.end(), [&](const Plane& a, const Plane& b) {
-      return std::abs(a.fit.height(p)) < std::abs(b.fit.height(p));
-    });
-    for (const std::size_t number : {std::size_t(3), std::size_t(2)}) {
-      if (planes.size() < number)
-        continue;
-      const std::vector<Plane> nearest(planes.begin(), planes.begin() + std::ptrdiff_t(number));
-      const auto way = to_intersection(p, nearest);
-      const double bound = longest[number - 2] * m_surface.cloud().spacing();
-      if (way && way->squared_length() < bound * bound)
+    for (std::size_t number = (std::min)(planes.size(), std::size_t(3)); number > 0; --number) {
+      const auto way =
+          to_intersection(p, planes, number, longest[number - 1] * m_surface.cloud().spacing());
+      if (way)
         return *way;
     }
     return NULL_VECTOR;
@@ -67,6 +62,7 @@ private:
     Fitted_plane_3 fit;
     double tolerance;
     std::vector<Point> points;
+    std::size_t number = 0; // of points that the plane is fitted to
   };
 
   bool is_rough_around(const Point& p) const {
@@ -96,6 +92,7 @@ private:
                  left.end());
       add_plane(found, result);
     }
+    refit(result);
     for (const Plane& plane : result)
       number += double(plane.points.size());
     if (number < wanted)
@@ -119,51 +116,122 @@ private:
   }
 
   void add_plane(const std::vector<std::size_t>& members, std::vector<Plane>& planes) const {
-    static constexpr double narrow = .2; // of the length: points along a line determine no plane
-    static constexpr double spread = 3;  // residuals
     Plane plane{{}, 0, {}};
     for (std::size_t i : members)
       plane.points.push_back(m_surface.cloud().points()[i]);
-    plane.fit = fit_plane(plane.points);
-    plane.tolerance = (std::max)(exact * m_surface.cloud().spacing(), spread * plane.fit.residual);
-    if (plane.fit.width > narrow * plane.fit.length)
+    fit(plane.points, plane);
+    if (!is_narrow(plane.fit))
       planes.push_back(plane);
   }
 
-  // Whether a place is on one of the planes, and not beyond another plane at which it ends.
-  static bool lies_on_face(const Point& p, const std::vector<Plane>& planes) {
+  // Points along a line determine no plane.
+  static bool is_narrow(const Fitted_plane_3& fit) {
+    static constexpr double narrow = .2; // of the length
+    return fit.width <= narrow * fit.length;
+  }
+
+  void fit(const std::vector<Point>& points, Plane& plane) const {
+    static constexpr double spread = 3; // residuals
+    plane.fit = fit_plane(points);
+    plane.number = points.size();
+    plane.tolerance = (std::max)(exact * m_surface.cloud().spacing(), spread * plane.fit.residual);
+  }
+
+  // Fits planes to their points without those that are near other planes, too, and may be of these.
+  void refit(std::vector<Plane>& planes) const {
+    std::vector<std::vector<Point>> own(planes.size());
+    for (std::size_t k = 0; k < planes.size(); ++k)
+      std::copy_if(planes[k].points.begin(), planes[k].points.end(), std::back_inserter(own[k]),
+                   [&](const Point& p) {
+                     return std::all_of(planes.begin(), planes.end(), [&](const Plane& other) {
+                       return &other == &planes[k] ||
+                              std::abs(other.fit.height(p)) > other.tolerance;
+                     });
+                   });
+    for (std::size_t k = 0; k < planes.size(); ++k)
+      if (own[k].size() >= least && !is_narrow(fit_plane(own[k])))
+        fit(own[k], planes[k]);
+  }
+
+  // The standard deviation of the height of a place above the plane, by the residual of its points.
+  static double deviation(const Plane& plane, const Point& p) {
+    const double away =
+        (p - plane.fit.center).squared_length() / (plane.fit.width * plane.fit.width);
+    return plane.fit.residual * std::sqrt((1 + away) / double(plane.number));
+  }
+
+  // Whether a place is on one of the planes where its face has points nearby.
+  bool lies_on_face(const Point& p, const std::vector<Plane>& planes) const {
+    static constexpr double gap = 1.5; // spacings: places of a face are rarely farther from points
     return std::any_of(planes.begin(), planes.end(), [&](const Plane& face) {
-      return std::abs(face.fit.height(p)) < face.tolerance &&
-             std::all_of(planes.begin(), planes.end(), [&](const Plane& other) {
-               return &other == &face || !ends_before(face, other, p);
-             });
+      return std::abs(face.fit.height(p)) < face.tolerance && has_points_at(p, face, planes, gap);
     });
   }
 
-  // Whether all points of a face are on one side of another plane, and a place is on the other.
-  static bool ends_before(const Plane& face, const Plane& other, const Point& p) {
-    double low = 0, high = 0;
-    for (const Point& q : face.points) {
-      low = (std::min)(low, other.fit.height(q));
-      high = (std::max)(high, other.fit.height(q));
-    }
-    const double height = other.fit.height(p);
-    if (low > -other.tolerance)
-      return height <= -other.tolerance;
-    return high < other.tolerance && height >= other.tolerance;
+  // Whether a face has points within a gap, in spacings, of a place, and on its side of each other
+  // plane and of each two of them: near a concave corner, a face has points beyond either plane,
+  // but not beyond both.
+  bool has_points_at(const Point& p, const Plane& face, const std::vector<Plane>& planes,
+                     double gap) const {
+    const double reach = gap * m_surface.cloud().spacing();
+    for (const Plane& a : planes)
+      for (const Plane& b : planes)
+        if (&a <= &b && &a != &face && &b != &face &&
+            std::none_of(face.points.begin(), face.points.end(), [&](const Point& q) {
+              return (q - p).squared_length() < reach * reach && is_on_side_of(p, q, a) &&
+                     is_on_side_of(p, q, b);
+            }))
+          return false;
+    return true;
   }
 
-  // Returns the shortest displacement to where planes meet, or nothing if they are nearly parallel
-  // or one has no points near there.
-  std::optional<Vector> to_intersection(const Point& p, const std::vector<Plane>& planes) const {
-    static constexpr double parallel =
-        .09;                           // of the largest eigenvalue: 33 degrees between two planes
+  // Whether a point is on the side of a plane on which a place is; each is if the place lies on it.
+  static bool is_on_side_of(const Point& p, const Point& q, const Plane& plane) {
+    const double height = plane.fit.height(p);
+    return std::abs(height) < plane.tolerance ||
+           (height > 0 ? 1 : -1) * plane.fit.height(q) >= plane.tolerance;
+  }
+
+  // Returns the shortest displacement to where that number of planes meet and all their faces have
+  // points, or nothing if it is not below a bound.
+  std::optional<Vector> to_intersection(const Point& p, const std::vector<Plane>& planes,
+                                        std::size_t number, double bound) const {
     static constexpr double gap = 2.5; // spacings: between a crease and the points beside it
+    // Standard deviations: a displacement that is shorter may be due to noise. Beside the noise,
+    // the planes are off by points of other faces that are near enough to be mistaken for theirs.
+    static constexpr double sure = 6;
+    std::optional<Vector> result;
+    std::vector<char> is_chosen(planes.size(), 0);
+    std::fill(is_chosen.begin(), is_chosen.begin() + std::ptrdiff_t(number), 1);
+    do {
+      std::vector<const Plane*> chosen;
+      for (std::size_t i = 0; i < planes.size(); ++i)
+        if (is_chosen[i] != 0)
+          chosen.push_back(&planes[i]);
+      const auto way = to_intersection(p, chosen);
+      if (!way || !(way->squared_length() < bound * bound))
+        continue;
+      if (std::all_of(chosen.begin(), chosen.end(), [&](const Plane* face) {
+            return has_points_at(p + *way, *face, planes, gap) &&
+                   sure * deviation(*face, p + *way) < std::sqrt(way->squared_length());
+          })) {
+        bound = std::sqrt(way->squared_length());
+        result = way;
+      }
+    } while (std::prev_permutation(is_chosen.begin(), is_chosen.end()));
+    return result;
+  }
+
+  // Returns the shortest displacement to where planes meet, or nothing if they are nearly parallel.
+  static std::optional<Vector> to_intersection(const Point& p,
+                                               const std::vector<const Plane*>& planes) {
+    static constexpr double parallel =
+        .09; // of the largest eigenvalue: 33 degrees between two planes
     const auto n = Eigen::Index(planes.size());
     Eigen::MatrixXd normals(n, 3);
     Eigen::VectorXd heights(n);
     for (Eigen::Index i = 0; i < n; ++i) {
-      const Fitted_plane_3& fit = planes[std::size_t(i)].fit;
+      const Fitted_plane_3& fit = planes[std::size_t(i)]->fit;
       normals.row(i) << fit.normal.x(), fit.normal.y(), fit.normal.z();
       heights[i] = fit.height(p);
     }
@@ -172,14 +240,7 @@ private:
     if (solver.eigenvalues()[0] < parallel * solver.eigenvalues()[n - 1])
       return std::nullopt;
     const Eigen::VectorXd x = -normals.transpose() * products.ldlt().solve(heights);
-    const Vector way(x[0], x[1], x[2]);
-    const double reach = gap * m_surface.cloud().spacing();
-    const bool is_near_all = std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
-      return std::any_of(plane.points.begin(), plane.points.end(), [&](const Point& q) {
-        return (q - (p + way)).squared_length() < reach * reach;
-      });
-    });
-    return is_near_all ? std::optional<Vector>(way) : std::nullopt;
+    return Vector(x[0], x[1], x[2]);
   }
 
   const Sampled_surface_3& m_surface;

@@ -29,6 +29,7 @@
 #include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <algorithm>
@@ -36,6 +37,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -121,41 +123,55 @@ private:
 
   // Moves vertices beside creases onto them, and splits edges that cut across.
   void sharpen() {
-    static constexpr int rounds = 4;      // each halves the edges that cut across
+    static constexpr int rounds = 8;      // each halves the edges that cut across
     static constexpr double shortest = 1; // spacings: halves of shorter edges would have no points
+    // Degrees: small facets at a sharp corner stay, as removing them would cut it off again.
+    static constexpr double smallest_angle = 0;
+    // Spacings: planes through more noise cut edges off instead of meeting in them.
+    static constexpr double noisiest = .1;
+    if (m_surface.noise() > noisiest * m_surface.cloud().spacing())
+      return;
     const Crease_planes_3 planes(m_surface);
+    std::map<typename Complex::Vertex_handle, Point> destinations; // of new vertices
     for (int i = 0; i < rounds; ++i) {
       const Snapshot front(m_complex);
       const std::vector<Point> positions = cloud_points(front.positions(m_complex));
       std::vector<Vector> ways(positions.size());
       m_surface.cloud().for_each()(ways.size(), [&](std::size_t v) {
         Progress_scope::check();
-        ways[v] = planes.to_crease(positions[v]);
+        const auto found = destinations.find(front.vertices[v]);
+        ways[v] = found == destinations.end() ? planes.to_crease(positions[v])
+                                              : found->second - positions[v];
       });
       const bool moves = std::any_of(ways.begin(), ways.end(),
                                      [](const Vector& way) { return way != NULL_VECTOR; });
       if (moves)
-        deform(front, positions, ways);
+        deform(front, positions, ways, smallest_angle);
       const Snapshot moved(m_complex);
-      const auto edges = edges_across_creases(
+      const auto splits = edges_across_creases(
           planes, moved.facets(), cloud_points(moved.positions(m_complex)),
           shortest * m_surface.cloud().spacing(), m_surface.cloud().for_each());
-      for (const auto& e : edges)
-        split(moved.vertices[e[0]], moved.vertices[e[1]]);
-      if (!moves && edges.empty())
+      destinations.clear();
+      for (const Crease_split_3& s : splits)
+        if (const auto v = split(moved.vertices[s.edge[0]], moved.vertices[s.edge[1]]))
+          destinations[*v] = s.destination;
+      if (!moves && splits.empty())
         return;
     }
   }
 
-  void split(typename Complex::Vertex_handle v, typename Complex::Vertex_handle w) {
+  // Returns the new vertex, or nothing if the edge cannot be split.
+  std::optional<typename Complex::Vertex_handle> split(typename Complex::Vertex_handle v,
+                                                       typename Complex::Vertex_handle w) {
     typename Complex::Cell_handle c;
     int i, j;
     Cavity<Complex> cavity(m_complex);
     if (!m_complex.triangulation().is_edge(v, w, c, i, j) ||
         !propose_edge_split(m_complex, c, i, j, .5, cavity))
-      return;
+      return std::nullopt;
     Any_visitor<Complex> nobody;
     commit_split(m_complex, cavity, v, w, nobody, m_report.changes);
+    return cavity.vertices().back().handle;
   }
 
   using Snapshot = Interface_snapshot<Complex>;
@@ -226,17 +242,20 @@ private:
   }
 
   void deform(const Snapshot& front, const std::vector<Point>& positions,
-              const std::vector<Vector>& ways) {
+              const std::vector<Vector>& ways, double minimum_angle = defaults::minimum_angle) {
     std::vector<typename Complex::Approximate_point> destinations;
     for (std::size_t v = 0; v < ways.size(); ++v) {
       const Point q = positions[v] + ways[v];
       destinations.emplace_back(q.x(), q.y(), q.z());
     }
     static constexpr unsigned passes = 3; // who is not there by then is sent anew
-    const Deformation_report<Complex> report = deform_interface_to(
-        m_complex, front, destinations,
-        parameters::manifold_interface(true).maximum_number_of_passes(passes).number_of_threads(
-            m_threads));
+    const Deformation_report<Complex> report =
+        deform_interface_to(m_complex, front, destinations,
+                            parameters::manifold_interface(true)
+                                .maximum_number_of_passes(passes)
+                                .number_of_threads(m_threads)
+                                .minimum_angle(minimum_angle)
+                                .minimum_facet_angle(minimum_angle));
     m_report.changes =
         m_report.changes + Improvement_report{report.split, report.collapsed, report.flipped,
                                               report.smoothed, report.inserted};

@@ -22,45 +22,65 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The edges of a surface that cut across a crease: their middles are beside it. The edges have no
+// An edge to split, and where the new vertex is to go.
+struct Crease_split_3
+{
+  std::array<std::size_t, 2> edge;
+  Crease_planes_3::Point destination;
+  double squared_distance; // of the destination from the surface
+};
+
+// The edges of a surface whose middles are beside a crease, and the longest edge of each facet
+// whose centroid is, as a facet may cut off a corner that all of its edges meet. The edges have no
 // facets in common, as one new vertex may be all that a facet needs. Farthest from the crease
 // first; shorter edges than that are left alone.
 template <class Facets>
-std::vector<std::array<std::size_t, 2>>
+std::vector<Crease_split_3>
 edges_across_creases(const Crease_planes_3& planes, const Facets& facets,
                      const std::vector<Crease_planes_3::Point>& positions, double shortest,
                      const For_each_index& for_each) {
-  std::map<std::array<std::size_t, 2>, std::vector<std::size_t>> facets_of_edges;
-  for (std::size_t f = 0; f < facets.size(); ++f)
+  using Edge = std::array<std::size_t, 2>;
+  const auto squared_length = [&](const Edge& e) {
+    return (positions[e[0]] - positions[e[1]]).squared_length();
+  };
+  std::map<Edge, std::vector<std::size_t>> facets_of_edges;
+  std::vector<Crease_split_3> candidates; // destinations are places on the surface yet
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const auto& v = facets[f].vertices;
+    Edge longest = {{v[0], v[1]}};
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t v = facets[f].vertices[k], w = facets[f].vertices[(k + 1) % 3];
-      facets_of_edges[{{(std::min)(v, w), (std::max)(v, w)}}].push_back(f);
+      const Edge e = {{(std::min)(v[k], v[(k + 1) % 3]), (std::max)(v[k], v[(k + 1) % 3])}};
+      facets_of_edges[e].push_back(f);
+      if (squared_length(e) >= squared_length(longest))
+        longest = e;
     }
-  std::vector<std::array<std::size_t, 2>> edges;
-  for (const auto& [edge, around] : facets_of_edges)
-    if ((positions[edge[0]] - positions[edge[1]]).squared_length() >= shortest * shortest)
-      edges.push_back(edge);
-  std::vector<double> squares(edges.size()); // of distances to creases
-  for_each(edges.size(), [&](std::size_t e) {
+    candidates.push_back(
+        {longest, CGAL::centroid(positions[v[0]], positions[v[1]], positions[v[2]]), 0});
+  }
+  for (const auto& [e, around] : facets_of_edges)
+    candidates.push_back({e, CGAL::midpoint(positions[e[0]], positions[e[1]]), 0});
+  for_each(candidates.size(), [&](std::size_t i) {
     Progress_scope::check();
-    squares[e] = planes.to_crease(CGAL::midpoint(positions[edges[e][0]], positions[edges[e][1]]))
-                     .squared_length();
+    Crease_split_3& c = candidates[i];
+    if (squared_length(c.edge) < shortest * shortest)
+      return;
+    const auto way = planes.to_crease(c.destination);
+    c.destination = c.destination + way;
+    c.squared_distance = way.squared_length();
   });
-  std::vector<std::size_t> order;
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    if (squares[e] > 0)
-      order.push_back(e);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return squares[a] > squares[b]; });
+  std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+    return a.squared_distance > b.squared_distance;
+  });
   std::vector<char> is_taken(facets.size(), 0);
-  std::vector<std::array<std::size_t, 2>> result;
-  for (std::size_t e : order) {
-    const std::vector<std::size_t>& around = facets_of_edges[edges[e]];
-    if (std::any_of(around.begin(), around.end(), [&](std::size_t f) { return is_taken[f] != 0; }))
+  std::vector<Crease_split_3> result;
+  for (const Crease_split_3& c : candidates) {
+    const std::vector<std::size_t>& around = facets_of_edges[c.edge];
+    if (!(c.squared_distance > 0) ||
+        std::any_of(around.begin(), around.end(), [&](std::size_t f) { return is_taken[f] != 0; }))
       continue;
     for (std::size_t f : around)
       is_taken[f] = 1;
-    result.push_back(edges[e]);
+    result.push_back(c);
   }
   return result;
 }
