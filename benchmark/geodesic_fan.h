@@ -13,10 +13,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <map>
-#include <utility>
 #include <vector>
 
 /// Distances on implicit surfaces by brute force. Shares no code with the library: geodesics are

@@ -125,14 +125,17 @@ private:
   }
 
   // Returns the cut point in a direction between two lengths: there, a shorter geodesic leads to
-  // the far one only. Where geodesics diverge fast, it must be near for Newton's method.
+  // the far one only. Where geodesics diverge fast, it must be near for Newton's method. Not next to
+  // an end.
   std::optional<Cut> cut_by_bisection(double angle, double low, double high) const {
     static constexpr int iterations = 24;
     for (int i = 0; i < iterations; ++i) {
       const double length = (low + high) / 2;
       const Point p = Equations::point(m_equations.geodesics().shoot(angle, length));
       const auto shorter = shorter_than(p, length, {angle});
-      if (shorter)
+      if (shorter && std::abs(turn(angle, shorter->angle)) < near_end * unit(angle))
+        return std::nullopt;
+      if (shorter && meeting(angle, shorter->angle, (length + shorter->length) / 2))
         if (const auto found = cut(angle, (length + shorter->length) / 2, shorter->angle))
           return found;
       (shorter ? high : low) = length;
