@@ -2,12 +2,12 @@
 # Builds the benchmarks, runs them on the meshes of CGAL, and writes tables and raw results into
 # BUILD_DIR/benchmark-results. See README.md for what is measured.
 # Usage: benchmark/run.sh [BUILD_DIR [motion] [breathing] [topology] [improvement] [memory] [operations]
-#                                   [flows] [surfaces] [points] [abuse] [meshes] [repair]]
+#                                   [flows] [surfaces] [points] [abuse] [meshes] [repair] [cut_loci]]
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
 build=$(realpath --canonicalize-missing "${1:-$source/build}")
 parts=("${@:2}")
-[ ${#parts[@]} -gt 0 ] || parts=(motion breathing topology flows surfaces points improvement memory operations abuse meshes repair)
+[ ${#parts[@]} -gt 0 ] || parts=(motion breathing topology flows surfaces points improvement memory operations abuse meshes repair cut_loci)
 mesh_seconds=${MESH_SECONDS:-600} # the time limit of one mesh in `meshes`
 
 programs=$build/benchmark
@@ -284,6 +284,10 @@ measure_repair() {
   begin_table "$table" file "points merged" "flat triangles" "repeated triangles" "points stitched" \
     "holes filled" "crossing pairs" wrapped "input to result (mean edges)" "result to input" triangles outcome
   "$source/benchmark/repaired.py" "$build/dsc" "$mesh_seconds" "$meshes"/*.{off,ply,stl} >>"$table"
+}
+
+measure_cut_loci() {
+  "$programs/cut_loci" >"$results/cut_loci.md" || fail "$results/cut_loci.md" cut_loci $?
 }
 
 "$source/scripts/install_dependencies.sh"

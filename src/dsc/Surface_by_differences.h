@@ -28,14 +28,13 @@ public:
 
   CGAL::Metric_jet_2 operator()(double u, double v) const {
     const double a = m_widths[0], b = m_widths[1];
-    Vector ru, ruu, rv, rvv, unused, along, across; // derivatives by coordinates in widths
-    derive(u, v, a, 0, ru, ruu);
-    derive(u, v, 0, b, rv, rvv);
-    derive(u, v, a, b, unused, along);
-    derive(u, v, a, -b, unused, across);
-    Vector ruv;
+    const Vector here = m_embedding(u, v);
+    Vector ru, ruu, rv, rvv, unused, ruv; // derivatives by coordinates in widths
+    derive(here, u, v, a, 0, ru, ruu);
+    derive(here, u, v, 0, b, rv, rvv);
+    derive(here, u, v, a, b, unused, ruv);
     for (int i = 0; i < 3; ++i)
-      ruv[i] = (along[i] - across[i]) / 4;
+      ruv[i] = (ruv[i] - ruu[i] - rvv[i]) / 2;
     return {dot(ru, ru) / (a * a),
             dot(ru, rv) / (a * b),
             dot(rv, rv) / (b * b),
@@ -57,10 +56,10 @@ private:
   }
 
   // The first two derivatives along a step (du, dv), in steps.
-  void derive(double u, double v, double du, double dv, Vector& first, Vector& second) const {
+  void derive(const Vector& here, double u, double v, double du, double dv, Vector& first,
+              Vector& second) const {
     static constexpr double firsts[] = {3. / 4, -3. / 20, 1. / 60},
                             seconds[] = {3. / 2, -3. / 20, 1. / 90}, middle = -49. / 18;
-    const Vector here = m_embedding(u, v);
     for (int i = 0; i < 3; ++i) {
       first[i] = 0;
       second[i] = middle * here[i];

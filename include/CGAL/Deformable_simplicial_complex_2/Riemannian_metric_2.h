@@ -5,10 +5,9 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_RIEMANNIAN_METRIC_2_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_RIEMANNIAN_METRIC_2_H
 
-#include <boost/math/differentiation/autodiff.hpp>
+#include <CGAL/Deformable_simplicial_complex_2/internal/geodesics/Second_order_number_2.h>
 
 #include <array>
-#include <cstddef>
 #include <utility>
 
 namespace CGAL {
@@ -26,28 +25,14 @@ struct Metric_jet_2
   double G_u, G_v; ///< derivatives of G
 };
 
-namespace Deformable_simplicial_complexes {
-namespace internal {
-
-// What f(u, v) returns, with its derivatives up to an order in one direction: numbers with one
-// variable are a tenth of the work of those with two.
-template <std::size_t order, class Function>
-auto along(double du, double dv, double u, double v, const Function& f) {
-  const auto t = boost::math::differentiation::make_fvar<double, order>(0);
-  return f(u + du * t, v + dv * t);
-}
-
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-The metric of a surface in space, found by differentiating its embedding automatically, by
-Boost.Math.
+The metric of a surface in space. Its derivatives are exact, by automatic differentiation.
 
 \tparam Embedding has `template <class T> std::array<T, 3> operator()(const T& u, const T& v) const`,
-        for numbers `T` with the functions of `<cmath>`, found by argument-dependent lookup
+        for numbers `T` that doubles are converted to, with the functions of `<cmath>`, found by
+        argument-dependent lookup
 \cgalModels{RiemannianMetric_2}
 */
 template <class Embedding> class Embedded_surface_2
@@ -59,24 +44,19 @@ public:
 
   /// The metric at a point of the chart.
   Metric_jet_2 operator()(double u, double v) const {
-    namespace internal = Deformable_simplicial_complexes::internal;
-    const auto by_u = internal::along<2>(1, 0, u, v, m_embedding),
-               by_v = internal::along<2>(0, 1, u, v, m_embedding),
-               by_both = internal::along<2>(1, 1, u, v, m_embedding);
+    using Number = Deformable_simplicial_complexes::internal::Second_order_number_2;
+    const std::array<Number, 3> r = m_embedding(Number(u, 1, 0, 0, 0, 0), Number(v, 0, 1, 0, 0, 0));
     Metric_jet_2 g = {0, 0, 0, 0, 0, 0, 0, 0, 0};
-    for (std::size_t i = 0; i < 3; ++i) {
-      // Coefficients of Taylor series: those of second order are half the derivatives.
-      const double r_u = by_u[i].at(1), r_uu = 2 * by_u[i].at(2), r_v = by_v[i].at(1),
-                   r_vv = 2 * by_v[i].at(2), r_uv = by_both[i].at(2) - (r_uu + r_vv) / 2;
-      g.E += r_u * r_u;
-      g.F += r_u * r_v;
-      g.G += r_v * r_v;
-      g.E_u += 2 * r_uu * r_u;
-      g.E_v += 2 * r_uv * r_u;
-      g.F_u += r_uu * r_v + r_u * r_uv;
-      g.F_v += r_uv * r_v + r_u * r_vv;
-      g.G_u += 2 * r_uv * r_v;
-      g.G_v += 2 * r_vv * r_v;
+    for (const Number& x : r) {
+      g.E += x.u * x.u;
+      g.F += x.u * x.v;
+      g.G += x.v * x.v;
+      g.E_u += 2 * x.uu * x.u;
+      g.E_v += 2 * x.uv * x.u;
+      g.F_u += x.uu * x.v + x.u * x.uv;
+      g.F_v += x.uv * x.v + x.u * x.vv;
+      g.G_u += 2 * x.uv * x.v;
+      g.G_v += 2 * x.vv * x.v;
     }
     return g;
   }
@@ -88,7 +68,7 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplex3Ref
 
-A metric given by its tensor, differentiated automatically, by Boost.Math.
+A metric given by its tensor. Its derivatives are exact, by automatic differentiation.
 
 \tparam Tensor has `template <class T> std::array<T, 3> operator()(const T& u, const T& v) const`,
         which returns E, F and G, for numbers `T` as of `Embedded_surface_2`
@@ -102,12 +82,9 @@ public:
 
   /// The metric at a point of the chart.
   Metric_jet_2 operator()(double u, double v) const {
-    namespace internal = Deformable_simplicial_complexes::internal;
-    const auto by_u = internal::along<1>(1, 0, u, v, m_tensor),
-               by_v = internal::along<1>(0, 1, u, v, m_tensor);
-    const auto value = [&](std::size_t i) { return by_u[i].at(0); };
-    return {value(0),      value(1),      value(2),      by_u[0].at(1), by_v[0].at(1),
-            by_u[1].at(1), by_v[1].at(1), by_u[2].at(1), by_v[2].at(1)};
+    using Number = Deformable_simplicial_complexes::internal::Second_order_number_2;
+    const std::array<Number, 3> g = m_tensor(Number(u, 1, 0, 0, 0, 0), Number(v, 0, 1, 0, 0, 0));
+    return {g[0].value, g[1].value, g[2].value, g[0].u, g[0].v, g[1].u, g[1].v, g[2].u, g[2].v};
   }
 
 private:

@@ -19,24 +19,26 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A function of the unit sphere in stereographic coordinates: the origin is a pole of the sphere.
+// A function of the unit sphere in stereographic coordinates of another sphere, which a linear map
+// and the projection from the origin take to it: the origin of the chart is a pole.
 template <class Embedding> class Stereographic_embedding_2
 {
 public:
   using Direction = std::array<double, 3>;
 
-  // The frame is orthonormal; the pole is its last vector.
+  // The frame is the image of an orthonormal one; the pole is its last vector.
   Stereographic_embedding_2(const Embedding& embedding, const std::array<Direction, 3>& frame,
                             double shift)
       : m_embedding(embedding), m_frame(frame), m_shift(shift) {}
 
   template <class T> std::array<T, 3> direction(const T& u, const T& v) const {
-    const T x = u - m_shift, y = v - m_shift, squared = x * x + y * y, size = 1. + squared;
+    using std::sqrt;
+    const T x = u - m_shift, y = v - m_shift, along = 1. - x * x - y * y;
     std::array<T, 3> n;
     for (std::size_t i = 0; i < 3; ++i)
-      n[i] =
-          (2. * x * m_frame[0][i] + 2. * y * m_frame[1][i] + (1. - squared) * m_frame[2][i]) / size;
-    return n;
+      n[i] = 2. * m_frame[0][i] * x + 2. * m_frame[1][i] * y + m_frame[2][i] * along;
+    const T factor = 1. / sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    return {factor * n[0], factor * n[1], factor * n[2]};
   }
 
   template <class T> std::array<T, 3> operator()(const T& u, const T& v) const {
@@ -56,9 +58,10 @@ private:
 \ingroup PkgDeformableSimplicialComplex3Ref
 
 A closed surface without holes, such as an ellipsoid, as the image of the unit sphere, for
-`Geodesic_front_2` and `cut_locus_2()`. One chart cannot cover it: the chart is the stereographic
+`Geodesic_front_2` and `cut_locus_2()`. One chart cannot cover it: the chart is a stereographic
 one from the source, which covers all but the source; its middle is opposite to the source, where
-the cut locus lies. Geodesics leave the source in the opposite chart.
+the cut locus lies. Geodesics leave the source in the opposite chart. A linear map of directions
+makes the metric at the source the same in all directions.
 
 \tparam Embedding has
         `template <class T> std::array<T, 3> operator()(const std::array<T, 3>& n) const`
@@ -82,14 +85,16 @@ public:
   /// \param source the direction whose image the geodesics begin in, not 0, of any length
   /// \throws Deformable_simplicial_complexes::Error if the direction is 0 or not finite
   Sphere_like_surface_2(const Embedding& embedding, const Direction& source)
-      : m_frame(frame_at(source)), m_far(embedding, opposite(m_frame), half_width),
-        m_far_metric(m_far), m_near_metric(Chart(embedding, m_frame, 0)) {}
+      : m_frame(isotropic(embedding, frame_at(source))),
+        m_far(embedding, opposite(m_frame), half_width), m_far_metric(m_far),
+        m_near_metric(Chart(embedding, m_frame, 0)) {}
 
   /// The metric at a point of the chart.
   Metric_jet_2 operator()(double u, double v) const { return m_far_metric(u, v); }
 
   /// The box in which the front moves, with the point opposite to the source in its
-  /// middle. Directions at less than 28 degrees from the source lie outside.
+  /// middle. A neighborhood of the source lies outside: directions at less than 28 degrees from
+  /// it, where the linear map is the identity.
   Domain domain() const { return Domain({2 * half_width, 2 * half_width}); }
 
   /// The direction whose image a point of the chart stands for.
@@ -129,6 +134,23 @@ private:
       f[1][i] = f[2][j] * f[0][k] - f[2][k] * f[0][j];
     }
     return f;
+  }
+
+  // Returns a frame in whose chart the metric is the same in all directions at the pole, with the
+  // same area: what is long in one direction is not lost in a small part of the chart.
+  static Frame isotropic(const Embedding& embedding, const Frame& frame) {
+    const Metric_jet_2 g = Metric(Chart(embedding, frame, 0))(0, 0);
+    const double determinant = g.E * g.G - g.F * g.F;
+    if (!(g.E > 0 && determinant > 0) || !std::isfinite(determinant))
+      return frame; // refused where geodesics begin
+    const double root = std::sqrt(std::sqrt(determinant)), along = root / std::sqrt(g.E),
+                 across = 1 / along;
+    Frame result = frame;
+    for (std::size_t i = 0; i < 3; ++i) {
+      result[0][i] = along * frame[0][i];
+      result[1][i] = across * (frame[1][i] - g.F / g.E * frame[0][i]);
+    }
+    return result;
   }
 
   static Frame opposite(Frame frame) {

@@ -92,8 +92,12 @@ void write_SVG(const std::string& path, const Cut_locus_2& locus,
   static constexpr int meridians = 24, parallels = 6, finer = 4; // 15 degrees
   const double pi = std::acos(-1.), middle = Surface::half_width;
   // By the direction along u, and the one across it that is to the left of the way out.
-  const auto right = surface.direction(Point(middle + 1, middle)),
-             up = surface.direction(Point(middle, middle - 1));
+  const auto right = surface.direction(Point(middle + 1, middle));
+  auto up = surface.direction(Point(middle, middle - 1));
+  // The axes of the chart may be oblique on the unit sphere.
+  const double along = right[0] * up[0] + right[1] * up[1] + right[2] * up[2];
+  for (std::size_t i = 0; i < 3; ++i)
+    up[i] = (up[i] - along * right[i]) / std::sqrt(1 - along * along);
   const auto seen = [&](const Point& p) {
     const auto q = surface.image(p);
     return Point(q[0] * right[0] + q[1] * right[1] + q[2] * right[2],

@@ -72,6 +72,59 @@ TEST(Riemannian_metric, of_an_embedding_is_differentiated) {
     }
 }
 
+// Has the functions of <cmath> of one variable, and quotients.
+struct Functions
+{
+  template <class T> std::array<T, 3> operator()(const T& u, const T& v) const {
+    using std::acos;
+    using std::asin;
+    using std::atan;
+    using std::atan2;
+    using std::cbrt;
+    using std::cosh;
+    using std::exp;
+    using std::log;
+    using std::pow;
+    using std::sinh;
+    using std::sqrt;
+    using std::tan;
+    using std::tanh;
+    return {exp(u) / (1 + v) + sqrt(2. + u * v) - log(v) + atan2(u - 2, v) + atan2(v, u - 3),
+            tan(u) + asin(u * v) * acos(v) - atan(u) + pow(v, 2.5) + pow(v, u),
+            sinh(u) * cosh(v) + tanh(v - u) + cbrt(u + v) + 1 / (u + 3.)};
+  }
+};
+
+TEST(Riemannian_metric, has_the_derivatives_of_all_functions) {
+  const CGAL::Embedded_surface_2<Functions> metric;
+  const Functions f;
+  static constexpr double width = 1e-3, u = .4, v = .6;
+  // Central differences, of the fourth order.
+  const auto slope = [](const auto& value) {
+    return (8 * (value(width) - value(-width)) - (value(2 * width) - value(-2 * width))) /
+           (12 * width);
+  };
+  const auto g = metric(u, v);
+  double E = 0, F = 0, G = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double by_u = slope([&](double t) { return f(u + t, v)[i]; }),
+                 by_v = slope([&](double t) { return f(u, v + t)[i]; });
+    E += by_u * by_u;
+    F += by_u * by_v;
+    G += by_v * by_v;
+  }
+  static constexpr double precision = 1e-8;
+  EXPECT_NEAR(g.E, E, precision);
+  EXPECT_NEAR(g.F, F, precision);
+  EXPECT_NEAR(g.G, G, precision);
+  EXPECT_NEAR(g.E_u, slope([&](double t) { return metric(u + t, v).E; }), precision);
+  EXPECT_NEAR(g.E_v, slope([&](double t) { return metric(u, v + t).E; }), precision);
+  EXPECT_NEAR(g.F_u, slope([&](double t) { return metric(u + t, v).F; }), precision);
+  EXPECT_NEAR(g.F_v, slope([&](double t) { return metric(u, v + t).F; }), precision);
+  EXPECT_NEAR(g.G_u, slope([&](double t) { return metric(u + t, v).G; }), precision);
+  EXPECT_NEAR(g.G_v, slope([&](double t) { return metric(u, v + t).G; }), precision);
+}
+
 TEST(Geodesics, keep_their_speed_and_the_relation_of_Clairaut) {
   const CGAL::Deformable_simplicial_complexes::internal::Geodesics_2<Torus_metric> geodesics(
       Torus_metric(), Domain({2 * pi, 2 * pi}), Point(.2, .5));
@@ -241,6 +294,15 @@ TEST(Cut_locus, of_a_thin_torus_is_symmetric) {
   }
 }
 
+// Geodesics that nearly stay on the inner equator: its points far from the source differ by
+// directions of 1e-6.
+TEST(Cut_locus, of_a_point_of_the_outer_equator_of_a_thin_torus) {
+  const CGAL::Cut_locus_2 locus =
+      CGAL::cut_locus_2(Thin_torus{2, .4}, Domain({2 * pi, 2 * pi}), Point(0, 0), .2, .04);
+  EXPECT_TRUE(locus.is_complete);
+  EXPECT_EQ(locus.polylines.size(), 5u);
+}
+
 // Geodesics along the inner side diverge by a factor of thousands.
 TEST(Cut_locus, of_a_torus_is_reached_by_no_shorter_way) {
   const Domain domain({2 * pi, 2 * pi});
@@ -393,6 +455,26 @@ TEST(Cut_locus, of_ellipsoids_of_any_shape) {
   for (const Case& c : {Case{{1, .99, .98}, {1, 1, 1}}, Case{{1, .5, .4}, {.3, -1, .4}}}) {
     const Ellipsoid_surface surface(Ellipsoid{c.axes}, c.source);
     const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(surface, .2, .04);
+    EXPECT_TRUE(locus.is_complete) << c.axes[1] << ' ' << c.source[1];
+    EXPECT_EQ(locus.polylines.size(), 1u);
+  }
+}
+
+// The metric has ratios of up to 100 in the chart of a sphere, and conjugate points near the
+// source.
+TEST(Cut_locus, of_long_and_flat_ellipsoids) {
+  struct Case
+  {
+    std::array<double, 3> axes, source;
+  };
+  for (const Case& c : {Case{{1, .3, .1}, {1, 1, 1}}, Case{{1, .3, .1}, {.3, -1, .4}},
+                        Case{{1, .1, .1}, {.3, -1, .4}}}) {
+    const Ellipsoid_surface surface(Ellipsoid{c.axes}, c.source);
+    const double middle = surface.half_width;
+    const auto g = surface(middle, middle);
+    EXPECT_NEAR(g.F, 0, 1e-9 * g.E); // opposite to the source, the metric is isotropic
+    EXPECT_NEAR(g.G, g.E, 1e-9 * g.E);
+    const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(surface, .1, .05 * std::sqrt(g.E));
     EXPECT_TRUE(locus.is_complete) << c.axes[1] << ' ' << c.source[1];
     EXPECT_EQ(locus.polylines.size(), 1u);
   }

@@ -55,7 +55,7 @@ public:
       const double angle = 2 * std::acos(-1.) * k / directions;
       double length = m_geodesics.shortest_length(m_step);
       Geodesic_state state = m_geodesics.shoot(angle, length);
-      for (; length < farthest; length += m_step) {
+      for (; length < farthest && m_geodesics.is_in_chart(state); length += m_step) {
         const auto near = squares.find(square(point(state)));
         if (near != squares.end())
           for (std::size_t i : near->second)

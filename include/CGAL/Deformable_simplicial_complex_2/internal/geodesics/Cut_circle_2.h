@@ -88,6 +88,7 @@ private:
   static constexpr double longest = 1.;       // spacings between cut points
   static constexpr double narrowest = 1e-9;   // radians between directions
   static constexpr int deepest = 40;          // halvings of an angle
+  static constexpr int most_failures = 32;    // breaks not found, until none is looked for
 
   // Angles between geodesics, in those between rays of the fan, which is dense where they diverge.
   static constexpr double same_angle = 1e-3; // they are one
@@ -116,8 +117,30 @@ private:
   std::optional<Cut> first_cut(const typename Fan::Direction& direction) const {
     if (!direction.shorter)
       return std::nullopt;
-    return cut(direction.angle, (direction.length + direction.shorter->length) / 2,
-               direction.shorter->angle);
+    const auto found = cut(direction.angle, (direction.length + direction.shorter->length) / 2,
+                           direction.shorter->angle);
+    return found ? found
+                 : cut_by_bisection(direction.angle, direction.length - m_equations.step(),
+                                    direction.length);
+  }
+
+  // Returns the cut point in a direction between two lengths: there, a shorter geodesic leads to
+  // the far one only. Where geodesics diverge fast, it must be near for Newton's method. Not next to
+  // an end.
+  std::optional<Cut> cut_by_bisection(double angle, double low, double high) const {
+    static constexpr int iterations = 24;
+    for (int i = 0; i < iterations; ++i) {
+      const double length = (low + high) / 2;
+      const Point p = Equations::point(m_equations.geodesics().shoot(angle, length));
+      const auto shorter = shorter_than(p, length, {angle});
+      if (shorter && std::abs(turn(angle, shorter->angle)) < near_end * unit(angle))
+        return std::nullopt;
+      if (shorter && meeting(angle, shorter->angle, (length + shorter->length) / 2))
+        if (const auto found = cut(angle, (length + shorter->length) / 2, shorter->angle))
+          return found;
+      (shorter ? high : low) = length;
+    }
+    return std::nullopt;
   }
 
   // Returns the cut point in a direction, from about its length and the partner.
@@ -215,10 +238,12 @@ private:
       add_break(*found);
       return;
     }
-    const auto middle =
-        depth < deepest && gap > narrowest ? cut_between(right, left, gap) : std::optional<Cut>();
+    const auto middle = depth < deepest && gap > narrowest && m_failures < most_failures
+                            ? cut_between(right, left, gap)
+                            : std::optional<Cut>();
     if (!middle) {
       m_is_complete = false;
+      ++m_failures;
       add_break({right.angle + gap / 2, right.length, right.point, {}});
       return;
     }
@@ -252,7 +277,9 @@ private:
     for (double partner : {right.partner - gap / 2, left.partner + gap / 2})
       if (const auto found = cut(right.angle + gap / 2, length, partner))
         return found;
-    return std::nullopt;
+    const auto [low, high] = std::minmax(right.length, left.length);
+    return cut_by_bisection(right.angle + gap / 2, low - m_equations.step(),
+                            high + m_equations.step());
   }
 
   // Whether the partner of the left one continues that of the right one.
@@ -331,6 +358,7 @@ private:
   std::vector<Interval> m_intervals;
   std::optional<Cut> m_only_point;
   bool m_is_complete;
+  int m_failures = 0;
 };
 
 } // namespace internal

@@ -52,7 +52,7 @@ public:
   Geodesic_equations_2(const Geodesics& geodesics, const Domain& domain, double spacing,
                        double step)
       : m_geodesics(geodesics), m_domain(domain), m_spacing(spacing), m_step(step),
-        m_orientation(area(0, geodesics.shortest_length(step)) > 0 ? 1 : -1) {}
+        m_orientation(area(0, before_conjugate * step) > 0 ? 1 : -1) {}
 
   const Geodesics& geodesics() const { return m_geodesics; }
   const Domain& domain() const { return m_domain; }
@@ -75,7 +75,7 @@ public:
       if (is_far(start, g))
         return std::nullopt;
       if (miss.norm() < precision && by.norm() < precision)
-        return g;
+        return m_geodesics.is_in_chart(a.state) ? std::optional(g) : std::nullopt;
     }
     return std::nullopt;
   }
@@ -101,6 +101,7 @@ public:
 
 private:
   static constexpr int iterations = 30;
+  static constexpr double before_conjugate = .1; // steps: no point is conjugate so early
   static constexpr std::uintmax_t most_calls = 100;
   static constexpr double widest = 8; // steps around a length, where conjugate points are sought
   static constexpr double precision = 1e-8; // spacings, steps, and radians
@@ -130,11 +131,18 @@ private:
   };
 
   Arrival arrival(const Geodesic_2& g) const {
-    static constexpr double width = 1e-5; // radians
+    static constexpr double widest_angle = 1e-5, narrowest_angle = 1e-9; // radians
+    static constexpr double farthest = 3e-3; // spacings, in which a geodesic is nearly linear
     const State state = m_geodesics.shoot(g.angle, g.length);
     const Point p = point(state);
-    const Pair left = difference(p, m_geodesics.shoot(g.angle + width, g.length));
-    return {state, left / width, Pair(state[2], state[3]) * (m_step / m_spacing)};
+    const auto left = [&](double width) {
+      return difference(p, m_geodesics.shoot(g.angle + width, g.length));
+    };
+    double width = widest_angle;
+    Pair by = left(width);
+    while (by.norm() > farthest && width > narrowest_angle)
+      by = left(width /= 10);
+    return {state, by / width, Pair(state[2], state[3]) * (m_step / m_spacing)};
   }
 
   // Returns by how much a geodesic misses a point, in spacings.
@@ -200,8 +208,11 @@ private:
           matrix.template block<2, 1>(row, 1) = by_chord - a[0].by_angle / chord;
       }
       const auto by = solve<unknowns>(matrix, miss);
-      if (farthest < precision && m_step * std::abs(by[0]) < precision * r)
+      if (farthest < precision && m_step * std::abs(by[0]) < precision * r) {
+        if (!m_geodesics.is_in_chart(a[0].state))
+          return std::nullopt;
         return Meeting{angles, r, m_domain.canonical(p)};
+      }
       r -= m_step * by[0];
       for (int k = first; k < n; ++k)
         angles[k] -= by[1 + k - first];

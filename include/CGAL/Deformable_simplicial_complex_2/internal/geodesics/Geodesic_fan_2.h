@@ -36,8 +36,8 @@ public:
   using Equations = Geodesic_equations_2<Metric>;
   using Point = typename Equations::Point;
 
-  // A direction, and the shorter geodesic to a point of its ray that was found first: not, if the
-  // ray is as long as it may be.
+  // A direction, and the shorter geodesic to a point of its ray that was found first. None, if the
+  // ray is as long as it may be, leaves the chart, or was left alone by its neighbors.
   struct Direction
   {
     double angle;
@@ -58,9 +58,10 @@ public:
       refine();
       advance();
     }
+    m_is_complete = !is_going();
   }
 
-  // Whether all rays have come to points that are nearer to the source.
+  // Returns whether all rays have ended before the longest distance.
   bool is_complete() const { return m_is_complete; }
 
   // By increasing angles.
@@ -124,14 +125,9 @@ private:
     m_rays[angle].state = m_equations.geodesics().shoot(angle, length(m_level));
   }
 
-  bool is_going() {
-    bool result = false;
-    m_is_complete = true;
-    for (const auto& item : m_rays) {
-      result = result || item.second.left > 0;
-      m_is_complete = m_is_complete && item.second.shorter;
-    }
-    return result;
+  bool is_going() const {
+    return std::any_of(m_rays.begin(), m_rays.end(),
+                       [](const auto& item) { return item.second.left > 0; });
   }
 
   using Ray_iterator = typename std::map<double, Ray>::iterator;
@@ -185,9 +181,15 @@ private:
       if (!it->second.shorter)
         look_for_shorter(it->first, it->second);
     // A ray accompanies its neighbors, so that there are cells where they end.
-    for (Ray_iterator it : going)
-      if (it->second.shorter && next(it)->second.shorter && previous(it)->second.shorter)
-        --it->second.left;
+    for (Ray_iterator it : going) {
+      Ray& ray = it->second;
+      const Ray &left = next(it)->second, &right = previous(it)->second;
+      const bool is_alone = !ray.shorter && left.left == 0 && right.left == 0;
+      if (is_alone || !m_equations.geodesics().is_in_chart(ray.state))
+        ray.left = 0;
+      else if (ray.shorter && left.shorter && right.shorter)
+        --ray.left;
+    }
   }
 
   void add_cell(const std::pair<const double, Ray>& right, const State& right_before,
@@ -289,7 +291,7 @@ private:
   const Equations& m_equations;
   double m_step, m_first_length;
   unsigned m_level = 0;
-  bool m_is_complete = false;
+  bool m_is_complete;
   std::map<double, Ray> m_rays; // by their angles, in [0, 2 pi)
   std::vector<Cell> m_cells;
   std::array<int, 2> m_numbers; // of squares along the axes

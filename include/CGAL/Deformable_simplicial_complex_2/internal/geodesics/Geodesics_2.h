@@ -39,6 +39,7 @@ Geodesic_state advance_geodesic(const Metric& metric, const Geodesic_units& unit
                                 const Geodesic_state& start, double length) {
   namespace odeint = boost::numeric::odeint;
   static constexpr double tolerance = 1e-11, first_step = .2, shortest = 1e-12; // of the length
+  static constexpr double short_step = .02; // units, which are often done at once
   static constexpr int most_steps = 100000;
   if (length == 0)
     return start;
@@ -59,7 +60,7 @@ Geodesic_state advance_geodesic(const Metric& metric, const Geodesic_units& unit
                           speed * start[3]};
   auto stepper = odeint::make_controlled(tolerance, tolerance,
                                          odeint::runge_kutta_fehlberg78<Geodesic_state>());
-  double done = 0, step = first_step * whole;
+  double done = 0, step = std::abs(whole) < short_step ? whole : first_step * whole;
   for (int i = 0; i < most_steps && std::abs(whole - done) > shortest * std::abs(whole); ++i) {
     Progress_scope::check();
     if (std::abs(step) > std::abs(whole - done))
