@@ -90,7 +90,8 @@ contract the interface bring nothing back, and have the defaults of `advect_inte
     \cgalParamDescription{edges where the normals of the facets differ by more are sharp, in
                           degrees, in [0, 180]: they stay when the interface is adapted}
     \cgalParamType{`double`}
-    \cgalParamDefault{85: below a cube, above the rims of thin sheets}
+    \cgalParamDefault{85: below a cube, above the rims of thin sheets. 180 for curvature flow in the
+                       plane, which rounds corners at once}
   \cgalParamNEnd
   \cgalParamNBegin{scheme}
     \cgalParamDefault{`Integration_scheme::rk4`}
