@@ -125,8 +125,8 @@ private:
   }
 
   // Returns the cut point in a direction between two lengths: there, a shorter geodesic leads to
-  // the far one only. Where geodesics diverge fast, it must be near for Newton's method. Not next to
-  // an end.
+  // the far one only. Where geodesics diverge fast, it must be near for Newton's method. Not next
+  // to an end.
   std::optional<Cut> cut_by_bisection(double angle, double low, double high) const {
     static constexpr int iterations = 24;
     for (int i = 0; i < iterations; ++i) {

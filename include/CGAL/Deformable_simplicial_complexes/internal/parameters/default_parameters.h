@@ -69,8 +69,8 @@ template <int dimension, bool contracts = false> struct Adaptive_advection
   // adaptation_interval: in steps; the cost of one is then about that of motion. Contraction
   // shortens edges at junctions within a step.
   static constexpr unsigned adaptation_interval = contracts ? 1 : 4;
-  // feature_angle: below a cube, above the rims of thin sheets, in degrees. Contraction rounds corners
-  // of curves at once: they are refined.
+  // feature_angle: below a cube, above the rims of thin sheets, in degrees. Contraction rounds
+  // corners of curves at once: they are refined.
   static constexpr double feature_angle = contracts && dimension == 2 ? 180 : 85;
   // quality_threshold: thin sheets leave no room for more.
   static constexpr double quality_threshold = contracts ? Quality_threshold::in_motion : .1;
