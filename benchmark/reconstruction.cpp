@@ -1,13 +1,11 @@
 // Reconstructs solids from points that sample known surfaces, by this package and by two methods of
 // CGAL, and prints a row of a table for each.
 
+#include "Triangle_distances.h"
 #include "clouds.h"
 #include "inputs.h"
 #include "measures.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Advancing_front_surface_reconstruction.h>
 #include <CGAL/IO/point_set_3.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -47,28 +45,6 @@ using clouds::Point;
 using clouds::Vector;
 using Mesh = CGAL::Surface_mesh<Point>;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
-
-/// Distances from triangles.
-class Triangle_distances
-{
-public:
-  using Triangles = std::vector<Kernel::Triangle_3>;
-
-  explicit Triangle_distances(Triangles triangles)
-      : m_triangles(std::move(triangles)), m_tree(m_triangles.begin(), m_triangles.end()) {
-    m_tree.accelerate_distance_queries();
-  }
-  Triangle_distances(const Triangle_distances&) = delete;
-  Triangle_distances& operator=(const Triangle_distances&) = delete;
-
-  double operator()(const Point& p) const { return std::sqrt(m_tree.squared_distance(p)); }
-
-private:
-  using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-
-  Triangles m_triangles;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> m_tree;
-};
 
 struct Reconstruction
 {

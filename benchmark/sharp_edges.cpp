@@ -1,13 +1,11 @@
 // Reconstructs solids with sharp edges from their points, and prints for each a row of a table: how
 // far the result is from the solid, and the solid from the result.
 
+#include "Triangle_distances.h"
 #include "clouds.h"
 #include "measures.h"
 #include "solids.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/extract_interface_3.h>
 #include <CGAL/reconstruct_point_set_3.h>
 
@@ -20,7 +18,6 @@
 #include <iostream>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace dsc_benchmark {
@@ -31,28 +28,6 @@ using clouds::Numbers;
 using clouds::Turn;
 using Point_3 = Kernel::Point_3;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
-
-/// Distances from triangles.
-class Triangle_distances
-{
-public:
-  using Triangles = std::vector<Kernel::Triangle_3>;
-
-  explicit Triangle_distances(Triangles triangles)
-      : m_triangles(std::move(triangles)), m_tree(m_triangles.begin(), m_triangles.end()) {
-    m_tree.accelerate_distance_queries();
-  }
-  Triangle_distances(const Triangle_distances&) = delete;
-  Triangle_distances& operator=(const Triangle_distances&) = delete;
-
-  double operator()(const Point_3& p) const { return std::sqrt(m_tree.squared_distance(p)); }
-
-private:
-  using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-
-  Triangles m_triangles;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> m_tree;
-};
 
 /// A solid that is known exactly, before it is turned.
 struct Solid
