@@ -129,6 +129,49 @@ def drilled_block_points(n, hole):
     return points
 
 
+def gear_points(n, teeth, hole):
+    """Random points of a gear of the root radius 1 and height 0.5, with a round hole along the z axis."""
+    numbers = random.Random(2)
+    tip, height = 1.25, 0.5
+    corners = [(radius, (tooth + part) * 2 * math.pi / teeth) for tooth in range(teeth)
+               for radius, part in ((tip, -0.15), (tip, 0.15), (1, 0.25), (1, 0.75))]
+    outline = [(r * math.cos(a), r * math.sin(a)) for r, a in corners]
+    sides = list(zip(outline, outline[1:] + outline[:1]))
+    lengths = [math.dist(a, b) for a, b in sides]
+
+    def covers(x, y):
+        if math.hypot(x, y) < hole:
+            return False
+        crossings = [ax + (y - ay) / (by - ay) * (bx - ax)
+                     for (ax, ay), (bx, by) in sides if (ay > y) != (by > y)]
+        return sum(crossing > x for crossing in crossings) % 2 == 1
+
+    cover = sum(ax * by - bx * ay for (ax, ay), (bx, by) in sides) / 2 - math.pi * hole**2
+    wall, bore = sum(lengths) * height, 2 * math.pi * hole * height
+    points = []
+    while len(points) < n:
+        place = numbers.uniform(0, 2 * cover + wall + bore)
+        u, v = numbers.uniform(0, 1), numbers.uniform(0, 1)
+        if place < 2 * cover:
+            x, y = tip * (2 * u - 1), tip * (2 * v - 1)
+            while not covers(x, y):
+                x, y = numbers.uniform(-tip, tip), numbers.uniform(-tip, tip)
+            points.append((x, y, 0 if place < cover else height))
+        elif place < 2 * cover + wall:
+            (ax, ay), (bx, by) = numbers.choices(sides, lengths)[0]
+            points.append((ax + u * (bx - ax), ay + u * (by - ay), v * height))
+        else:
+            angle = 2 * math.pi * u
+            points.append((hole * math.cos(angle), hole * math.sin(angle), v * height))
+    return points
+
+
+def write_points(path, points):
+    with open(path, "w") as file:
+        for point in points:
+            print(*point, file=file)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", metavar="DIR", help="created if need be")
@@ -144,9 +187,8 @@ def main():
     }
     for name, surface in surfaces.items():
         surface.write(os.path.join(folder, name + ".off"))
-    with open(os.path.join(folder, "drilled_block.xyz"), "w") as file:
-        for point in drilled_block_points(20000, 0.4):
-            print(*point, file=file)
+    write_points(os.path.join(folder, "drilled_block.xyz"), drilled_block_points(20000, 0.4))
+    write_points(os.path.join(folder, "gear.xyz"), gear_points(30000, 12, 0.4))
 
 
 if __name__ == "__main__":

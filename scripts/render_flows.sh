@@ -75,3 +75,4 @@ flow improved_elephant 2 rotate refined_elephant.off --triangles 6000 --axis 0,0
 
 flow reconstruct_kitten 4 reconstruct kitten.xyz -o kitten.off
 flow reconstruct_block 4 reconstruct drilled_block.xyz -o drilled_block.off
+flow reconstruct_gear 3 reconstruct gear.xyz -o gear.off
