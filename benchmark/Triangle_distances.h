@@ -7,9 +7,8 @@
 
 #include "inputs.h"
 
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/cgal_compat.h>
 
 #include <cmath>
 #include <utility>
@@ -35,10 +34,11 @@ public:
   }
 
 private:
-  using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+  using Traits = CGAL::Deformable_simplicial_complexes::internal::Tree_traits_3<
+      Kernel, Triangles::const_iterator>;
 
   Triangles m_triangles;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> m_tree;
+  CGAL::AABB_tree<Traits> m_tree;
 };
 
 } // namespace dsc_benchmark

@@ -6,9 +6,9 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_SOLIDS_3_H
 
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/cgal_compat.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
@@ -227,7 +227,7 @@ public:
 private:
   using Kernel = Simple_cartesian<double>;
   using Primitive = AABB_face_graph_triangle_primitive<Mesh>;
-  using Tree = AABB_tree<AABB_traits<Kernel, Primitive>>;
+  using Tree = AABB_tree<internal::Primitive_tree_traits_3<Kernel, Primitive>>;
 
   struct Data
   {

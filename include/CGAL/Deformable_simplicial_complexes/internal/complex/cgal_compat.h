@@ -30,6 +30,8 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 #if CGAL_VERSION_NR >= 1060000000
+template <class Kernel, class Primitive>
+using Primitive_tree_traits_3 = AABB_traits_3<Kernel, Primitive>;
 template <class Kernel, class Iterator>
 using Tree_traits_3 = AABB_traits_3<Kernel, AABB_triangle_primitive_3<Kernel, Iterator>>;
 template <class Kernel, class Iterator>
@@ -41,6 +43,8 @@ template <class Type, class Variant> const Type* get_alternative(const Variant& 
   return std::get_if<Type>(&variant);
 }
 #else
+template <class Kernel, class Primitive>
+using Primitive_tree_traits_3 = AABB_traits<Kernel, Primitive>;
 template <class Kernel, class Iterator>
 using Tree_traits_3 = AABB_traits<Kernel, AABB_triangle_primitive<Kernel, Iterator>>;
 template <class Kernel, class Iterator>
