@@ -8,7 +8,7 @@
 #include "inputs.h"
 
 #include <CGAL/AABB_tree.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/cgal_compat.h>
+#include <CGAL/Deformable_simplicial_complexes/cgal_compat.h>
 
 #include <cmath>
 #include <utility>
@@ -34,8 +34,9 @@ public:
   }
 
 private:
-  using Traits = CGAL::Deformable_simplicial_complexes::internal::Tree_traits_3<
-      Kernel, Triangles::const_iterator>;
+  using Traits =
+      CGAL::Deformable_simplicial_complexes::internal::Tree_traits_3<Kernel,
+                                                                     Triangles::const_iterator>;
 
   Triangles m_triangles;
   CGAL::AABB_tree<Traits> m_tree;

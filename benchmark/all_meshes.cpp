@@ -8,11 +8,11 @@
 #include "inputs.h"
 #include "measures.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/interface_flows_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -22,6 +22,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc_benchmark {
 namespace {
@@ -107,18 +109,18 @@ private:
     Surface surface = read_input(m_path, 0);
     m_triangles = std::to_string(surface.triangles.size());
     const double start = processor_seconds();
-    Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+    Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
         std::vector<Surface>{std::move(surface)}, CGAL::Tetgen_tetrahedralizer_3(),
         parameters::normalize(true));
     m_tetrahedra = std::to_string(complex.number_of_cells());
 
     // The box is centred at the origin.
-    const CGAL::Rigid_rotation_3 rotation(Point(0, 0, 0), Vector(0, 0, 1), 2 * degree);
+    const DSC::Rigid_rotation_3 rotation(Point(0, 0, 0), Vector(0, 0, 1), 2 * degree);
     int incomplete_steps = 0, invalid_steps = 0;
     double seconds = processor_seconds() - start;
     for (int step = 0; step < number_of_steps; ++step) {
       const double start_of_step = processor_seconds();
-      incomplete_steps += !CGAL::advect_interface(complex, rotation, step, 1.).complete;
+      incomplete_steps += !DSC::advect_interface(complex, rotation, step, 1.).complete;
       seconds += processor_seconds() - start_of_step;
       invalid_steps += !check(complex);
     }

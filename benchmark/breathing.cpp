@@ -9,11 +9,11 @@
 #include "inputs.h"
 #include "measures.h"
 
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/control_detail_3.h>
-#include <CGAL/interface_flows_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 
 #include <CLI/CLI.hpp>
 
@@ -24,6 +24,8 @@
 #include <iostream>
 #include <string>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc_benchmark {
 namespace {
@@ -36,7 +38,7 @@ double tetrahedra_per_triangle(const Complex& complex) {
 
 int breathe(const std::string& input, std::size_t triangles, int number_of_steps, double length,
             int breaths) {
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       std::vector<Surface>{read_input(input, triangles)}, CGAL::Tetgen_tetrahedralizer_3(),
       parameters::normalize(true));
   const std::size_t number_of_triangles = complex.interface_facets().size();
@@ -51,9 +53,9 @@ int breathe(const std::string& input, std::size_t triangles, int number_of_steps
     for (double speed : {-distance, distance})
       for (int i = 0; i < number_of_steps; ++i, ++steps) {
         // Half as fine inside the labels as on the interface.
-        CGAL::control_detail(complex, parameters::collapse_length(2.));
+        DSC::control_detail(complex, parameters::collapse_length(2.));
         const auto report =
-            CGAL::advect_interface(complex, CGAL::Normal_offset_3{speed}, double(steps), 1.);
+            DSC::advect_interface(complex, DSC::Normal_offset{speed}, double(steps), 1.);
         unfinished += report.unfinished.size();
         const Angles angles = dihedral_angles(complex);
         minimum = (std::min)(minimum, angles.minimum);

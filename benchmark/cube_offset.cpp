@@ -8,13 +8,13 @@
 #include "inputs.h"
 #include "measures.h"
 
-#include <CGAL/Curvature_size_field_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Curvature_sizing_field.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/face_offsetting_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/control_detail_3.h>
-#include <CGAL/face_offsetting_3.h>
-#include <CGAL/improve_interface_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 
 #include <CGAL/number_utils.h>
 #include <CLI/CLI.hpp>
@@ -28,6 +28,8 @@
 #include <iostream>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc_benchmark {
 namespace {
@@ -89,9 +91,9 @@ struct Outcome
 };
 
 void step(Complex& complex, double speed, double r, double dr, Outcome& outcome) {
-  CGAL::control_detail(complex, parameters::collapse_length(2.));
+  DSC::control_detail(complex, parameters::collapse_length(2.));
   outcome.incomplete +=
-      CGAL::advect_interface(complex, CGAL::Face_offset_3(speed), r, dr).complete ? 0 : 1;
+      DSC::advect_interface(complex, DSC::Face_offset_3(speed), r, dr).complete ? 0 : 1;
   ++outcome.steps;
 }
 
@@ -104,15 +106,15 @@ Outcome offset_outwards(Complex& complex, double end, double tolerance) {
     const double length = std::sqrt(8 * tolerance * r); // of edges around the round ones
     const double dr = (std::min)(end - r, r == 0 ? .001 : (std::min)(.25 * r, .25 * length));
     if (r > 0) {
-      const CGAL::Curvature_size_field_3 size(complex, tolerance, (std::min)(.5 * length, longest),
-                                              longest);
-      CGAL::improve_interface(complex, parameters::size_field(std::cref(size))
-                                           .aggressiveness(0.)
-                                           .interface_split_length(1.5)
-                                           .interface_collapse_length(.5)
-                                           .curved_splits(true)
-                                           .swept_volume(.02)
-                                           .feature_angle(65.));
+      const DSC::Curvature_sizing_field<3> size(complex, tolerance,
+                                                (std::min)(.5 * length, longest), longest);
+      DSC::improve_interface(complex, parameters::sizing_field(std::cref(size))
+                                          .aggressiveness(0.)
+                                          .interface_split_length(1.5)
+                                          .interface_collapse_length(.5)
+                                          .curved_splits(true)
+                                          .swept_volume(.02)
+                                          .feature_angle(65.));
     }
     step(complex, 1, r, dr, outcome);
     r = r + dr < end ? r + dr : end;
@@ -126,7 +128,7 @@ Outcome offset_inwards(Complex& complex, double end) {
   const double begin = processor_seconds(), longest_step = complex.mean_interface_edge() / 8;
   const auto steps = std::size_t(std::ceil(end / longest_step));
   for (std::size_t i = 0; i < steps; ++i) {
-    CGAL::improve_interface(complex);
+    DSC::improve_interface(complex);
     step(complex, -1, end * double(i) / double(steps), end / double(steps), outcome);
   }
   outcome.seconds = processor_seconds() - begin;
@@ -134,7 +136,7 @@ Outcome offset_inwards(Complex& complex, double end) {
 }
 
 int measure(bool outwards, std::size_t n, double distance, double tolerance) {
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       std::vector<Surface>{cube(n)}, CGAL::Tetgen_tetrahedralizer_3());
   const std::size_t triangles = complex.interface_facets().size();
   const Outcome outcome =

@@ -7,9 +7,9 @@
 
 #include "geodesic_fan.h"
 
-#include <CGAL/Deformable_simplicial_complex_2/Riemannian_metric_2.h>
-#include <CGAL/Deformable_simplicial_complex_2/Sphere_like_surface_2.h>
-#include <CGAL/cut_locus_2.h>
+#include <CGAL/Cut_loci_2/Riemannian_metric_2.h>
+#include <CGAL/Cut_loci_2/Sphere_like_surface_2.h>
+#include <CGAL/Cut_loci_2/cut_locus_2.h>
 #include <CGAL/number_utils.h>
 
 #include <CLI/CLI.hpp>
@@ -26,6 +26,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc_benchmark {
 namespace {
@@ -110,7 +112,7 @@ struct Bumps
 // Cut loci of one surface in one point, with that in space.
 struct Found
 {
-  CGAL::Cut_locus_2 locus;
+  DSC::Cut_locus_2 locus;
   std::vector<Vector> positions; // of vertices
   double seconds;                // of processor time
 };
@@ -261,16 +263,16 @@ template <class Surface>
 void add_of_chart(Table& table, const std::string& name, const Surface& surface, const Point& p,
                   const std::vector<Vector>& mirrors) {
   static constexpr double spacing = CGAL_PI / 20, step_of_spacing = .5;
-  const CGAL::Embedded_surface_2<Surface> metric(surface);
+  const DSC::Embedded_surface_2<Surface> metric(surface);
   const Domain domain({2 * CGAL_PI, 2 * CGAL_PI});
   char point[100];
   std::snprintf(point, sizeof point, " at (%g, %g)", p.x(), p.y());
-  const CGAL::Metric_jet_2 g = metric(p.x(), p.y());
+  const DSC::Metric_jet_2 g = metric(p.x(), p.y());
   table.add(
       {name + point, vector(surface(p.x(), p.y())), mirrors}, surface,
       [&] {
-        return CGAL::cut_locus_2(metric, domain, p, spacing,
-                                 step_of_spacing * spacing * std::sqrt((std::min)(g.E, g.G)));
+        return DSC::cut_locus_2(metric, domain, p, spacing,
+                                step_of_spacing * spacing * std::sqrt((std::min)(g.E, g.G)));
       },
       [&](const Point& q) { return vector(surface(q.x(), q.y())); });
 }
@@ -280,18 +282,18 @@ template <class Embedding>
 void add_of_sphere(Table& table, const std::string& name, const Embedding& embedding,
                    const Triple& source, const std::vector<Vector>& mirrors) {
   static constexpr double spacing = .1, step_of_spacing = .5;
-  const CGAL::Sphere_like_surface_2<Embedding> surface(embedding, source);
+  const DSC::Sphere_like_surface_2<Embedding> surface(embedding, source);
   char point[100];
   std::snprintf(point, sizeof point, " at (%g, %g, %g)", source[0], source[1], source[2]);
   const double middle = surface.half_width;
-  const CGAL::Metric_jet_2 g = surface(middle, middle);
+  const DSC::Metric_jet_2 g = surface(middle, middle);
   const Vector direction = vector(source).normalized();
   const Triple n = {direction[0], direction[1], direction[2]};
   table.add(
       {name + point, vector(embedding(n)), mirrors}, embedding,
       [&] {
-        return CGAL::cut_locus_2(surface, spacing,
-                                 step_of_spacing * spacing * std::sqrt((std::min)(g.E, g.G)));
+        return DSC::cut_locus_2(surface, spacing,
+                                step_of_spacing * spacing * std::sqrt((std::min)(g.E, g.G)));
       },
       [&](const Point& q) { return vector(surface.image(q)); });
 }

@@ -9,11 +9,11 @@
 #include "interface_at_start.h"
 #include "measures.h"
 
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
+#include <CGAL/Interface_flows/advect_adaptively.h>
+#include <CGAL/Interface_flows/velocity_fields_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_adaptively_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
-#include <CGAL/restore_volumes_3.h>
-#include <CGAL/velocity_fields_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/bounding_box.h>
@@ -29,6 +29,8 @@
 #include <map>
 #include <string>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc_benchmark {
 namespace {
@@ -102,10 +104,10 @@ double mean_distance_to_sphere(const Complex& complex) {
 }
 
 int flow(const Run& run) {
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       std::vector<Surface>{read_surface(run)}, CGAL::Tetgen_tetrahedralizer_3(),
       parameters::enclosing_box(CGAL::Bbox_3(0, 0, 0, 1, 1, 1)).box_subdivision(8));
-  const CGAL::Enright_velocity_3 velocity(run.period);
+  const DSC::Enright_velocity_3 velocity(run.period);
   const Interface_at_start start(complex);
   const double volume = complex.volume(1), area = complex.area(1);
   const double edge = complex.mean_interface_edge();
@@ -121,16 +123,15 @@ int flow(const Run& run) {
   bool is_valid = true;
   for (std::size_t i = 0; i < steps; ++i) {
     const double begin = processor_seconds();
-    const auto report = CGAL::advect_adaptively(
+    const auto report = DSC::advect_adaptively(
         complex, velocity, double(i) * run.dt, run.dt,
         parameters::interface_tolerance(run.tolerance).adaptation_interval(run.interval));
     bool is_complete = report.complete;
     if (run.restores_volume && i % run.interval == 0)
-      is_complete =
-          CGAL::restore_volumes(complex, std::map<int, double>{{1, volume}},
-                                parameters::quality_threshold(Defaults::quality_threshold))
-              .complete &&
-          is_complete;
+      is_complete = DSC::restore_volumes(complex, std::map<int, double>{{1, volume}},
+                                         parameters::quality_threshold(Defaults::quality_threshold))
+                        .complete &&
+                    is_complete;
     seconds += processor_seconds() - begin;
     incomplete += !is_complete;
     most_triangles = (std::max)(most_triangles, complex.interface_facets().size());

@@ -4,8 +4,8 @@
 
 #include "inputs.h"
 
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/cgal_compat.h>
-#include <CGAL/IO/labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/cgal_compat.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>

@@ -5,7 +5,7 @@
 #ifndef DSC_BENCHMARK_INPUTS_H
 #define DSC_BENCHMARK_INPUTS_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Labelled_surface_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -14,10 +14,12 @@
 #include <string>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace dsc_benchmark {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Surface = CGAL::Labelled_surface_3<Kernel::Point_3>;
+using Surface = DSC::Labelled_surface_3<Kernel::Point_3>;
 
 /// Appends the unit sphere about `centre`: an icosahedron each face of which is cut into n^2
 /// triangles. Points that triangles share are equal: what is not zero is summed in the same order.

@@ -9,10 +9,10 @@
 #include "interface_at_start.h"
 #include "measures.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/triangle_quality.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/triangle_quality.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/improve_interface_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 
 #include <CLI/CLI.hpp>
 
@@ -24,6 +24,8 @@
 #include <iostream>
 #include <string>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc_benchmark {
 namespace {
@@ -47,7 +49,7 @@ std::array<double, 2> smallest_angles(const Complex& complex) {
 }
 
 int improve(const std::string& input, double aggressiveness, unsigned iterations) {
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       std::vector<Surface>{read_input(input, 0)}, CGAL::Tetgen_tetrahedralizer_3(),
       parameters::normalize(true));
   const Interface_at_start start(complex);
@@ -57,8 +59,7 @@ int improve(const std::string& input, double aggressiveness, unsigned iterations
   const double begin = processor_seconds();
   // Scanned surfaces have no sharp edges; where facets fold, that is noise.
   for (unsigned i = 0; i < iterations; ++i)
-    CGAL::improve_interface(complex,
-                            parameters::aggressiveness(aggressiveness).feature_angle(180.));
+    DSC::improve_interface(complex, parameters::aggressiveness(aggressiveness).feature_angle(180.));
   const double seconds = processor_seconds() - begin;
   const auto after = smallest_angles(complex);
   const auto [mean, maximum] = start.distances(complex);

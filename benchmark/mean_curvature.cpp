@@ -8,10 +8,10 @@
 #include "inputs.h"
 #include "measures.h"
 
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_adaptively_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
-#include <CGAL/mean_curvature_flow_3.h>
 
 #include <CLI/CLI.hpp>
 
@@ -24,15 +24,17 @@
 #include <string>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace dsc_benchmark {
 namespace {
 
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 Complex make_complex(const Surface& surface, bool normalize = false) {
-  return CGAL::make_deformable_simplicial_complex_3<Complex>(std::vector<Surface>{surface},
-                                                             CGAL::Tetgen_tetrahedralizer_3(),
-                                                             parameters::normalize(normalize));
+  return DSC::make_deformable_simplicial_complex_3<Complex>(std::vector<Surface>{surface},
+                                                            CGAL::Tetgen_tetrahedralizer_3(),
+                                                            parameters::normalize(normalize));
 }
 
 // What is to be known of a flow when it is over.
@@ -49,7 +51,7 @@ struct Flow
   void step(Complex& complex, double dt) {
     const double sweep = sweep_seconds(complex, complex.cells());
     const double begin = processor_seconds();
-    const auto report = CGAL::advect_adaptively(complex, CGAL::Mean_curvature_flow_3(), time, dt);
+    const auto report = DSC::advect_adaptively(complex, DSC::Mean_curvature_flow(), time, dt);
     const double used = processor_seconds() - begin;
     seconds += used;
     sum_of_sweeps += used / sweep;

@@ -6,7 +6,7 @@
 #define DSC_BENCHMARK_MEASURES_H
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
+#include <CGAL/Deformable_simplicial_complexes/quality_measures_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>
@@ -18,6 +18,8 @@
 #include <vector>
 
 #include <time.h>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc_benchmark {
 
@@ -54,7 +56,7 @@ inline Point centre(const CGAL::Bbox_3& box) {
 /// The exact orientation and the volume-length ratio of each cell, summed up to have a result.
 inline double sweep(const Complex& complex, const std::vector<Complex::Cell_handle>& cells) {
   const auto orientation = complex.geom_traits().orientation_3_object();
-  const CGAL::Volume_length_ratio_3 ratio;
+  const DSC::Volume_length_ratio_3 ratio;
   double sum = 0;
   for (const Complex::Cell_handle c : cells) {
     const auto v = [c](int i) { return c->vertex(i); };

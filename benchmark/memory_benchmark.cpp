@@ -9,8 +9,8 @@
 #include "inputs.h"
 #include "measures.h"
 
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -26,6 +26,8 @@
 
 #include <malloc.h>
 #include <unistd.h>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc_benchmark {
 namespace {
@@ -49,7 +51,7 @@ template <class Container> double container_bytes(const Container& container) {
 }
 
 void run(const std::string& input, std::size_t triangles, const std::string& json_path) {
-  auto complex = std::make_unique<Complex>(CGAL::make_deformable_simplicial_complex_3<Complex>(
+  auto complex = std::make_unique<Complex>(DSC::make_deformable_simplicial_complex_3<Complex>(
       {read_input(input, triangles)}, CGAL::Tetgen_tetrahedralizer_3(),
       parameters::normalize(true)));
   const std::size_t tetrahedra = complex->number_of_cells();

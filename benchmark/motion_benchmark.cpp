@@ -9,13 +9,13 @@
 #include "inputs.h"
 #include "measures.h"
 
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/improve_interface_3.h>
-#include <CGAL/improve_mesh_3.h>
-#include <CGAL/interface_flows_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
-#include <CGAL/mean_curvature_flow_3.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -32,6 +32,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc_benchmark {
 namespace {
@@ -92,7 +94,7 @@ private:
 };
 
 /// Where the time of a step went.
-Json parts(const CGAL::Deformation_report<Complex>::Seconds& seconds) {
+Json parts(const DSC::Deformation_report<Complex>::Seconds& seconds) {
   return {{"extension", seconds.extension},
           {"motion", seconds.motion},
           {"relabeling", seconds.relabeling},
@@ -113,7 +115,7 @@ public:
   template <class Flow> Json& take(Complex& complex, const Flow& flow, double dt = 1) {
     const double sweep = sweep_seconds(m_initial, m_cells);
     const double start = processor_seconds();
-    const auto report = CGAL::advect_interface(complex, flow, dt * double(m_steps.size()), dt);
+    const auto report = DSC::advect_interface(complex, flow, dt * double(m_steps.size()), dt);
     const double seconds = processor_seconds() - start;
     m_steps.push_back({{"seconds", seconds},
                        {"sweep_milliseconds", 1000 * sweep},
@@ -158,17 +160,17 @@ private:
 void refine(Complex& complex) {
   static constexpr double longest = 4. / 3; // of the wanted length, half of what there is
   const double edge = complex.mean_interface_edge() / 2;
-  CGAL::improve_interface(complex, parameters::size_field([edge](const Point&) {
-                                     return edge;
-                                   }).interface_split_length(longest));
-  CGAL::improve_mesh(complex);
+  DSC::improve_interface(complex, parameters::sizing_field([edge](const Point&) {
+                                    return edge;
+                                  }).interface_split_length(longest));
+  DSC::improve_mesh(complex);
 }
 
 /// Two degrees in each step, about the z axis through the centre of the box.
 Json rotate(Complex& complex, Steps& steps, int number_of_steps) {
   const CGAL::Bbox_3 box = bounding_box(complex);
   const Initial_interface initial(complex);
-  const CGAL::Rigid_rotation_3 rotation(centre(box), Vector(0, 0, 1), 2 * degree);
+  const DSC::Rigid_rotation_3 rotation(centre(box), Vector(0, 0, 1), 2 * degree);
   for (int i = 0; i < number_of_steps; ++i)
     steps.take(complex, rotation);
 
@@ -197,7 +199,7 @@ Json offset(Complex& complex, Steps& steps, int number_of_steps) {
   Json components = Json::array({complex.number_of_components(1)});
   for (double speed : {distance, -distance}) {
     for (int i = 0; i < number_of_steps; ++i) {
-      Json& step = steps.take(complex, CGAL::Normal_offset_3{speed});
+      Json& step = steps.take(complex, DSC::Normal_offset{speed});
       step["invalid"] = check(complex) ? 0 : 1;
       step["angles_outside_6_171"] = dihedral_angles(complex).fraction_outside_6_171();
       step["volume"] = volume(complex);
@@ -270,17 +272,17 @@ Json move(const std::string& mode, Complex& complex, Steps& steps, int number_of
     return offset(complex, steps, number(20));
   const double edge = complex.mean_interface_edge();
   if (mode == "inwards")
-    return flow(complex, steps, number(20), CGAL::Normal_offset_3{-edge / 4});
+    return flow(complex, steps, number(20), DSC::Normal_offset{-edge / 4});
   if (mode == "curvature")
-    return flow(complex, steps, number(20), CGAL::Mean_curvature_flow_3(), edge * edge);
+    return flow(complex, steps, number(20), DSC::Mean_curvature_flow(), edge * edge);
   if (mode == "slow_curvature")
-    return flow(complex, steps, number(20), CGAL::Mean_curvature_flow_3(), edge * edge / 6);
+    return flow(complex, steps, number(20), DSC::Mean_curvature_flow(), edge * edge / 6);
   return push(complex, steps, number(5), mode == "push" ? small_part : 0);
 }
 
 int run(const std::string& mode, const std::string& input, std::size_t triangles,
         int number_of_refinements, int number_of_steps, const std::string& json_path) {
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       {read_input(input, triangles)}, CGAL::Tetgen_tetrahedralizer_3(),
       parameters::normalize(true));
   for (int i = 0; i < number_of_refinements; ++i)

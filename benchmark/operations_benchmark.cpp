@@ -9,16 +9,16 @@
 #include "inputs.h"
 #include "measures.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/relabeling_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/vertex_optimization_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/vertex_smoothing_3.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Harmonic_extension.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/relabeling.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_optimization_3.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 
 #include <benchmark/benchmark.h>
 
@@ -29,6 +29,8 @@
 #include <iostream>
 #include <string>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc_benchmark {
 namespace {
@@ -69,24 +71,24 @@ void add_proposals_for_cells(const Complex& complex) {
     });
   };
   add_for_edges("propose_edge_removal", [&](Cell_handle c, int i, int j, auto& cavity) {
-    return CGAL::propose_edge_removal(complex, c, i, j, cavity);
+    return DSC::propose_edge_removal(complex, c, i, j, cavity);
   });
   add_for_edges("propose_interface_edge_flip", [&](Cell_handle c, int i, int j, auto& cavity) {
-    return CGAL::propose_interface_edge_flip(complex, c, i, j, cavity);
+    return DSC::propose_interface_edge_flip(complex, c, i, j, cavity);
   });
   add_for_edges("propose_edge_collapse", [&](Cell_handle c, int i, int j, auto& cavity) {
-    return CGAL::propose_edge_collapse(complex, c, i, j, .1, cavity);
+    return DSC::propose_edge_collapse(complex, c, i, j, .1, cavity);
   });
   add_for_edges("propose_edge_split", [&](Cell_handle c, int i, int j, auto& cavity) {
-    return CGAL::propose_edge_split(complex, c, i, j, .5, cavity);
+    return DSC::propose_edge_split(complex, c, i, j, .5, cavity);
   });
   add("propose_multi_face_removal", [&](Cell_handle c, std::size_t i, auto& cavity) {
-    return CGAL::propose_multi_face_removal(complex, c, int(i % 4), cavity);
+    return DSC::propose_multi_face_removal(complex, c, int(i % 4), cavity);
   });
   // A threshold of 1 lets no cell pass without being looked at.
   add("propose_relabeling", [&](Cell_handle c, std::size_t, auto&) {
     Complex::Label label = c->label();
-    return CGAL::propose_relabeling(complex, c, 1., label);
+    return DSC::propose_relabeling(complex, c, 1., label);
   });
 }
 
@@ -107,13 +109,13 @@ void add_stars_and_motion(Complex& complex) {
                 [&complex, free, star = Star()](std::size_t i) mutable {
                   complex.star(free[i], star);
                   Complex::Point_3 target;
-                  return CGAL::propose_smart_laplacian(complex, free[i], star, target);
+                  return DSC::propose_smart_laplacian(complex, free[i], star, target);
                 });
   add_benchmark("star and propose_optimal_position", free.size(),
                 [&complex, free, star = Star()](std::size_t i) mutable {
                   complex.star(free[i], star);
                   Complex::Point_3 target;
-                  return CGAL::propose_optimal_position(complex, free[i], star, target);
+                  return DSC::propose_optimal_position(complex, free[i], star, target);
                 });
   const Vector step = complex.mean_interface_edge() * Vector(.01, .02, .03);
   add_benchmark("move_vertex, there and back", moving.size(),
@@ -166,7 +168,7 @@ int main(int argc, char** argv) {
     return EXIT_FAILURE;
   }
   try {
-    auto complex = CGAL::make_deformable_simplicial_complex_3<dsc_benchmark::Complex>(
+    auto complex = DSC::make_deformable_simplicial_complex_3<dsc_benchmark::Complex>(
         {dsc_benchmark::read_input(argv[1], 0)}, CGAL::Tetgen_tetrahedralizer_3(),
         parameters::normalize(true));
     complex.sort_storage();

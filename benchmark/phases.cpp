@@ -10,13 +10,13 @@
 #include "measures.h"
 #include "small_meshes.h"
 
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/control_detail_3.h>
-#include <CGAL/improve_interface_3.h>
-#include <CGAL/interface_flows_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
-#include <CGAL/mean_curvature_flow_3.h>
 
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CLI/CLI.hpp>
@@ -34,6 +34,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc_benchmark {
 namespace {
@@ -118,8 +120,8 @@ int measure_quadruple_point(std::size_t n) {
   static constexpr int number_of_steps = 180;
   static constexpr double tolerance = 1e-9;
   const auto mesh = small_meshes::grid(2 * n, four_sectors);
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
-      mesh.points, mesh.tetrahedra, mesh.labels);
+  Complex complex =
+      DSC::make_deformable_simplicial_complex_3<Complex>(mesh.points, mesh.tetrahedra, mesh.labels);
   const CGAL::Bbox_3 box = bounding_box(complex);
   const Phases before(complex);
   const auto is_quadruple = [](const auto& point) {
@@ -128,11 +130,11 @@ int measure_quadruple_point(std::size_t n) {
   };
   const auto quadruple_points =
       std::count_if(before.points.begin(), before.points.end(), is_quadruple);
-  const CGAL::Rigid_rotation_3 rotation({.1, .1, .1}, {1, 2, 3}, 360. / number_of_steps * degree);
+  const DSC::Rigid_rotation_3 rotation({.1, .1, .1}, {1, 2, 3}, 360. / number_of_steps * degree);
   std::size_t incomplete = 0;
   const double begin = processor_seconds();
   for (int step = 0; step < number_of_steps; ++step)
-    incomplete += CGAL::advect_interface(complex, rotation, step, 1.).complete ? 0 : 1;
+    incomplete += DSC::advect_interface(complex, rotation, step, 1.).complete ? 0 : 1;
   const double seconds = processor_seconds() - begin;
 
   const Phases after(complex);
@@ -178,7 +180,7 @@ Surface double_bubble(std::size_t n) {
 
 // The triangles cut the tetrahedra into three regions: those with the middles of the bubbles have
 // the labels 1 and 2, the other one 0.
-std::vector<int> labels_of_bubbles(const CGAL::Tetrahedralization_3& mesh,
+std::vector<int> labels_of_bubbles(const DSC::Tetrahedralization_3& mesh,
                                    const std::vector<Triangle>& triangles) {
   std::set<Triangle> walls;
   for (Triangle t : triangles) {
@@ -220,12 +222,12 @@ Complex make_double_bubble(std::size_t n, double stretch = 1) {
   std::vector<std::array<double, 3>> coordinates;
   for (const auto& p : surface.points)
     coordinates.push_back({stretch * p.x(), p.y(), p.z()});
-  const CGAL::Tetrahedralization_3 mesh =
+  const DSC::Tetrahedralization_3 mesh =
       CGAL::Tetgen_tetrahedralizer_3()(coordinates, surface.triangles);
   std::vector<Complex::Point_3> points;
   for (const auto& p : mesh.points)
     points.emplace_back(p[0], p[1], p[2]);
-  return CGAL::make_deformable_simplicial_complex_3<Complex>(
+  return DSC::make_deformable_simplicial_complex_3<Complex>(
       points, mesh.tetrahedra, labels_of_bubbles(mesh, surface.triangles));
 }
 
@@ -242,7 +244,7 @@ int measure_double_bubble(std::size_t n) {
   std::size_t incomplete = 0, unfinished = 0, events = 0;
   const double begin = processor_seconds();
   for (int i = 0; i < number_of_steps; ++i) {
-    const auto report = CGAL::advect_interface(complex, CGAL::Normal_offset_3{1}, i * step, step);
+    const auto report = DSC::advect_interface(complex, DSC::Normal_offset{1}, i * step, step);
     incomplete += report.complete ? 0 : 1;
     unfinished += report.unfinished.size();
     events += report.events.size();
@@ -334,12 +336,11 @@ int measure_relaxed_bubble(std::size_t n) {
   std::size_t incomplete = 0;
   const double begin = processor_seconds();
   for (int step = 0; step < number_of_steps; ++step) {
-    CGAL::improve_interface(complex);
-    CGAL::control_detail(complex, parameters::collapse_length(2.));
+    DSC::improve_interface(complex);
+    DSC::control_detail(complex, parameters::collapse_length(2.));
     incomplete +=
-        CGAL::advect_interface(complex, CGAL::Mean_curvature_flow_3(true), step * dt, dt).complete
-            ? 0
-            : 1;
+        DSC::advect_interface(complex, DSC::Mean_curvature_flow(true), step * dt, dt).complete ? 0
+                                                                                               : 1;
   }
   const double seconds = processor_seconds() - begin;
   const Triple_angles angles(complex);

@@ -14,11 +14,11 @@
 #include "random_fields.h"
 #include "small_meshes.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/Deformable_simplicial_complex_3/topology_control.h>
-#include <CGAL/IO/checkpoint_3.h>
-#include <CGAL/advect_interface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/topology_control.h>
+#include <CGAL/Interface_flows/advect_interface.h>
 
 #include <CLI/CLI.hpp>
 #include <boost/crc.hpp>
@@ -42,13 +42,15 @@
 
 #include <unistd.h>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace {
 
 using dsc_benchmark::Complex;
 using dsc_benchmark::Field;
 using dsc_benchmark::Point;
 using dsc_benchmark::Random_fields;
-using Report = CGAL::Deformation_report<Complex>;
+using Report = DSC::Deformation_report<Complex>;
 using Topology_control = std::function<bool(const Complex&, Complex::Cell_handle, int)>;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
@@ -192,15 +194,15 @@ private:
 
   Report advect(const Field& field, const Policy& policy, const Topology_control& control) {
     using CGAL::Deformable_simplicial_complexes::Integration_scheme;
-    const auto velocity = [&](const CGAL::Interface_snapshot_3<Complex>&, const std::vector<Point>&,
+    const auto velocity = [&](const DSC::Interface_snapshot<Complex>&, const std::vector<Point>&,
                               double, Field& velocities) { velocities = field; };
-    return CGAL::advect_interface(m_complex, velocity, 0., 1.,
-                                  parameters::scheme(Integration_scheme::euler)
-                                      .topology_control(control)
-                                      .maximum_number_of_passes(policy.maximum_number_of_passes)
-                                      .manifold_interface(policy.manifold_interface)
-                                      .collision_order(policy.collision_order)
-                                      .number_of_threads(policy.number_of_threads));
+    return DSC::advect_interface(m_complex, velocity, 0., 1.,
+                                 parameters::scheme(Integration_scheme::euler)
+                                     .topology_control(control)
+                                     .maximum_number_of_passes(policy.maximum_number_of_passes)
+                                     .manifold_interface(policy.manifold_interface)
+                                     .collision_order(policy.collision_order)
+                                     .number_of_threads(policy.number_of_threads));
   }
 
   const Complex m_initial;

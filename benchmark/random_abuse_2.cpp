@@ -9,8 +9,8 @@
 #include "Worst_cells.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
-#include <CGAL/advect_interface_2.h>
-#include <CGAL/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Interface_flows/advect_interface.h>
 
 #include <CLI/CLI.hpp>
 
@@ -31,6 +31,8 @@
 #include <vector>
 
 #include <unistd.h>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace {
 
@@ -164,7 +166,7 @@ public:
     const Topology before = topology(m_complex);
     ++counts.fields;
     try {
-      const auto report = CGAL::advect_interface(m_complex, velocity, 0., 1., np);
+      const auto report = DSC::advect_interface(m_complex, velocity, 0., 1., np);
       require(!is_bad, "a destination that is not finite was accepted");
       ++(report.complete ? counts.complete : counts.incomplete);
       counts.relabeled += report.relabeled;
@@ -240,12 +242,12 @@ void run(std::size_t number_of_fields, std::uint64_t seed) {
   for (const auto& [labels, label_at] :
        {std::make_pair("2", two_labels), std::make_pair("5", five_labels)}) {
     abuse(std::string("plane, ") + labels,
-          CGAL::make_deformable_simplicial_complex_2<Planar>(CGAL::Bbox_2(0, 0, size, size), edge,
-                                                             label_at),
+          DSC::make_deformable_simplicial_complex_2<Planar>(CGAL::Bbox_2(0, 0, size, size), edge,
+                                                            label_at),
           number_of_fields / 4, random);
     abuse(std::string("torus, ") + labels,
-          CGAL::make_deformable_simplicial_complex_2<Torus>(Torus_domain<2>({size, size}), edge,
-                                                            label_at),
+          DSC::make_deformable_simplicial_complex_2<Torus>(Torus_domain<2>({size, size}), edge,
+                                                           label_at),
           number_of_fields / 4, random);
   }
   std::cout << "\nEvery state was valid.\n";

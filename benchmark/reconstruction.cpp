@@ -7,18 +7,18 @@
 #include "measures.h"
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
-#include <CGAL/IO/point_set_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/point_set_3.h>
+#include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/compute_average_spacing.h>
-#include <CGAL/extract_interface_3.h>
 #include <CGAL/jet_estimate_normals.h>
 #include <CGAL/mst_orient_normals.h>
 #include <CGAL/poisson_surface_reconstruction.h>
 #include <CGAL/property_map.h>
-#include <CGAL/reconstruct_point_set_3.h>
 
 #include <CLI/CLI.hpp>
 
@@ -35,6 +35,8 @@
 #include <vector>
 
 #include <sys/resource.h>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc_benchmark {
 namespace {
@@ -56,10 +58,10 @@ using Method = std::function<Reconstruction(const std::vector<Point>&)>;
 
 Reconstruction by_complex(const std::vector<Point>& points, unsigned threads) {
   CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Complex> report;
-  const Complex complex = CGAL::reconstruct_point_set_3<Complex>(
+  const Complex complex = DSC::reconstruct_point_set_3<Complex>(
       points, parameters::number_of_threads(threads).keep_open(true).report(std::ref(report)));
   Reconstruction result;
-  CGAL::interface_to_surface_mesh(CGAL::extract_interface(complex), result.mesh);
+  DSC::interface_to_surface_mesh(DSC::extract_interface(complex), result.mesh);
   const auto tell = [&](std::size_t number, const char* what) {
     if (number > 0)
       result.told += (result.told.empty() ? "" : ", ") + std::to_string(number) + " " + what;

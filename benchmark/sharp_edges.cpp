@@ -6,8 +6,8 @@
 #include "measures.h"
 #include "solids.h"
 
-#include <CGAL/extract_interface_3.h>
-#include <CGAL/reconstruct_point_set_3.h>
+#include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
+#include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 
 #include <CLI/CLI.hpp>
 
@@ -19,6 +19,8 @@
 #include <memory>
 #include <string>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc_benchmark {
 namespace {
@@ -91,7 +93,7 @@ Solid make_solid(const std::string& name, unsigned teeth) {
 
 std::vector<Kernel::Triangle_3> triangles_of(const Complex& complex) {
   std::vector<Kernel::Triangle_3> result;
-  const auto surface = CGAL::extract_interface(complex);
+  const auto surface = DSC::extract_interface(complex);
   const auto point = [&](std::size_t i) {
     const auto& p = surface.points[i];
     return Point_3(p.x(), p.y(), p.z());
@@ -127,7 +129,7 @@ void measure(const Options& options) {
   const double begin = processor_seconds();
   CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Complex> report;
   const Complex complex =
-      CGAL::reconstruct_point_set_3<Complex>(points, parameters::report(std::ref(report)));
+      DSC::reconstruct_point_set_3<Complex>(points, parameters::report(std::ref(report)));
   const double seconds = processor_seconds() - begin;
 
   const auto triangles = triangles_of(complex);

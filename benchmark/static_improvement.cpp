@@ -4,9 +4,9 @@
 #include "inputs.h"
 #include "measures.h"
 
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/improve_mesh_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 
 #include <CLI/CLI.hpp>
 
@@ -21,6 +21,8 @@
 #include <utility>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace dsc_benchmark {
 namespace {
 
@@ -28,7 +30,7 @@ namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 using Complex =
     CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
-                                          CGAL::Default, CGAL::Biased_minimum_sine_3>;
+                                          CGAL::Default, DSC::Biased_minimum_sine_3>;
 
 // The dihedral angles of all cells, and of those that are free. The fixed interface dictates those
 // of cells that have two facets on it, or one whose smallest angle is below a bound; and around a
@@ -120,7 +122,7 @@ void print_angles(const Angles& angles) {
 
 int measure(const std::string& input, std::size_t triangles, bool aggressive, double sharp,
             unsigned number_of_threads) {
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       std::vector<Surface>{read_input(input, triangles)}, CGAL::Tetgen_tetrahedralizer_3(),
       parameters::normalize(true).improve(false));
   const Interface before = interface_of(complex);
@@ -128,8 +130,8 @@ int measure(const std::string& input, std::size_t triangles, bool aggressive, do
   const std::size_t tetrahedra = complex.number_of_cells();
 
   const auto begin = std::chrono::steady_clock::now();
-  CGAL::improve_mesh(complex,
-                     parameters::aggressive(aggressive).number_of_threads(number_of_threads));
+  DSC::improve_mesh(complex,
+                    parameters::aggressive(aggressive).number_of_threads(number_of_threads));
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 

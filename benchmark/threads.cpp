@@ -8,11 +8,11 @@
 #include "inputs.h"
 #include "measures.h"
 
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/interface_flows_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
-#include <CGAL/mean_curvature_flow_3.h>
 
 #include <CLI/CLI.hpp>
 
@@ -28,6 +28,8 @@
 #include <string>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace dsc_benchmark {
 namespace {
 
@@ -39,8 +41,8 @@ using Work = std::function<void(Complex&, unsigned number_of_threads)>;
 template <class Flow> Work steps_of(const Flow& flow, int number, double dt) {
   return [=](Complex& complex, unsigned number_of_threads) {
     for (int i = 0; i < number; ++i)
-      CGAL::advect_interface(complex, flow, i * dt, dt,
-                             parameters::number_of_threads(number_of_threads));
+      DSC::advect_interface(complex, flow, i * dt, dt,
+                            parameters::number_of_threads(number_of_threads));
   };
 }
 
@@ -48,17 +50,16 @@ template <class Flow> Work steps_of(const Flow& flow, int number, double dt) {
 std::map<std::string, Work> works(const Complex& complex) {
   static constexpr int number_of_steps = 10;
   const double edge = complex.mean_interface_edge();
-  return {
-      {"rotation",
-       steps_of(CGAL::Rigid_rotation_3(centre(bounding_box(complex)), Vector(0, 0, 1), 2 * degree),
-                number_of_steps, 1)},
-      {"offset", steps_of(CGAL::Normal_offset_3{edge / 4}, number_of_steps, 1)},
-      {"mean_curvature", steps_of(CGAL::Mean_curvature_flow_3(), number_of_steps, edge * edge)}};
+  return {{"rotation", steps_of(DSC::Rigid_rotation_3(centre(bounding_box(complex)),
+                                                      Vector(0, 0, 1), 2 * degree),
+                                number_of_steps, 1)},
+          {"offset", steps_of(DSC::Normal_offset{edge / 4}, number_of_steps, 1)},
+          {"mean_curvature", steps_of(DSC::Mean_curvature_flow(), number_of_steps, edge * edge)}};
 }
 
 int run(const std::string& name, const std::string& input, std::size_t triangles,
         const std::vector<unsigned>& threads, int repetitions) {
-  Complex initial = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  Complex initial = DSC::make_deformable_simplicial_complex_3<Complex>(
       {read_input(input, triangles)}, CGAL::Tetgen_tetrahedralizer_3(),
       parameters::normalize(true));
   initial.sort_storage();

@@ -10,10 +10,10 @@
 #include "inputs.h"
 #include "measures.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/Component_event.h>
+#include <CGAL/Deformable_simplicial_complexes/Component_event.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/number_utils.h>
 
 #include <CLI/CLI.hpp>
@@ -31,6 +31,8 @@
 #include <string>
 #include <tuple>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc_benchmark {
 namespace {
@@ -144,7 +146,7 @@ Scenario split(std::size_t n) {
           2.2};
 }
 
-std::string to_string(const CGAL::Component_event& event) {
+std::string to_string(const DSC::Component_event& event) {
   static constexpr const char* kinds[] = {"merged", "split", "vanished", "appeared"};
   return "label " + std::to_string(event.label) + ' ' + kinds[static_cast<int>(event.kind)] + ' ' +
          std::to_string(event.before.size()) + " → " + std::to_string(event.after.size());
@@ -197,7 +199,7 @@ void print_list(const Range& range, const char* separator, const Print& print) {
 
 // In steps of a quarter of a mean edge, and four more when all has come: it must also stay.
 int run(const std::string& name, const Scenario& scenario, bool prints_steps) {
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       std::vector<Surface>{scenario.surface}, CGAL::Tetgen_tetrahedralizer_3());
   const double edge = complex.mean_interface_edge(), dt = edge / 4;
   const std::size_t triangles = complex.interface_facets().size();
@@ -206,8 +208,8 @@ int run(const std::string& name, const Scenario& scenario, bool prints_steps) {
   std::size_t steps = 0, steps_at_end = 0, incomplete = 0;
   const double begin = processor_seconds();
   for (; double(steps) * dt < scenario.end && steps_at_end < 4; ++steps) {
-    const auto report = CGAL::advect_interface(complex, scenario.flow, double(steps) * dt, dt,
-                                               parameters::manifold_interface(true));
+    const auto report = DSC::advect_interface(complex, scenario.flow, double(steps) * dt, dt,
+                                              parameters::manifold_interface(true));
     const double t = double(steps + 1) * dt;
     const Topology& topology = observer.observe(complex, t);
     incomplete += report.complete ? 0 : 1;

@@ -4,12 +4,12 @@
 #include "inputs.h"
 #include "measures.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/topology_control.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/topology_control.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/face_offsetting_3.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/face_offsetting_3.h>
-#include <CGAL/interface_flows_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/number_utils.h>
 
 #include <CLI/CLI.hpp>
@@ -18,6 +18,8 @@
 #include <cstddef>
 #include <iostream>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc_benchmark {
 namespace {
@@ -45,7 +47,7 @@ Surface spheres(std::size_t n) {
 
 // In steps of a quarter of a mean edge, the last one before each radius shorter.
 int measure(std::size_t n, bool forbid, bool moves_faces) {
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       std::vector<Surface>{spheres(n)}, CGAL::Tetgen_tetrahedralizer_3());
   const std::size_t triangles = complex.interface_facets().size();
   const double step = complex.mean_interface_edge() / 4;
@@ -57,16 +59,16 @@ int measure(std::size_t n, bool forbid, bool moves_faces) {
     while (r < target) {
       const double dt = (std::min)(step, target - r);
       const auto report =
-          forbid        ? CGAL::advect_interface(complex, CGAL::Normal_offset_3{1}, r, dt,
-                                                 parameters::topology_control(Forbid_topology_changes()))
-          : moves_faces ? CGAL::advect_interface(complex, CGAL::Face_offset_3(1), r, dt)
-                        : CGAL::advect_interface(complex, CGAL::Normal_offset_3{1}, r, dt);
+          forbid        ? DSC::advect_interface(complex, DSC::Normal_offset{1}, r, dt,
+                                                parameters::topology_control(Forbid_topology_changes()))
+          : moves_faces ? DSC::advect_interface(complex, DSC::Face_offset_3(1), r, dt)
+                        : DSC::advect_interface(complex, DSC::Normal_offset{1}, r, dt);
       r = r + dt < target ? r + dt : target;
       unfinished = report.unfinished.size();
       for (const auto& event : report.events) {
         std::cerr << "r = " << r << ", label " << event.label << ": " << event.before.size()
                   << " -> " << event.after.size() << " at " << event.where << '\n';
-        merged += event.label == 1 && event.kind == CGAL::Component_event::Kind::merged;
+        merged += event.label == 1 && event.kind == DSC::Component_event::Kind::merged;
       }
     }
     std::cout.precision(4);

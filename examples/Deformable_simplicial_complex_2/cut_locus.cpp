@@ -1,13 +1,15 @@
 // The cut locus of a point of a torus of revolution: where two or more shortest ways from it end.
 // Usage: cut_locus [SPACING [V [B [FILE.svg]]]]: of the point (0, V) of the torus
 // ((2 + cos v) cos u, (2 + cos v) sin u, B sin v).
-#include <CGAL/IO/cut_locus_2.h>
-#include <CGAL/cut_locus_2.h>
+#include <CGAL/Cut_loci_2/IO/cut_locus_2.h>
+#include <CGAL/Cut_loci_2/cut_locus_2.h>
 
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 struct Torus
 {
@@ -24,9 +26,9 @@ struct Torus
 int main(int argc, char** argv) {
   const double period = 4 * std::acos(0.), spacing = argc > 1 ? std::atof(argv[1]) : .3,
                v = argc > 2 ? std::atof(argv[2]) : 0, b = argc > 3 ? std::atof(argv[3]) : 1;
-  const CGAL::Embedded_surface_2<Torus> metric(Torus{b});
+  const DSC::Embedded_surface_2<Torus> metric(Torus{b});
   const CGAL::Deformable_simplicial_complexes::Torus_domain<2> domain({period, period});
-  const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(metric, domain, {0, v}, spacing, spacing / 2);
+  const DSC::Cut_locus_2 locus = DSC::cut_locus_2(metric, domain, {0, v}, spacing, spacing / 2);
   std::cout << locus.polylines.size() << " arcs; where they begin, meet or end:\n";
   for (const auto& vertex : locus.vertices)
     if (vertex.multiplicity != 2)

@@ -2,12 +2,12 @@
 // pi / 3 for each side (von Neumann, Mullins).
 // Usage: planar_foam [CELLS [EDGE [STEPS [FILE.svg]]]]
 #include <CGAL/Deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
-#include <CGAL/IO/SVG_2.h>
-#include <CGAL/advect_interface_2.h>
-#include <CGAL/control_detail_2.h>
-#include <CGAL/curve_shortening_flow_2.h>
-#include <CGAL/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_interface.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -16,6 +16,8 @@
 #include <random>
 #include <set>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 using Domain = CGAL::Deformable_simplicial_complexes::Torus_domain<2>;
 using Complex =
@@ -77,24 +79,24 @@ int main(int argc, char** argv) {
         (domain.near(p, seeds[other - 1]) - p).squared_length() > .4 / double(number_of_cells))
       seeds.push_back(p);
   }
-  Complex foam = CGAL::make_deformable_simplicial_complex_2<Complex>(
+  Complex foam = DSC::make_deformable_simplicial_complex_2<Complex>(
       domain, edge, [&](const Point& p) { return nearest(domain, seeds, p); });
 
   // Changes of areas, for the numbers of sides, and their regression
   double xx = 0, xy = 0;
   std::size_t exchanged = 0, vanished = 0;
   for (int step = 0; step < steps; ++step) {
-    CGAL::control_detail(foam, parameters::change_interface(true)
-                                   .size_field([&](const Point&) { return edge; })
-                                   .interface_split_length(1.4));
+    DSC::control_detail(foam, parameters::change_interface(true)
+                                  .sizing_field([&](const Point&) { return edge; })
+                                  .interface_split_length(1.4));
     const auto sides = numbers_of_sides(foam);
     std::map<int, double> areas;
     for (int label : foam.labels())
       areas[label] = foam.area(label);
-    const auto report = CGAL::advect_interface(foam, CGAL::Curve_shortening_flow_2(), 0, dt);
+    const auto report = DSC::advect_interface(foam, DSC::Mean_curvature_flow(), 0, dt);
     exchanged += report.exchanges.size();
     for (const auto& event : report.events)
-      vanished += event.kind == CGAL::Component_event::Kind::vanished;
+      vanished += event.kind == DSC::Component_event::Kind::vanished;
     const auto sides_after = numbers_of_sides(foam);
     for (const auto& [label, n] : sides)
       if (const auto after = sides_after.find(label);

@@ -1,15 +1,17 @@
 // A disk in a single vortex, pulled to a long thread and brought back: how long it gets, how well
 // its area is kept, and how much of it is not where it was. Usage: single_vortex [PERIOD [SEGMENTS
 // [DT]]]
-#include <CGAL/advect_adaptively_2.h>
-#include <CGAL/make_deformable_simplicial_complex_2.h>
-#include <CGAL/velocity_fields_2.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Interface_flows/advect_adaptively.h>
+#include <CGAL/Interface_flows/velocity_fields_2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
@@ -49,15 +51,15 @@ int main(int argc, char** argv) {
   std::vector<Complex::Point_2> polygon;
   for (int i = 0; i < segments; ++i)
     polygon.emplace_back(center.x() + r * std::cos(i * step), center.y() + r * std::sin(i * step));
-  CGAL::Labelled_curve_2<Complex::Point_2> disk;
+  DSC::Labelled_curve_2<Complex::Point_2> disk;
   disk.add_polyline(polygon);
-  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+  Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
       {disk}, parameters::enclosing_box(CGAL::Bbox_2(0, 0, 1, 1)));
 
   const double area = dsc.area(1), first_length = length(dsc);
   double worst = 0;
   for (int i = 0; i < steps; ++i) {
-    CGAL::advect_adaptively(dsc, CGAL::Single_vortex_velocity_2(period), i * dt, dt);
+    DSC::advect_adaptively(dsc, DSC::Single_vortex_velocity_2(period), i * dt, dt);
     worst = (std::max)(worst, std::abs(dsc.area(1) / area - 1));
     if (2 * (i + 1) == steps)
       std::cout << "halfway " << length(dsc) / first_length << " times as long, in "

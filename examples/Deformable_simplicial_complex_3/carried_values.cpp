@@ -1,14 +1,14 @@
-#include <CGAL/Carried_cell_averages_3.h>
-#include <CGAL/Carried_vertex_values_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_pair_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Carried_cell_averages.h>
+#include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor_pair.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
 #include <CGAL/boost/graph/generators.h>
-#include <CGAL/improve_mesh_3.h>
-#include <CGAL/interface_flows_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <algorithm>
@@ -18,6 +18,8 @@
 #include <functional>
 #include <iostream>
 #include <unordered_map>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
@@ -61,8 +63,8 @@ int main() {
   CGAL::make_icosahedron(spheres, Point(-.7, 0, 0), .5);
   CGAL::make_icosahedron(spheres, Point(.7, 0, 0), .5);
   CGAL::Subdivision_method_3::Loop_subdivision(spheres, CGAL::parameters::number_of_iterations(2));
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
-      spheres, CGAL::Tetgen_tetrahedralizer_3());
+  Complex complex =
+      DSC::make_deformable_simplicial_complex_3<Complex>(spheres, CGAL::Tetgen_tetrahedralizer_3());
 
   // A temperature at each vertex, and a density in each cell
   std::unordered_map<std::size_t, double> temperatures, densities;
@@ -76,14 +78,14 @@ int main() {
   const double before = mass(complex, density);
   {
     // From here to the end of the block, `density` holds masses instead.
-    CGAL::Carried_vertex_values_3 vertex_values(complex, temperature);
-    CGAL::Carried_cell_averages_3 cell_averages(complex, density);
-    CGAL::Deformation_visitor_pair_3 visitor(vertex_values, cell_averages);
+    DSC::Carried_vertex_values vertex_values(complex, temperature);
+    DSC::Carried_cell_averages cell_averages(complex, density);
+    DSC::Deformation_visitor_pair visitor(vertex_values, cell_averages);
     const double dt = .04; // the spheres touch at time 0.2
     for (int step = 0; step < 6; ++step)
-      CGAL::advect_interface(complex, CGAL::Normal_offset_3{1.}, step * dt, dt,
-                             parameters::visitor(std::ref(visitor)));
-    CGAL::improve_mesh(complex, parameters::visitor(std::ref(visitor)));
+      DSC::advect_interface(complex, DSC::Normal_offset{1.}, step * dt, dt,
+                            parameters::visitor(std::ref(visitor)));
+    DSC::improve_mesh(complex, parameters::visitor(std::ref(visitor)));
   }
   const double after = mass(complex, density);
 

@@ -1,16 +1,18 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
 #include <CGAL/boost/graph/generators.h>
-#include <CGAL/interface_flows_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <cstdlib>
 #include <iostream>
 #include <string>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
@@ -19,7 +21,7 @@ using Point = Complex::Point_3;
 void run(Complex& complex, int first_step, int last_step) {
   const double dt = .04;
   for (int step = first_step; step < last_step; ++step)
-    CGAL::advect_interface(complex, CGAL::Normal_offset_3{1.}, step * dt, dt);
+    DSC::advect_interface(complex, DSC::Normal_offset{1.}, step * dt, dt);
 }
 
 int main() {
@@ -27,8 +29,8 @@ int main() {
   CGAL::make_icosahedron(spheres, Point(-.7, 0, 0), .5);
   CGAL::make_icosahedron(spheres, Point(.7, 0, 0), .5);
   CGAL::Subdivision_method_3::Loop_subdivision(spheres, CGAL::parameters::number_of_iterations(2));
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
-      spheres, CGAL::Tetgen_tetrahedralizer_3());
+  Complex complex =
+      DSC::make_deformable_simplicial_complex_3<Complex>(spheres, CGAL::Tetgen_tetrahedralizer_3());
 
   // What the program needs besides the complex goes along as text: here, the number of steps done.
   run(complex, 0, 6);

@@ -1,9 +1,9 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
 #include <CGAL/boost/graph/generators.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <cmath>
@@ -11,17 +11,19 @@
 #include <iostream>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Approximate_point_3;
 using Vector = Complex::Approximate_vector_3;
 using Mesh = CGAL::Surface_mesh<Complex::Point_3>;
 
-// A model of InterfaceVelocity_3. Each vertex goes where the area of the interface decreases
+// A model of InterfaceVelocity. Each vertex goes where the area of the interface decreases
 // fastest, that is, with the mean curvature of a surface. Where several labels meet, all sheets
 // pull.
 struct Area_decrease
 {
-  void operator()(const CGAL::Interface_snapshot_3<Complex>& interface_,
+  void operator()(const DSC::Interface_snapshot<Complex>& interface_,
                   const std::vector<Point>& positions, double /*t*/,
                   std::vector<Vector>& velocities) const {
     velocities.assign(positions.size(), Vector(0, 0, 0));
@@ -48,14 +50,14 @@ int main() {
   Mesh surface;
   CGAL::make_icosahedron(surface, Complex::Point_3(0, 0, 0), 1.);
   CGAL::Subdivision_method_3::Loop_subdivision(surface, CGAL::parameters::number_of_iterations(2));
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       surface, CGAL::Tetgen_tetrahedralizer_3(),
       CGAL::Deformable_simplicial_complexes::parameters::normalize(true));
 
   // A sphere stays one; the square of its radius decreases by 4 dt.
   const double h = complex.mean_interface_edge(), dt = .04 * h * h;
   for (int step = 0; step < 20; ++step) {
-    const auto report = CGAL::advect_interface(complex, Area_decrease(), step * dt, dt);
+    const auto report = DSC::advect_interface(complex, Area_decrease(), step * dt, dt);
     if (step % 5 == 0)
       std::cout << "time " << (step + 1) * dt << ": volume " << complex.volume(1) << ", area "
                 << complex.area(1) << ", vertices that fell short: " << report.unfinished.size()

@@ -1,10 +1,10 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/generators.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ int main(int argc, char* argv[]) {
     CGAL::Subdivision_method_3::Loop_subdivision(surface,
                                                  CGAL::parameters::number_of_iterations(2));
   }
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       surface, CGAL::Tetgen_tetrahedralizer_3(), DSC::parameters::normalize(true));
 
   // A vortex about the z-axis that is faster near the axis and turns back at half time: it keeps
@@ -47,7 +47,7 @@ int main(int argc, char* argv[]) {
   const int steps = 20;
   const double dt = period / steps;
   for (int i = 0; i < steps; ++i) {
-    const auto report = CGAL::advect_interface(
+    const auto report = DSC::advect_interface(
         complex, vortex, i * dt, dt,
         DSC::parameters::scheme(DSC::Integration_scheme::rk4).maximum_number_of_passes(10));
     if ((i + 1) % 5 == 0 || !report.complete)

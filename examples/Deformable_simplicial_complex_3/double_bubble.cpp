@@ -1,9 +1,9 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/IO/VTU_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/interface_flows_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 
 #include <cmath>
 #include <cstddef>
@@ -12,9 +12,11 @@
 #include <set>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
-using Patch = CGAL::Labelled_patch_3<Point>;
+using Patch = DSC::Labelled_patch_3<Point>;
 
 constexpr std::size_t around = 48; // points of the circle where the walls meet
 
@@ -81,15 +83,15 @@ int main() {
   wall.label_behind = 1;
   wall.label_in_front = 2;
 
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       std::vector<Patch>{left, right, wall}, CGAL::Tetgen_tetrahedralizer_3());
   const double exact = 4 * CGAL_PI / 3 - CGAL_PI * .25 * 2.5 / 3; // a ball without its cap
   std::cout << "volumes " << complex.volume(1) << " and " << complex.volume(2) << ", of round ones "
             << exact << "; " << length_of_triple_line(complex) << " edges between three labels\n";
 
-  const CGAL::Rigid_rotation_3 rotation({0, 0, 0}, {0, 0, 1}, CGAL_PI / 2);
+  const DSC::Rigid_rotation_3 rotation({0, 0, 0}, {0, 0, 1}, CGAL_PI / 2);
   for (int step = 0; step < 5; ++step)
-    CGAL::advect_interface(complex, rotation, .2 * step, .2);
+    DSC::advect_interface(complex, rotation, .2 * step, .2);
   std::cout << "after a quarter of a turn " << complex.volume(1) << " and " << complex.volume(2)
             << "; " << length_of_triple_line(complex) << " edges\n";
   CGAL::IO::write_VTU("double_bubble.vtu", complex);

@@ -1,7 +1,7 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/IO/checkpoint_3.h>
-#include <CGAL/deform_interface_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 
 #include <array>
 #include <cstdlib>
@@ -11,7 +11,7 @@
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
-using Surface = CGAL::Labelled_surface_3<Point>;
+using Surface = DSC::Labelled_surface_3<Point>;
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
@@ -32,7 +32,7 @@ template <class Function> void report_errors(const Function& function) {
     print("ends of edges", e.vertices());
   } catch (const DSC::Tetrahedralization_error& e) {
     std::cout << e.what() << "\n  code: " << e.code() << '\n';
-  } catch (const DSC::Invalid_tetrahedra_error& e) {
+  } catch (const DSC::Invalid_cells_error& e) {
     std::cout << e.what() << '\n';
     print("tetrahedra", e.tetrahedra());
     print("vertices", e.vertices());
@@ -47,11 +47,11 @@ template <class Function> void report_errors(const Function& function) {
 int main() {
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
   const auto no_tetrahedralizer = [](const auto&, const auto&) {
-    return CGAL::Tetrahedralization_3();
+    return DSC::Tetrahedralization_3();
   };
   const auto make = [&](const Surface& surface) {
-    return CGAL::make_deformable_simplicial_complex_3<Complex>(std::vector<Surface>{surface},
-                                                               no_tetrahedralizer);
+    return DSC::make_deformable_simplicial_complex_3<Complex>(std::vector<Surface>{surface},
+                                                              no_tetrahedralizer);
   };
   const std::vector<std::array<std::size_t, 3>> facets = {
       {0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
@@ -67,7 +67,7 @@ int main() {
 
   const double nan = std::numeric_limits<double>::quiet_NaN();
   report_errors([&] {
-    CGAL::deform_interface(complex, [&](Complex::Vertex_handle) { return Point(nan, 0, 0); });
+    DSC::deform_interface(complex, [&](Complex::Vertex_handle) { return Point(nan, 0, 0); });
   });
   report_errors([] { CGAL::IO::read_checkpoint("no_such_file"); });
   return complex.is_valid() ? EXIT_SUCCESS : EXIT_FAILURE;

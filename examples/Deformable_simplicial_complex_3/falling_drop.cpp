@@ -1,13 +1,15 @@
 // A ball of liquid falls onto a floor and spreads there.
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Incompressible_fluid_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Fluid = CGAL::Incompressible_fluid_3<Complex>;
@@ -18,7 +20,7 @@ int main() {
   const auto label_at = [](const Complex::Approximate_point& p) {
     return (p - CGAL::ORIGIN).squared_length() < .25 ? 1 : 0;
   };
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       CGAL::Bbox_3(-1.2, -1.2, -.9, 1.2, 1.2, .9), .2, label_at);
 
   dsc::Fluid_properties_3 properties;

@@ -1,12 +1,14 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
 
 #include <array>
 #include <cstdlib>
 #include <iostream>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
@@ -31,7 +33,7 @@ int main() {
   Complex::Cell_handle c;
   int i, j;
   if (complex.triangulation().is_edge(v[4], v[5], c, i, j) &&
-      CGAL::propose_edge_removal(complex, c, i, j, cavity)) {
+      DSC::propose_edge_removal(complex, c, i, j, cavity)) {
     complex.replace(cavity);
     print("edge removal");
   }
@@ -46,7 +48,7 @@ int main() {
   const Cavity::Index inserted =
       cavity.add(CGAL::centroid(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point(),
                                 c->vertex(3)->point()),
-                 CGAL::Boundary_class::inside);
+                 DSC::Boundary_class::inside);
   for (int k = 0; k < 4; ++k) {
     std::array<Cavity::Index, 4> tetrahedron = corners;
     tetrahedron[k] = inserted;
@@ -62,7 +64,7 @@ int main() {
   if (complex.triangulation().is_edge(w, v[0], c, i, j)) {
     if (c->vertex(i) != w)
       std::swap(i, j);
-    if (CGAL::propose_edge_collapse(complex, c, i, j, 0., cavity)) {
+    if (DSC::propose_edge_collapse(complex, c, i, j, 0., cavity)) {
       complex.replace(cavity);
       print("edge collapse");
     }

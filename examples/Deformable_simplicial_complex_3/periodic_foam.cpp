@@ -3,11 +3,11 @@
 // Usage: periodic_foam [kelvin|weaire-phelan [EDGE [STEPS]]]
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/improve_interface_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
-#include <CGAL/mean_curvature_flow_3.h>
-#include <CGAL/restore_volumes_3.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_interface.h>
 
 #include <algorithm>
 #include <array>
@@ -21,10 +21,12 @@
 #include <utility>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 using Domain = CGAL::Deformable_simplicial_complexes::Torus_domain<3>;
 using Complex =
     CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
-                                          CGAL::Default, CGAL::Volume_length_ratio_3, Domain>;
+                                          CGAL::Default, DSC::Volume_length_ratio_3, Domain>;
 using Point = Complex::Approximate_point_3;
 
 struct Angles
@@ -83,7 +85,7 @@ int main(int argc, char** argv) {
     centers = {{0, 0, 0},    {.5, .5, .5}, {.25, .5, 0}, {.75, .5, 0},
                {0, .25, .5}, {0, .75, .5}, {.5, 0, .25}, {.5, 0, .75}};
   const Domain domain({period, period, period});
-  Complex foam = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  Complex foam = DSC::make_deformable_simplicial_complex_3<Complex>(
       domain, edge * period / 2, [&](const Point& p) {
         int label = 0;
         double least = std::numeric_limits<double>::infinity();
@@ -101,12 +103,12 @@ int main(int argc, char** argv) {
   const double dt = .004 * std::pow(volume, 2. / 3);
   for (int step = 0; step < steps; ++step) {
     if (step % 10 == 0) {
-      CGAL::improve_interface(foam);
-      CGAL::restore_volumes(foam, volumes);
+      DSC::improve_interface(foam);
+      DSC::restore_volumes(foam, volumes);
     }
-    CGAL::advect_interface(foam, CGAL::Mean_curvature_flow_3(true), 0, dt);
+    DSC::advect_interface(foam, DSC::Mean_curvature_flow(true), 0, dt);
   }
-  CGAL::restore_volumes(foam, volumes);
+  DSC::restore_volumes(foam, volumes);
 
   double area = 0;
   for (const Complex::Facet& f : foam.interface_facets())

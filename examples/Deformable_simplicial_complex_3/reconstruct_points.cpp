@@ -1,17 +1,19 @@
 // The solid whose surface points sample: those of a file, or else random ones of a torus.
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/IO/labelled_surface_3.h>
-#include <CGAL/IO/point_set_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/point_set_3.h>
 #include <CGAL/Random.h>
+#include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
-#include <CGAL/reconstruct_point_set_3.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Report = CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Complex>;
@@ -34,7 +36,7 @@ std::vector<Point_and_normal_3> torus() {
 int main(int argc, char** argv) {
   const auto points = argc > 1 ? CGAL::IO::read_point_set(argv[1]) : torus();
   Report report;
-  const Complex complex = CGAL::reconstruct_point_set_3<Complex>(
+  const Complex complex = DSC::reconstruct_point_set_3<Complex>(
       points, parameters::point_map(CGAL::First_of_pair_property_map<Point_and_normal_3>())
                   .normal_map(CGAL::Second_of_pair_property_map<Point_and_normal_3>())
                   .observer([](const Complex& c, std::size_t step) {

@@ -1,19 +1,21 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/IO/PVD_series.h>
-#include <CGAL/IO/VTU_3.h>
-#include <CGAL/IO/labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/PVD_series.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/generators.h>
-#include <CGAL/interface_flows_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <cstdlib>
 #include <iostream>
 #include <string>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
@@ -39,17 +41,17 @@ int main(int argc, char* argv[]) {
 
   // Label 1 inside, label 0 outside, in a box; the center of the surface becomes the origin
   namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       surface, CGAL::Tetgen_tetrahedralizer_3(), parameters::normalize(true));
   std::cout << complex.number_of_vertices() << " vertices, " << complex.number_of_cells()
             << " tetrahedra, volume of the solid " << complex.volume(1) << std::endl;
 
   // Half a turn about the z-axis in ten steps, each a frame of an animation
-  const CGAL::Rigid_rotation_3 rotation({0, 0, 0}, {0, 0, 1}, CGAL_PI);
+  const DSC::Rigid_rotation_3 rotation({0, 0, 0}, {0, 0, 1}, CGAL_PI);
   const double dt = .1;
   CGAL::IO::PVD_series animation("rotate_surface.pvd");
   for (int step = 0; step < 10; ++step) {
-    const auto report = CGAL::advect_interface(complex, rotation, step * dt, dt);
+    const auto report = DSC::advect_interface(complex, rotation, step * dt, dt);
     const std::string file = "rotate_surface_" + std::to_string(step) + ".vtu";
     CGAL::IO::write_VTU(file, complex);
     animation.append((step + 1) * dt, file);

@@ -1,12 +1,14 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/interface_flows_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using CGAL::Deformable_simplicial_complexes::Interrupted_error;
@@ -14,7 +16,7 @@ using CGAL::Deformable_simplicial_complexes::Progress_scope;
 using Clock = std::chrono::steady_clock;
 
 int main() {
-  Complex ball = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  Complex ball = DSC::make_deformable_simplicial_complex_3<Complex>(
       CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), .1,
       [](const auto& p) { return (p - CGAL::ORIGIN).squared_length() < .25; });
 
@@ -24,7 +26,7 @@ int main() {
   try {
     const Progress_scope scope([&](const char* /*phase*/) { return Clock::now() < end; });
     for (; done < 1000; ++done)
-      CGAL::advect_interface(ball, CGAL::Normal_offset_3{-.01}, done, 1.);
+      DSC::advect_interface(ball, DSC::Normal_offset{-.01}, done, 1.);
     std::cout << "all steps done\n";
   } catch (const Interrupted_error& error) {
     std::cout << error.what() << ", after " << done << " steps\n";

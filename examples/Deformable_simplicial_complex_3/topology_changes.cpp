@@ -1,18 +1,20 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
 #include <CGAL/boost/graph/generators.h>
-#include <CGAL/interface_flows_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <cstdlib>
 #include <iostream>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
-using Report = CGAL::Deformation_report<Complex>;
+using Report = DSC::Deformation_report<Complex>;
 
 void print(int step, const Complex& complex, const Report& report) {
   std::cout << "step " << step << ": " << report.passes << " passes, " << report.relabeled
@@ -33,14 +35,14 @@ int main() {
   CGAL::make_icosahedron(spheres, Point(-.7, 0, 0), .5);
   CGAL::make_icosahedron(spheres, Point(.7, 0, 0), .5);
   CGAL::Subdivision_method_3::Loop_subdivision(spheres, CGAL::parameters::number_of_iterations(2));
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
-      spheres, CGAL::Tetgen_tetrahedralizer_3());
+  Complex complex =
+      DSC::make_deformable_simplicial_complex_3<Complex>(spheres, CGAL::Tetgen_tetrahedralizer_3());
 
   // The spheres grow together, then what they have become shrinks.
   const double dt = .3 * complex.mean_interface_edge();
   for (int step = 0; step < 30; ++step) {
-    const CGAL::Normal_offset_3 offset{step < 15 ? 1. : -1.};
-    const Report report = CGAL::advect_interface(complex, offset, step * dt, dt);
+    const DSC::Normal_offset offset{step < 15 ? 1. : -1.};
+    const Report report = DSC::advect_interface(complex, offset, step * dt, dt);
     if (!report.complete || report.relabeled > 0)
       print(step, complex, report);
   }

@@ -1,10 +1,10 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
 #include <CGAL/boost/graph/generators.h>
-#include <CGAL/interface_flows_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <cstdlib>
@@ -14,6 +14,8 @@
 #include <map>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
 using Vertex_handle = Complex::Vertex_handle;
@@ -21,7 +23,7 @@ using Vertex_handle = Complex::Vertex_handle;
 // Keeps a temperature for each vertex while vertices come and go. Handles are compared by the
 // creation of their vertices and not by addresses, so that the order in the map is the same in each
 // run.
-struct Temperatures : public CGAL::Deformation_visitor_3
+struct Temperatures : public DSC::Deformation_visitor
 {
   explicit Temperatures(const Complex& complex) : complex(complex) {}
 
@@ -63,8 +65,8 @@ int main() {
   CGAL::make_icosahedron(spheres, Point(-.7, 0, 0), .5);
   CGAL::make_icosahedron(spheres, Point(.7, 0, 0), .5);
   CGAL::Subdivision_method_3::Loop_subdivision(spheres, CGAL::parameters::number_of_iterations(2));
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
-      spheres, CGAL::Tetgen_tetrahedralizer_3());
+  Complex complex =
+      DSC::make_deformable_simplicial_complex_3<Complex>(spheres, CGAL::Tetgen_tetrahedralizer_3());
 
   Temperatures visitor(complex);
   for (const Vertex_handle v : complex.vertices())
@@ -72,8 +74,8 @@ int main() {
 
   const double dt = .04; // the spheres touch at time 0.2
   for (int step = 0; step < 12; ++step) {
-    const auto report = CGAL::advect_interface(
-        complex, CGAL::Normal_offset_3{1.}, step * dt, dt,
+    const auto report = DSC::advect_interface(
+        complex, DSC::Normal_offset{1.}, step * dt, dt,
         CGAL::Deformable_simplicial_complexes::parameters::visitor(std::ref(visitor)));
     if (!report.complete)
       std::cout << "step " << step << ": " << report.unfinished.size() << " vertices fell short\n";

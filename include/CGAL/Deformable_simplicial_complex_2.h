@@ -5,11 +5,11 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_H
 
-#include <CGAL/Deformable_simplicial_complex_2/internal/complex/Space_2.h>
-#include <CGAL/Deformable_simplicial_complex_2/quality_measures_2.h>
 #include <CGAL/Deformable_simplicial_complex_traits_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Ball_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Space_2.h>
+#include <CGAL/Deformable_simplicial_complexes/quality_measures_2.h>
 
 #include <CGAL/Default.h>
 
@@ -22,7 +22,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 A triangulated domain of the plane each triangle of which carries a label. The *interface* is the
 set of edges between triangles of different labels. The domain is a disk, in most cases a rectangle
@@ -40,13 +40,13 @@ template <class Traits_ = Deformable_simplicial_complex_traits_2<>, class Tds_ =
 class Deformable_simplicial_complex_2
     : public Deformable_simplicial_complexes::Labelled_complex<
           Deformable_simplicial_complex_2<Traits_, Tds_, Domain_>,
-          Deformable_simplicial_complexes::internal::Space_2<Traits_, Tds_>, Area_length_ratio_2,
-          Domain_>
+          Deformable_simplicial_complexes::internal::Space_2<Traits_, Tds_>,
+          Deformable_simplicial_complexes::Area_length_ratio_2, Domain_>
 {
   using Base = Deformable_simplicial_complexes::Labelled_complex<
       Deformable_simplicial_complex_2,
-      Deformable_simplicial_complexes::internal::Space_2<Traits_, Tds_>, Area_length_ratio_2,
-      Domain_>;
+      Deformable_simplicial_complexes::internal::Space_2<Traits_, Tds_>,
+      Deformable_simplicial_complexes::Area_length_ratio_2, Domain_>;
 
 public:
   using typename Base::Label;
@@ -61,7 +61,7 @@ public:
   /// An empty complex.
   explicit Deformable_simplicial_complex_2(const Traits_& traits = Traits_(),
                                            const Domain_& domain = Domain_())
-      : Base(traits, Area_length_ratio_2(), domain) {}
+      : Base(traits, Deformable_simplicial_complexes::Area_length_ratio_2(), domain) {}
   /// An empty complex in a domain.
   explicit Deformable_simplicial_complex_2(const Domain_& domain)
       : Deformable_simplicial_complex_2(Traits_(), domain) {}
@@ -120,22 +120,5 @@ auto Deformable_simplicial_complex_2<Tr, Tds, D>::label_regions() const
 }
 
 } // namespace CGAL
-
-#ifdef CGAL_DSC_EXTERN // see the component Compiled
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
-using Default_complex_2 = Deformable_simplicial_complex_2<>;
-}
-} // namespace Deformable_simplicial_complexes
-
-CGAL_DSC_EXTERN template class Deformable_simplicial_complexes::Labelled_complex<
-    Deformable_simplicial_complexes::internal::Default_complex_2,
-    Deformable_simplicial_complexes::internal::Default_complex_2::Space,
-    Deformable_simplicial_complexes::internal::Default_complex_2::Quality_measure,
-    Deformable_simplicial_complexes::internal::Default_complex_2::Domain>;
-CGAL_DSC_EXTERN template class Deformable_simplicial_complex_2<>;
-} // namespace CGAL
-#endif
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_2_H

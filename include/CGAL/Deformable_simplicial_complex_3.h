@@ -5,11 +5,11 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/complex/Space_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
 #include <CGAL/Deformable_simplicial_complex_traits_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Ball_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Space_3.h>
+#include <CGAL/Deformable_simplicial_complexes/quality_measures_3.h>
 
 #include <CGAL/Default.h>
 
@@ -22,7 +22,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 A tetrahedralized domain each cell of which carries a label. The *interface* is the set of facets
 between cells of different labels; it may be non-manifold, and any number of labels may meet. The
@@ -38,7 +38,7 @@ All that holds in any dimension is inherited from `Labelled_complex`; its `Point
 \tparam Domain_ `Ball_domain`, or `Torus_domain<3>`
 */
 template <class Traits_ = Deformable_simplicial_complex_traits_3<>, class Tds_ = Default,
-          class QualityMeasure_ = Volume_length_ratio_3,
+          class QualityMeasure_ = Deformable_simplicial_complexes::Volume_length_ratio_3,
           class Domain_ = Deformable_simplicial_complexes::Ball_domain>
 class Deformable_simplicial_complex_3
     : public Deformable_simplicial_complexes::Labelled_complex<
@@ -200,22 +200,5 @@ auto Deformable_simplicial_complex_3<Tr, Tds, Qm, D>::label_interfaces() const
 }
 
 } // namespace CGAL
-
-#ifdef CGAL_DSC_EXTERN // see the component Compiled
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
-using Default_complex_3 = Deformable_simplicial_complex_3<>;
-}
-} // namespace Deformable_simplicial_complexes
-
-CGAL_DSC_EXTERN template class Deformable_simplicial_complexes::Labelled_complex<
-    Deformable_simplicial_complexes::internal::Default_complex_3,
-    Deformable_simplicial_complexes::internal::Default_complex_3::Space,
-    Deformable_simplicial_complexes::internal::Default_complex_3::Quality_measure,
-    Deformable_simplicial_complexes::internal::Default_complex_3::Domain>;
-CGAL_DSC_EXTERN template class Deformable_simplicial_complex_3<>;
-} // namespace CGAL
-#endif
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H

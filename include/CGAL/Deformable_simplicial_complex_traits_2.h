@@ -12,7 +12,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Exact predicates and floating point measures of a deformable simplicial complex in the plane: the
 twin of `Deformable_simplicial_complex_traits_3`.

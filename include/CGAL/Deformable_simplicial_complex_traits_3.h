@@ -15,7 +15,7 @@
 
 namespace CGAL {
 
-/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// \ingroup PkgDeformableSimplicialComplexesRef
 /// Where a ray leaves the star of its source, see
 /// `DeformableSimplicialComplexTraits_3::Link_intersection_3`.
 struct Star_exit_3
@@ -26,7 +26,7 @@ struct Star_exit_3
 };
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Exact predicates and floating point measures of a deformable simplicial complex, on any CGAL kernel.
 What decides is exact if the kernel's predicates are; what measures (volume, length, quality) is

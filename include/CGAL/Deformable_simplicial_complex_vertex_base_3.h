@@ -12,7 +12,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Vertex of a deformable simplicial complex in space.
 

@@ -5,33 +5,33 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUID_3_H
 #define CGAL_INCOMPRESSIBLE_FLUID_3_H
 
-#include <CGAL/Curvature_size_field_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Fluid_properties_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Fluid_report_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Fluid_state_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Saddle_point_solver.h>
-#include <CGAL/Deformable_simplicial_complex_3/Solids_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/fluid_errors.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Body_momenta_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/flow/Fluid_step_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Energy_judge_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fixed_point_accelerator.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_motion_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Fluid_snapshot_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Gas_ledger_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Part_interface_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Part_ledger_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Step_plan_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>
+#include <CGAL/Deformable_simplicial_complexes/Curvature_sizing_field.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_adaptation.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_adaptation.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
-#include <CGAL/control_detail_3.h>
-#include <CGAL/deform_interface_3.h>
-#include <CGAL/improve_interface_3.h>
-#include <CGAL/improve_mesh_3.h>
+#include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
+#include <CGAL/Incompressible_fluids_3/Fluid_properties_3.h>
+#include <CGAL/Incompressible_fluids_3/Fluid_report_3.h>
+#include <CGAL/Incompressible_fluids_3/Fluid_state_3.h>
+#include <CGAL/Incompressible_fluids_3/Saddle_point_solver.h>
+#include <CGAL/Incompressible_fluids_3/Solids_3.h>
+#include <CGAL/Incompressible_fluids_3/fluid_errors.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Energy_check_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Fixed_point_accelerator.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Fluid_motion_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Fluid_snapshot_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Gas_bookkeeping_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Liquid_bookkeeping_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Liquid_interface_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Step_plan_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Component_momenta_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_step_3.h>
 
 #include <algorithm>
 #include <chrono>
@@ -51,7 +51,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgIncompressibleFluids3Ref
 
 Incompressible flow of any number of liquids with free surfaces, surface tension, viscosity and
 solids (section 4.4 of the paper; M. K. Misztal, R. Bridson, K. Erleben, J. A. Bærentzen, F. Anton,
@@ -101,7 +101,7 @@ public:
                       : "liquids fill the domain and have no surface that could move");
     m_complex.take_component_lineage();
     m_ledger.set_volumes(flow.volumes());
-    m_gas_ledger.set_bodies(Gas_ledger::measure(flow.mesh, m_properties));
+    m_gas_ledger.set_bodies(Gas_bookkeeping::measure(flow.mesh, m_properties));
   }
 
   /// Not to be copied.
@@ -278,16 +278,16 @@ public:
 private:
   using Mesh = internal::Fluid_mesh_3<Complex>;
   using Vectors = internal::Vectors_3;
-  using Ledger = internal::Part_ledger_3;
-  using Gas_ledger = internal::Gas_ledger_3;
+  using Ledger = internal::Liquid_bookkeeping_3;
+  using Gas_bookkeeping = internal::Gas_bookkeeping_3;
   using Wall = Wall_3;
-  using Part_interface = internal::Part_interface_3<Complex>;
+  using Part_interface = internal::Liquid_interface_3<Complex>;
   using Contacts = internal::Wall_contacts_3<Complex>;
   using Step = internal::Fluid_step_3<Complex, Solver>;
   using Approximate_point = typename Complex::Approximate_point;
   using Motion_map = internal::Fluid_motion_3::Map<Complex>;
   using Carrier = Carried_vertex_values<Complex, Motion_map>;
-  using Energy_judge = internal::Energy_judge_3;
+  using Energy_judge = internal::Energy_check_3;
   using Snapshot = internal::Fluid_snapshot_3<Incompressible_fluid, Complex>;
 
   // The liquids as they are.
@@ -438,7 +438,7 @@ private:
   internal::Fluid_motion_3 m_motion;
   typename Step::Source m_source;
   Ledger m_ledger; // of connected parts
-  Gas_ledger m_gas_ledger;
+  Gas_bookkeeping m_gas_ledger;
   double m_time = 0;
   std::uint64_t m_steps = 0;
   std::uint32_t m_damped_steps = 0;
@@ -447,7 +447,7 @@ private:
 
 } // namespace Deformable_simplicial_complexes
 
-/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// \ingroup PkgIncompressibleFluids3Ref
 /// Incompressible flow in a complex, see `Deformable_simplicial_complexes::Incompressible_fluid`.
 template <class Complex, class Solver = Deformable_simplicial_complexes::Saddle_point_solver>
 using Incompressible_fluid_3 =
@@ -455,17 +455,8 @@ using Incompressible_fluid_3 =
 
 } // namespace CGAL
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Incompressible_fluid_attempts_impl.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Incompressible_fluid_impl.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/fluids/Incompressible_fluid_mesh_impl.h>
-
-#ifdef CGAL_DSC_EXTERN // see the component Compiled
-#include <CGAL/Deformable_simplicial_complex_3.h>
-
-namespace CGAL {
-CGAL_DSC_EXTERN template class Deformable_simplicial_complexes::Incompressible_fluid<
-    Deformable_simplicial_complexes::internal::Default_complex_3>;
-}
-#endif
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Incompressible_fluid_attempts_impl.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Incompressible_fluid_impl.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Incompressible_fluid_mesh_impl.h>
 
 #endif // CGAL_INCOMPRESSIBLE_FLUID_3_H

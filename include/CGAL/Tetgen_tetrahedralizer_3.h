@@ -5,7 +5,7 @@
 #ifndef CGAL_TETGEN_TETRAHEDRALIZER_3_H
 #define CGAL_TETGEN_TETRAHEDRALIZER_3_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Tetrahedralization_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Tetrahedralization_3.h>
 
 #include <array>
 #include <cstddef>
@@ -15,7 +15,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Fills space around triangles with tetrahedra by means of TetGen 1.5. It adds points where tetrahedra
 would be bad otherwise, but none on the triangles.
@@ -25,9 +25,9 @@ distributed under the AGPL-3.0.
 
 TetGen guards its algorithms with `assert()`, which surfaces may violate that are valid, but large,
 almost touching or made of extremely thin triangles. So it runs in a child of this process, made by
-`fork()`: if it crashes or walks around for ever, it is run again, and an exception is thrown if that
-fails, too, or memory is exhausted. What it allocates is given back to the system.
-Where there is no `fork()`, as on Windows, TetGen runs in this process and may end it.
+`fork()`: if it crashes or walks around for ever, it is run again, and an exception is thrown if
+that fails, too, or memory is exhausted. What it allocates is given back to the system. Where there
+is no `fork()`, as on Windows, TetGen runs in this process and may end it.
 
 \cgalModels `ConstrainedTetrahedralizer_3`
 */
@@ -71,16 +71,17 @@ public:
   said to be bad, the points in another order; and at last it does without the bounds, so that
   tetrahedra are worse. Within a third of the time limit, the result is the same each time.
 
-  Several threads may call this at the same time where there is `fork()`, and an allocator that works
-  in its child, as that of glibc does, and that of the address sanitizer of GCC 12 does not.
+  Several threads may call this at the same time where there is `fork()`, and an allocator that
+  works in its child, as that of glibc does, and that of the address sanitizer of GCC 12 does not.
 
   \pre Points are finite and differ. Triangles meet only in common vertices and edges.
   \return see `ConstrainedTetrahedralizer_3`
   \throws Deformable_simplicial_complexes::Tetrahedralization_error if TetGen gives up, crashes,
           runs out of memory or time, loses a triangle or makes a flat tetrahedron
   */
-  Tetrahedralization_3 operator()(const std::vector<std::array<double, 3>>& points,
-                                  const std::vector<std::array<std::size_t, 3>>& triangles) const;
+  Deformable_simplicial_complexes::Tetrahedralization_3
+  operator()(const std::vector<std::array<double, 3>>& points,
+             const std::vector<std::array<std::size_t, 3>>& triangles) const;
 
 private:
   double m_radius_edge_ratio, m_minimum_dihedral_angle, m_maximum_volume, m_time_limit;

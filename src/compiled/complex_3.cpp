@@ -1,8 +1,5 @@
-// What the component Compiled has of space: see complex_2.cpp.
+// The part of the component Compiled that works in space
 #define CGAL_DSC_EXTERN
+#define CGAL_DSC_INSTANTIATION
 
-#include <CGAL/control_detail_3.h>
-#include <CGAL/deform_interface_3.h>
-#include <CGAL/improve_interface_3.h>
-#include <CGAL/improve_mesh_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/compiled_3.h>

@@ -5,11 +5,13 @@
 #ifndef DSC_SURFACE_BY_DIFFERENCES_H
 #define DSC_SURFACE_BY_DIFFERENCES_H
 
-#include <CGAL/Deformable_simplicial_complex_2/Riemannian_metric_2.h>
+#include <CGAL/Cut_loci_2/Riemannian_metric_2.h>
 #include <CGAL/number_utils.h>
 
 #include <array>
 #include <utility>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 
@@ -26,7 +28,7 @@ public:
       : m_embedding(std::move(embedding)), m_widths{periods[0] / turn * width,
                                                     periods[1] / turn * width} {}
 
-  CGAL::Metric_jet_2 operator()(double u, double v) const {
+  DSC::Metric_jet_2 operator()(double u, double v) const {
     const double a = m_widths[0], b = m_widths[1];
     const Vector here = m_embedding(u, v);
     Vector ru, ruu, rv, rvv, unused, ruv; // derivatives by coordinates in widths

@@ -7,9 +7,9 @@
 
 #include "mesh_content.h"
 
-#include <CGAL/Carried_cell_averages_3.h>
-#include <CGAL/Carried_vertex_values_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Carried_cell_averages.h>
+#include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 
 #include <CGAL/property_map.h>
 
@@ -18,6 +18,8 @@
 #include <optional>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 
@@ -60,7 +62,7 @@ template <class Handle> struct Content_map
 /// floating-point numbers are averages over cells, whose integral is kept, or values at vertices,
 /// which are interpolated. A new vertex takes its integers from the nearest vertex around. Integers
 /// of cells are not followed: see `Separation`.
-template <class Complex> class Content_visitor : public CGAL::Deformation_visitor_3
+template <class Complex> class Content_visitor : public DSC::Deformation_visitor
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
@@ -201,10 +203,8 @@ private:
   std::vector<std::size_t> m_time_stamps;                          // of the first vertices
   std::vector<Content_row> m_integers, m_values, m_cell_rows;      // by id
   std::vector<std::pair<std::size_t, Content_row>> m_new_integers; // by vertex of the cavity
-  std::optional<CGAL::Carried_cell_averages_3<Complex, Content_map<Cell_handle>>>
-      m_carried_averages;
-  std::optional<CGAL::Carried_vertex_values_3<Complex, Content_map<Vertex_handle>>>
-      m_carried_values;
+  std::optional<DSC::Carried_cell_averages<Complex, Content_map<Cell_handle>>> m_carried_averages;
+  std::optional<DSC::Carried_vertex_values<Complex, Content_map<Vertex_handle>>> m_carried_values;
 };
 
 } // namespace dsc

@@ -10,13 +10,13 @@
 #include "report_json.h"
 #include "surface_expressions.h"
 
-#include <CGAL/Deformable_simplicial_complex_2/Geodesic_front_2.h>
-#include <CGAL/Deformable_simplicial_complex_2/Riemannian_metric_2.h>
-#include <CGAL/Deformable_simplicial_complex_2/Sphere_like_surface_2.h>
-#include <CGAL/IO/SVG_2.h>
-#include <CGAL/IO/VTU_2.h>
-#include <CGAL/IO/cut_locus_2.h>
-#include <CGAL/cut_locus_2.h>
+#include <CGAL/Cut_loci_2/Geodesic_front_2.h>
+#include <CGAL/Cut_loci_2/IO/cut_locus_2.h>
+#include <CGAL/Cut_loci_2/Riemannian_metric_2.h>
+#include <CGAL/Cut_loci_2/Sphere_like_surface_2.h>
+#include <CGAL/Cut_loci_2/cut_locus_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/VTU_2.h>
 
 #include <algorithm>
 #include <array>
@@ -28,6 +28,8 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
@@ -65,18 +67,18 @@ public:
     return std::min(m_domain.periods()[0], m_domain.periods()[1]) / 40;
   }
 
-  CGAL::Cut_locus_2 cut_locus(double spacing, double step) const {
-    return CGAL::cut_locus_2(m_metric, m_domain, m_source, spacing, step);
+  DSC::Cut_locus_2 cut_locus(double spacing, double step) const {
+    return DSC::cut_locus_2(m_metric, m_domain, m_source, spacing, step);
   }
-  CGAL::Geodesic_front_2<Metric> front(double spacing) const {
+  DSC::Geodesic_front_2<Metric> front(double spacing) const {
     return {m_metric, m_domain, m_source, spacing};
   }
-  void draw(const CGAL::Cut_locus_2& locus, const std::string& path) const {
+  void draw(const DSC::Cut_locus_2& locus, const std::string& path) const {
     CGAL::IO::write_SVG(path, locus, m_domain, m_source);
   }
   void describe(const Point&, Json&) const {}
 
-  static double scale_of(const CGAL::Metric_jet_2& g) { return std::sqrt(std::min(g.E, g.G)); }
+  static double scale_of(const DSC::Metric_jet_2& g) { return std::sqrt(std::min(g.E, g.G)); }
 
 private:
   Metric m_metric;
@@ -97,13 +99,13 @@ public:
   // The cut locus may be short: it is near the middle.
   double default_spacing() const { return Surface::half_width / 40; }
 
-  CGAL::Cut_locus_2 cut_locus(double spacing, double step) const {
-    return CGAL::cut_locus_2(m_surface, spacing, step);
+  DSC::Cut_locus_2 cut_locus(double spacing, double step) const {
+    return DSC::cut_locus_2(m_surface, spacing, step);
   }
-  CGAL::Geodesic_front_2<Surface> front(double spacing) const {
-    return CGAL::Geodesic_front_2<Surface>(m_surface, spacing);
+  DSC::Geodesic_front_2<Surface> front(double spacing) const {
+    return DSC::Geodesic_front_2<Surface>(m_surface, spacing);
   }
-  void draw(const CGAL::Cut_locus_2& locus, const std::string& path) const {
+  void draw(const DSC::Cut_locus_2& locus, const std::string& path) const {
     CGAL::IO::write_SVG(path, locus, m_surface);
   }
   void describe(const Point& p, Json& json) const { json["position"] = m_surface.image(p); }
@@ -112,7 +114,7 @@ private:
   Surface m_surface;
 };
 
-template <class Surface> Json json_of(const CGAL::Cut_locus_2& locus, const Surface& surface) {
+template <class Surface> Json json_of(const DSC::Cut_locus_2& locus, const Surface& surface) {
   Json vertices = Json::array();
   for (const auto& vertex : locus.vertices) {
     vertices.push_back({{"u", vertex.point.x()},
@@ -179,7 +181,7 @@ int find_cut_locus(const Cut_locus_options& options, const Surface& surface, dou
   static constexpr int attempts = 3;
   static constexpr double finer = .5; // spacing of the next attempt
   std::optional<Interruptible> interruptible(std::in_place, options.quiet);
-  CGAL::Cut_locus_2 locus = surface.cut_locus(spacing, step_of(options, spacing, surface.scale()));
+  DSC::Cut_locus_2 locus = surface.cut_locus(spacing, step_of(options, spacing, surface.scale()));
   for (int i = 1; i < attempts && !locus.is_complete && options.spacing == 0; ++i) {
     spacing *= finer;
     locus = surface.cut_locus(spacing, step_of(options, spacing, surface.scale()));
@@ -230,7 +232,7 @@ int run_like_sphere(const Cut_locus_options& options, const Embedding& embedding
   if (options.point.size() != 3)
     throw Usage_error("--point has two numbers for a surface in x, y and z; write three, those of "
                       "a direction");
-  using Surface = CGAL::Sphere_like_surface_2<Embedding, Differentiated>;
+  using Surface = DSC::Sphere_like_surface_2<Embedding, Differentiated>;
   return run(options, Like_sphere<Surface>(Surface(
                           embedding, {options.point[0], options.point[1], options.point[2]})));
 }
@@ -242,9 +244,9 @@ int execute(const Cut_locus_options& options) {
     require_writable(options.output);
   require_place("--report", options.report, {options.output});
   if (options.surface == "torus")
-    return run_on_torus(options, CGAL::Embedded_surface_2<Torus>());
+    return run_on_torus(options, DSC::Embedded_surface_2<Torus>());
   if (options.surface == "ellipsoid")
-    return run_like_sphere<Ellipsoid, CGAL::Embedded_surface_2>(options, Ellipsoid());
+    return run_like_sphere<Ellipsoid, DSC::Embedded_surface_2>(options, Ellipsoid());
   const Surface_expressions expressions(options.surface);
   if (expressions.is_of_sphere())
     return run_like_sphere<Surface_expressions, Surface_by_differences>(options, expressions);

@@ -13,7 +13,7 @@
 #include "progress_line.h"
 #include "report_json.h"
 
-#include <CGAL/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
 
 #include <algorithm>
 #include <cstdio>

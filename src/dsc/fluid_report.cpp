@@ -14,6 +14,8 @@
 #include <limits>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace dsc {
 namespace {
 
@@ -40,8 +42,8 @@ Json balance_json(const Fluid::Balance& balance) {
           {"angular_momentum", vector_json(balance.angular_momentum)}};
 }
 
-const char* name_of(CGAL::Component_event::Kind kind) {
-  using Kind = CGAL::Component_event::Kind;
+const char* name_of(DSC::Component_event::Kind kind) {
+  using Kind = DSC::Component_event::Kind;
   switch (kind) {
   case Kind::merged:
     return "merged";

@@ -10,11 +10,11 @@
 #include "remove_crumbs.h"
 #include "surface.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/IO/labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/deform_interface_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -26,6 +26,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
@@ -75,7 +77,7 @@ Complex complex_of_surfaces(const Fluid_scene& scene, const std::string& folder)
   }
   if (surfaces.empty())
     throw Input_error("the scene has no liquid with a shape of its own");
-  return CGAL::make_deformable_simplicial_complex_3<Complex>(
+  return DSC::make_deformable_simplicial_complex_3<Complex>(
       surfaces, CGAL::Tetgen_tetrahedralizer_3(), parameters::enclosing_box(box(scene.domain)));
 }
 
@@ -119,10 +121,10 @@ Complex complex_of_pool(const Fluid_scene& scene, int label, const Pool_shape& p
           labels.push_back(k < below ? label : 0);
         } while (std::next_permutation(axes.begin(), axes.end()));
       }
-  Complex complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       points, std::move(tetrahedra), labels, parameters::improve(false));
   if (pool.height)
-    CGAL::deform_interface(complex, [&](Complex::Vertex_handle v) {
+    DSC::deform_interface(complex, [&](Complex::Vertex_handle v) {
       const Point p = complex.position(v);
       return Complex::Point(p.x(), p.y(), *pool.height->at({p.x(), p.y()}));
     });
@@ -156,7 +158,7 @@ Complex complex_of_places(const Fluid_scene& scene) {
         result = label;
     return result;
   };
-  auto result = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  auto result = DSC::make_deformable_simplicial_complex_3<Complex>(
       box(scene.domain), scene.edge, [&](const Point& p) {
         return label_at({p.x(), p.y(), p.z()});
       });

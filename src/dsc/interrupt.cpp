@@ -46,8 +46,8 @@ void catch_signals() {
 bool interrupted() { return flag != 0; }
 
 Interruptible::Interruptible(bool quiet)
-    : m_shows(!quiet && shows_lines()), m_scope([this](const char* phase) { return go_on(phase); }) {
-}
+    : m_shows(!quiet && shows_lines()),
+      m_scope([this](const char* phase) { return go_on(phase); }) {}
 
 Interruptible::~Interruptible() {
   if (m_shown)

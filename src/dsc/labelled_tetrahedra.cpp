@@ -6,8 +6,8 @@
 
 #include "files.h"
 
-#include <CGAL/IO/MEDIT_3.h>
-#include <CGAL/IO/VTU_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/MEDIT_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -146,7 +146,7 @@ Labelled_tetrahedra read_tetrahedra(const std::string& path, const std::string& 
   return mesh;
 }
 
-std::string place_of(const CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error& error,
+std::string place_of(const CGAL::Deformable_simplicial_complexes::Invalid_cells_error& error,
                      const Labelled_tetrahedra& mesh) {
   std::vector<std::size_t> corners = error.vertices();
   if (!error.tetrahedra().empty()) {

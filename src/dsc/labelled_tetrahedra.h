@@ -5,10 +5,10 @@
 #ifndef DSC_LABELLED_TETRAHEDRA_H
 #define DSC_LABELLED_TETRAHEDRA_H
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/Mesh_arrays.h>
 #include <CGAL/Deformable_simplicial_complexes/Mesh_entities.h>
 #include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -46,7 +46,7 @@ struct Labelled_tetrahedra
 Labelled_tetrahedra read_tetrahedra(const std::string& path, const std::string& label_array);
 
 /// Says in parentheses where in a mesh an error is, or nothing if that is not known.
-std::string place_of(const CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error& error,
+std::string place_of(const CGAL::Deformable_simplicial_complexes::Invalid_cells_error& error,
                      const Labelled_tetrahedra& mesh);
 
 } // namespace dsc

@@ -5,7 +5,7 @@
 #ifndef DSC_OPTIONS_H
 #define DSC_OPTIONS_H
 
-#include <CGAL/Deformable_simplicial_complexes/Integration_scheme.h>
+#include <CGAL/Interface_flows/Integration_scheme.h>
 
 #include <array>
 #include <cstddef>

@@ -8,7 +8,7 @@
 #include "run_position.h"
 #include "tracked_complex.h"
 
-#include <CGAL/IO/PVD_series.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/PVD_series.h>
 
 #include <limits>
 #include <string>

@@ -5,7 +5,7 @@
 #include "surface.h"
 #include "unused.h"
 
-#include <CGAL/IO/labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
 
 namespace dsc {
 

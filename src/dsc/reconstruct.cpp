@@ -11,13 +11,13 @@
 #include "tracked_complex_3.h"
 #include "unused.h"
 
-#include <CGAL/IO/PVD_series.h>
-#include <CGAL/IO/VTU_3.h>
-#include <CGAL/IO/labelled_surface_3.h>
-#include <CGAL/IO/point_set_3.h>
-#include <CGAL/extract_interface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/PVD_series.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/point_set_3.h>
+#include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
+#include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 #include <CGAL/property_map.h>
-#include <CGAL/reconstruct_point_set_3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -28,6 +28,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
@@ -203,7 +205,7 @@ int execute(const Reconstruct_options& options) {
     return true;
   };
   Reconstruction_report report;
-  Tracked_complex_3 tracked(CGAL::reconstruct_point_set_3<Complex>(
+  Tracked_complex_3 tracked(DSC::reconstruct_point_set_3<Complex>(
       points, parameters::point_map(CGAL::First_of_pair_property_map<Point_and_normal_3>())
                   .normal_map(CGAL::Second_of_pair_property_map<Point_and_normal_3>())
                   .fit_tolerance(options.tolerance)

@@ -7,7 +7,7 @@
 #include "errors.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/repair_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/repair_surface_3.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace dsc {
 
 namespace {
@@ -23,10 +25,10 @@ namespace {
 using CGAL::Deformable_simplicial_complexes::Error;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 
-CGAL::Surface_repair_options_3 repair_options(const Surface& surface,
-                                              const std::optional<Distance>& largest_hole) {
+DSC::Surface_repair_options_3 repair_options(const Surface& surface,
+                                             const std::optional<Distance>& largest_hole) {
   namespace internal = CGAL::Deformable_simplicial_complexes::internal;
-  CGAL::Surface_repair_options_3 options;
+  DSC::Surface_repair_options_3 options;
   if (!largest_hole)
     return options;
   options.largest_hole = std::numeric_limits<double>::infinity();
@@ -55,7 +57,7 @@ Repairs for_each(std::vector<Surface>& surfaces, const std::vector<std::string>&
 }
 
 /// What a second repair did counts, too.
-void add(CGAL::Surface_repair_report_3& sum, const CGAL::Surface_repair_report_3& second) {
+void add(DSC::Surface_repair_report_3& sum, const DSC::Surface_repair_report_3& second) {
   sum.merged_points += second.merged_points;
   sum.degenerate_triangles += second.degenerate_triangles;
   sum.repeated_triangles += second.repeated_triangles;
@@ -86,16 +88,16 @@ void add(Repairs& sums, const Repairs& second) {
 Repairs repair(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
                const std::optional<Distance>& largest_hole) {
   return for_each(surfaces, names, [&](Surface& surface) {
-    return CGAL::repair_surface_3(surface, repair_options(surface, largest_hole));
+    return DSC::repair_surface_3(surface, repair_options(surface, largest_hole));
   });
 }
 
 bool merge_near_vertices(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
                          Repairs& repairs) {
-  CGAL::Surface_repair_options_3 options;
+  DSC::Surface_repair_options_3 options;
   options.merge_distance = 1e-6; // mean edges: what TetGen takes for equal in a large surface
   const Repairs merged = for_each(
-      surfaces, names, [&](Surface& surface) { return CGAL::repair_surface_3(surface, options); });
+      surfaces, names, [&](Surface& surface) { return DSC::repair_surface_3(surface, options); });
   add(repairs, merged);
   return std::any_of(merged.begin(), merged.end(),
                      [](const auto& report) { return !report.was_sound(); });
@@ -103,10 +105,10 @@ bool merge_near_vertices(std::vector<Surface>& surfaces, const std::vector<std::
 
 void wrap(std::vector<Surface>& surfaces, const std::vector<std::string>& names, Repairs& repairs) {
   add(repairs,
-      for_each(surfaces, names, [](Surface& surface) { return CGAL::wrap_surface_3(surface); }));
+      for_each(surfaces, names, [](Surface& surface) { return DSC::wrap_surface_3(surface); }));
 }
 
-std::string what_was_repaired(const CGAL::Surface_repair_report_3& report) {
+std::string what_was_repaired(const DSC::Surface_repair_report_3& report) {
   if (report.was_sound())
     return "bounds a solid, nothing is repaired";
   std::string text;

@@ -5,9 +5,9 @@
 #include "errors.h"
 #include "surface.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/soups/Triangle_soup_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/soups/soup_intersections_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/cgal_compat.h>
+#include <CGAL/Deformable_simplicial_complexes/cgal_compat.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/Triangle_soup_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/soup_intersections_3.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>

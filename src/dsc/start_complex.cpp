@@ -14,9 +14,9 @@
 #include "tracked_complex_3.h"
 #include "unused.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -26,6 +26,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
@@ -51,7 +53,7 @@ std::unique_ptr<Tracked_complex> track_inequalities(const Run_start& start,
     return inequalities.label_at(p);
   };
   auto complex =
-      CGAL::make_deformable_simplicial_complex_3<Complex>(box(d), edge, [&](const auto& p) {
+      DSC::make_deformable_simplicial_complex_3<Complex>(box(d), edge, [&](const auto& p) {
         return label_at({p.x(), p.y(), p.z()});
       });
   if (complex.interface_facets().empty())
@@ -78,7 +80,7 @@ bool has_room_around(const Complex& complex) {
 
 std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path,
                                                   const std::string& labels, const Domain& domain) {
-  using CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error;
+  using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
   Labelled_tetrahedra mesh = read_tetrahedra(path, labels);
   mesh.leave_out_arrays();
   mesh.leave_out_entities();
@@ -92,13 +94,13 @@ std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path,
     }
   }
   const auto build = [&](const auto& np) {
-    return track(CGAL::make_deformable_simplicial_complex_3<Complex>(
+    return track(DSC::make_deformable_simplicial_complex_3<Complex>(
         mesh.points, mesh.tetrahedra, mesh.labels, CGAL::Tetgen_tetrahedralizer_3(), np));
   };
   const auto normalized = parameters::normalize(true);
   try {
     return domain ? build(normalized.enclosing_box(box(*domain))) : build(normalized);
-  } catch (const Invalid_tetrahedra_error& error) {
+  } catch (const Invalid_cells_error& error) {
     throw Input_error(path + ": " + error.what() + place_of(error, mesh));
   } catch (const CGAL::Deformable_simplicial_complexes::Invalid_surface_error& error) {
     throw Input_error(path + ": the boundary of the tetrahedra, " + error.what());

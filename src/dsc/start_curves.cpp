@@ -8,7 +8,7 @@
 #include "files.h"
 #include "unused.h"
 
-#include <CGAL/IO/labelled_curves_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_curves_2.h>
 
 #include <CGAL/number_utils.h>
 
@@ -17,10 +17,12 @@
 #include <cmath>
 #include <cstddef>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace dsc {
 namespace {
 
-using Curve = CGAL::Labelled_curve_2<Curve_point>;
+using Curve = DSC::Labelled_curve_2<Curve_point>;
 
 constexpr std::size_t segments_of_figures = 200;
 

@@ -7,14 +7,16 @@
 
 #include "options.h"
 
-#include <CGAL/Deformable_simplicial_complex_2/Labelled_curve_2.h>
-#include <CGAL/Deformable_simplicial_complex_2/Seeded_segments_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Labelled_curve_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Seeded_segments_2.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 
@@ -23,9 +25,9 @@ using Curve_point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2
 /// What divides the plane when a run starts: closed curves, or segments with seeds.
 struct Curves
 {
-  std::vector<CGAL::Labelled_curve_2<Curve_point>> closed;
+  std::vector<DSC::Labelled_curve_2<Curve_point>> closed;
   std::vector<std::string> names; ///< of these, for messages
-  std::optional<CGAL::Seeded_segments_2<Curve_point>> seeded;
+  std::optional<DSC::Seeded_segments_2<Curve_point>> seeded;
 };
 
 /// The curves that a run starts from: those of its files or, without any, of its figure; none if it

@@ -9,7 +9,7 @@
 #include "statistics.h"
 #include "surface.h"
 
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/cgal_compat.h>
+#include <CGAL/Deformable_simplicial_complexes/cgal_compat.h>
 
 #include <CGAL/AABB_tree.h>
 

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace dsc {
 
 /// One label of a complex; lengths in the units of the input.
@@ -68,7 +70,7 @@ struct Step_outcome
 struct Improvement_outcome
 {
   double seconds = 0; ///< of the improvement alone
-  CGAL::Improvement_report changes;
+  DSC::Improvement_report changes;
 };
 
 /// A surface in numbers, whether or not it bounds anything; angles in degrees.

@@ -7,8 +7,8 @@
 
 #include "options.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/Labelled_surface_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Surface_repair_report_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Surface_repair_report_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -17,17 +17,19 @@
 #include <string>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace dsc {
 
 using Surface_point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
-using Surface = CGAL::Labelled_surface_3<Surface_point>;
+using Surface = DSC::Labelled_surface_3<Surface_point>;
 
 /// Reads surfaces, which get the labels 1, 2 and so on.
 /// \throws std::runtime_error if one cannot be read
 std::vector<Surface> read_surfaces(const std::vector<std::string>& paths);
 
 /// What was done to each surface of a run; none if surfaces are not to be repaired.
-using Repairs = std::vector<CGAL::Surface_repair_report_3>;
+using Repairs = std::vector<DSC::Surface_repair_report_3>;
 
 /// Makes surfaces bound solids.
 /// \param names of the surfaces, for messages
@@ -47,7 +49,7 @@ bool merge_near_vertices(std::vector<Surface>& surfaces, const std::vector<std::
 void wrap(std::vector<Surface>& surfaces, const std::vector<std::string>& names, Repairs& repairs);
 
 /// In one line.
-std::string what_was_repaired(const CGAL::Surface_repair_report_3& report);
+std::string what_was_repaired(const DSC::Surface_repair_report_3& report);
 
 /// The surfaces that a run starts from: those of its files or, without any, its ball.
 /// \param repairs what was done to them is written there, unless it is null

@@ -5,7 +5,7 @@
 #include "statistics.h"
 #include "surface.h"
 
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Number_groups.h>
+#include <CGAL/Incompressible_fluids_3/internal/solvers/Number_groups.h>
 
 #include <algorithm>
 #include <array>

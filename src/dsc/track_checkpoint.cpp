@@ -6,9 +6,9 @@
 #include "tracked_complex_2.h"
 #include "tracked_complex_3.h"
 
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/IO/checkpoint_2.h>
-#include <CGAL/IO/checkpoint_3.h>
 
 #include <utility>
 
@@ -21,7 +21,7 @@ std::unique_ptr<Tracked_complex> restore(const std::string& path, Checkpoint&& c
   auto tracked = std::make_unique<Tracked>();
   try {
     tracked->complex.restore(checkpoint.state);
-  } catch (const CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error& error) {
+  } catch (const CGAL::Deformable_simplicial_complexes::Invalid_cells_error& error) {
     throw Input_error(path + ": " + error.what());
   }
   metadata = std::move(checkpoint.metadata);

@@ -7,10 +7,12 @@
 #include "start_complex.h"
 #include "tracked_complex_3.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/convert_labelled_image_3.h>
+#include <CGAL/Deformable_simplicial_complexes/convert_labelled_image_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <CGAL/Bbox_3.h>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 
@@ -23,7 +25,7 @@ std::unique_ptr<Tracked_complex> track_image(const std::string& path, double edg
     throw Input_error(path + " cannot be read as an image of voxels");
   const auto build = [&](const auto& np) {
     auto result = std::make_unique<Tracked_complex_3>(
-        CGAL::make_complex_from_labelled_image_3<Tracked_complex_3::Complex>(image, edge, np));
+        DSC::make_complex_from_labelled_image_3<Tracked_complex_3::Complex>(image, edge, np));
     if (result->complex.interface_facets().empty())
       throw Input_error(path + ": all voxels have the same label, so that nothing would move; give "
                                "a larger --domain");

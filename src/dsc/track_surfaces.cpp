@@ -7,10 +7,10 @@
 #include "tracked_complex_3.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_patches_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
-#include <CGAL/make_patches_3.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -21,11 +21,13 @@
 #include <string>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace dsc {
 namespace {
 
 using Complex = Tracked_complex_3::Complex;
-using Patches = CGAL::Patches_of_surfaces_3<Surface_point>;
+using Patches = DSC::Patches_of_surfaces_3<Surface_point>;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
@@ -35,7 +37,7 @@ template <class Boundaries>
 std::unique_ptr<Tracked_complex> fill(const Boundaries& boundaries,
                                       const std::optional<std::array<double, 6>>& domain) {
   const auto build = [&](const auto& np) {
-    return std::make_unique<Tracked_complex_3>(CGAL::make_deformable_simplicial_complex_3<Complex>(
+    return std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
         boundaries, CGAL::Tetgen_tetrahedralizer_3(), np));
   };
   const auto normalized = parameters::normalize(true);
@@ -78,7 +80,7 @@ const char* hint(Reason reason) {
 
 std::optional<Patches> patches_of(const std::vector<Surface>& surfaces) {
   try {
-    return CGAL::make_patches_3(surfaces);
+    return DSC::make_patches_3(surfaces);
   } catch (const Invalid_surface_error&) {
     return std::nullopt;
   }

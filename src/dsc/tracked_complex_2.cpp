@@ -10,15 +10,15 @@
 #include "start_curves.h"
 #include "unused.h"
 
+#include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/VTU_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_PNG_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_curves_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_image_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/IO/SVG_2.h>
-#include <CGAL/IO/VTU_2.h>
-#include <CGAL/IO/checkpoint_2.h>
-#include <CGAL/IO/labelled_PNG_2.h>
-#include <CGAL/IO/labelled_curves_2.h>
-#include <CGAL/IO/labelled_image_2.h>
-#include <CGAL/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/number_utils.h>
@@ -30,6 +30,8 @@
 #include <map>
 #include <optional>
 #include <string>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
@@ -80,7 +82,7 @@ std::unique_ptr<Tracked_complex> track_image_2(const Run_start& start, const std
   const double edge = start.edge > 0 ? start.edge : default_edge;
   const auto build = [&](const auto& np) {
     return std::make_unique<Tracked_complex_2>(
-        CGAL::make_deformable_simplicial_complex_2<Complex>(image, edge, np));
+        DSC::make_deformable_simplicial_complex_2<Complex>(image, edge, np));
   };
   try {
     auto result =
@@ -122,8 +124,8 @@ std::unique_ptr<Tracked_complex> track_figure(const Run_start& start,
   const Curves curves = start_curves(start);
   const auto build = [&](const auto& np) {
     return std::make_unique<Tracked_complex_2>(
-        curves.seeded ? CGAL::make_deformable_simplicial_complex_2<Complex>(*curves.seeded, np)
-                      : CGAL::make_deformable_simplicial_complex_2<Complex>(curves.closed, np));
+        curves.seeded ? DSC::make_deformable_simplicial_complex_2<Complex>(*curves.seeded, np)
+                      : DSC::make_deformable_simplicial_complex_2<Complex>(curves.closed, np));
   };
   try {
     auto result =

@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace dsc {
 
 /// A complex in the plane, in the coordinates of the input.
@@ -48,7 +50,7 @@ public:
   Complex complex;
 
 private:
-  std::optional<CGAL::Deformable_simplicial_complex_state_2> m_kept;
+  std::optional<DSC::State<2>> m_kept;
 };
 
 } // namespace dsc

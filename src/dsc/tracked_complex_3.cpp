@@ -10,14 +10,14 @@
 #include "picture.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/IO/MEDIT_3.h>
-#include <CGAL/IO/VTU_3.h>
-#include <CGAL/IO/checkpoint_3.h>
-#include <CGAL/IO/labelled_surface_3.h>
-#include <CGAL/extract_interface_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
-#include <CGAL/subdivide_interface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/MEDIT_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/subdivide_interface_3.h>
 
 #include <CGAL/number_utils.h>
 
@@ -26,13 +26,15 @@
 #include <cmath>
 #include <utility>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace dsc {
 namespace {
 
 using Complex = Tracked_complex_3::Complex;
 using Point = Complex::Approximate_point_3;
 using Vector = Complex::Approximate_vector_3;
-using CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error;
+using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 constexpr double degree = CGAL_PI / 180;
@@ -79,9 +81,9 @@ void add_dihedral_angles(const Complex& complex, Statistics& statistics) {
 std::unique_ptr<Tracked_complex_3> Tracked_complex_3::from_mesh(const std::string& path,
                                                                 const Labelled_tetrahedra& mesh) {
   try {
-    return std::make_unique<Tracked_complex_3>(CGAL::make_deformable_simplicial_complex_3<Complex>(
+    return std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
         mesh.points, mesh.tetrahedra, mesh.labels, parameters::improve(false)));
-  } catch (const Invalid_tetrahedra_error& error) {
+  } catch (const Invalid_cells_error& error) {
     throw Input_error(path + ": " + error.what() + place_of(error, mesh));
   }
 }
@@ -170,7 +172,7 @@ void Tracked_complex_3::write(const std::string& path, const Mesh_content& conte
 
 void Tracked_complex_3::write_subdivided(const std::string& path, int subdivisions) const {
   CGAL::IO::write_interface(
-      path, CGAL::subdivide_interface(CGAL::extract_interface(complex), subdivisions));
+      path, DSC::subdivide_interface(DSC::extract_interface(complex), subdivisions));
 }
 
 void Tracked_complex_3::write_interface_vtu(const std::string& path) const {

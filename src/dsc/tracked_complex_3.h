@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace dsc {
 
 class Tracked_complex_3 : public Tracked_complex
@@ -66,7 +68,7 @@ public:
   std::function<double(Complex::Vertex_handle)> pressure_at;
 
 private:
-  std::optional<CGAL::Deformable_simplicial_complex_state_3> m_kept;
+  std::optional<DSC::State<3>> m_kept;
 };
 
 } // namespace dsc

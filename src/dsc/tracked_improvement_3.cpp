@@ -9,8 +9,8 @@
 #include "tracked_complex_3.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
-#include <CGAL/improve_mesh_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,22 +19,24 @@
 #include <string>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace dsc {
 namespace {
 
 // At rest, angles count.
 using Complex_at_rest =
     CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
-                                          CGAL::Default, CGAL::Biased_minimum_sine_3>;
+                                          CGAL::Default, DSC::Biased_minimum_sine_3>;
 using Cell_handle = Complex_at_rest::Cell_handle;
-using State = CGAL::Deformable_simplicial_complex_state_3;
+using State = DSC::State<3>;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 template <class NamedParameters>
-CGAL::Improvement_report improve(Complex_at_rest& complex, const Improve_options& options,
-                                 const NamedParameters& np) {
-  return options.threshold ? CGAL::improve_mesh(complex, np.quality_threshold(*options.threshold))
-                           : CGAL::improve_mesh(complex, np);
+DSC::Improvement_report improve(Complex_at_rest& complex, const Improve_options& options,
+                                const NamedParameters& np) {
+  return options.threshold ? DSC::improve_mesh(complex, np.quality_threshold(*options.threshold))
+                           : DSC::improve_mesh(complex, np);
 }
 
 /// Calls `f(i, k)` for the k-th finite cell of a state, which is its cell i.
@@ -53,8 +55,8 @@ void separate(State& state, const Separation<Complex_at_rest>& separation) {
   });
   if (separation.needs_boundary())
     for (std::uint8_t& sides : state.boundary_classes)
-      if (sides != CGAL::Boundary_class::inside)
-        sides = CGAL::Boundary_class::fixed;
+      if (sides != DSC::Boundary_class::inside)
+        sides = DSC::Boundary_class::fixed;
 }
 
 /// The state of a complex whose cells get other labels.
@@ -103,7 +105,7 @@ Improvement_outcome Tracked_complex_3::improve(const Improve_options& options,
   Complex_at_rest at_rest;
   State state = complex.state();
   at_rest.restore(state);
-  CGAL::Improvement_report report;
+  DSC::Improvement_report report;
   if (content.is_empty()) {
     report = dsc::improve(at_rest, options, aggressive);
     state = at_rest.state();

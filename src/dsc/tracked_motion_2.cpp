@@ -6,15 +6,15 @@
 #include "tracked_complex_2.h"
 #include "velocity_expressions.h"
 
-#include <CGAL/Curvature_size_field_2.h>
-#include <CGAL/advect_adaptively_2.h>
-#include <CGAL/advect_interface_2.h>
-#include <CGAL/control_detail_2.h>
-#include <CGAL/curve_shortening_flow_2.h>
-#include <CGAL/grow_domain_2.h>
-#include <CGAL/improve_interface_2.h>
-#include <CGAL/interface_flows_2.h>
-#include <CGAL/velocity_fields_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Curvature_sizing_field.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/grow_domain.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_adaptively.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_2.h>
+#include <CGAL/Interface_flows/velocity_fields_2.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/number_utils.h>
@@ -23,6 +23,8 @@
 #include <functional>
 #include <optional>
 #include <variant>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
@@ -62,15 +64,15 @@ struct Step
   unsigned threads;
   bool improves_interface; // before the motion
 
-  using Report = CGAL::Deformation_report<Complex>;
+  using Report = DSC::Deformation_report<Complex>;
 
   Report operator()(const Rotation& rotation) const {
     return advect(
-        CGAL::Rigid_rotation_2(centre_of_domain(complex), rotation.degrees * (CGAL_PI / 180)), 1);
+        DSC::Rigid_rotation_2(centre_of_domain(complex), rotation.degrees * (CGAL_PI / 180)), 1);
   }
 
   Report operator()(const Zalesak& zalesak) const {
-    return advect(CGAL::Rigid_rotation_2(Point(50, 50), 2 * CGAL_PI / Zalesak::period), zalesak.dt);
+    return advect(DSC::Rigid_rotation_2(Point(50, 50), 2 * CGAL_PI / Zalesak::period), zalesak.dt);
   }
 
   Report operator()(const Offset& offset) const {
@@ -78,7 +80,7 @@ struct Step
       throw Usage_error("--move-faces moves surfaces, and this is a complex in the plane");
     const double unit = offset.distance.in_mean_edges ? complex.mean_interface_edge() : 1;
     make_room();
-    return advect(CGAL::Normal_offset_2{offset.distance.value * unit}, 1);
+    return advect(DSC::Normal_offset{offset.distance.value * unit}, 1);
   }
 
   Report operator()(const Advection& advection) const {
@@ -86,7 +88,7 @@ struct Step
     case Advection::Field::enright:
       throw Usage_error("dsc enright deforms surfaces, and this is a complex in the plane");
     case Advection::Field::vortex:
-      return follow(CGAL::Single_vortex_velocity_2(advection.period), advection);
+      return follow(DSC::Single_vortex_velocity_2(advection.period), advection);
     default: {
       const Velocity_expressions velocity(advection.expressions, 2);
       return follow(
@@ -102,7 +104,7 @@ struct Step
   }
 
   Report operator()(const Curvature_flow& flow) const {
-    return follow(CGAL::Curve_shortening_flow_2(flow.keeps_volumes), Time_step{complex}(flow),
+    return follow(DSC::Mean_curvature_flow(flow.keeps_volumes), Time_step{complex}(flow),
                   flow.tolerance, parameters::number_of_threads(threads));
   }
 
@@ -117,7 +119,7 @@ private:
   Report follow(const Velocity& velocity, double dt, const std::optional<double>& tolerance,
                 const NamedParameters& np) const {
     const auto step = [&](const auto& all) {
-      return CGAL::advect_adaptively(complex, velocity, time, dt, all);
+      return DSC::advect_adaptively(complex, velocity, time, dt, all);
     };
     if (improves_interface)
       return step(np.interface_tolerance(0.).adaptation_interval(1));
@@ -125,10 +127,10 @@ private:
   }
 
   // Offsets stretch the interface, and the mesh around it has to follow.
-  void make_room() const { CGAL::control_detail(complex, parameters::collapse_length(2.)); }
+  void make_room() const { DSC::control_detail(complex, parameters::collapse_length(2.)); }
 
   template <class Flow> Report advect(const Flow& flow, double dt) const {
-    return CGAL::advect_interface(complex, flow, time, dt, parameters::number_of_threads(threads));
+    return DSC::advect_interface(complex, flow, time, dt, parameters::number_of_threads(threads));
   }
 };
 
@@ -137,15 +139,15 @@ private:
 void improve_interface(Complex& complex, const std::optional<double>& aggressiveness) {
   const double edge = complex.mean_interface_edge();
   static constexpr double feature_angle = 60, tolerance = .005, shortest = .2, longest = 4;
-  const CGAL::Curvature_size_field_2 size(complex, tolerance * edge, shortest * edge,
-                                          longest * edge, .5, feature_angle);
-  CGAL::improve_interface(complex, parameters::size_field(std::cref(size))
-                                       .feature_angle(feature_angle)
-                                       .interface_split_length(1.5)
-                                       .interface_collapse_length(.5)
-                                       .swept_volume(.01)
-                                       .curved_splits(true)
-                                       .aggressiveness(aggressiveness.value_or(0)));
+  const DSC::Curvature_sizing_field<2> size(complex, tolerance * edge, shortest * edge,
+                                            longest * edge, .5, feature_angle);
+  DSC::improve_interface(complex, parameters::sizing_field(std::cref(size))
+                                      .feature_angle(feature_angle)
+                                      .interface_split_length(1.5)
+                                      .interface_collapse_length(.5)
+                                      .swept_volume(.01)
+                                      .curved_splits(true)
+                                      .aggressiveness(aggressiveness.value_or(0)));
 }
 
 } // namespace
@@ -164,8 +166,8 @@ Step_outcome Tracked_complex_2::advance(const Step_options& options, double time
   return step_outcome(seconds_since(start), report);
 }
 
-bool Tracked_complex_2::has_room() const { return CGAL::has_room_around_interface(complex); }
+bool Tracked_complex_2::has_room() const { return DSC::has_room_around_interface(complex); }
 
-void Tracked_complex_2::grow_domain() { CGAL::grow_domain(complex); }
+void Tracked_complex_2::grow_domain() { DSC::grow_domain(complex); }
 
 } // namespace dsc

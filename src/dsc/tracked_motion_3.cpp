@@ -6,16 +6,16 @@
 #include "tracked_complex_3.h"
 #include "velocity_expressions.h"
 
-#include <CGAL/Curvature_size_field_3.h>
-#include <CGAL/advect_adaptively_3.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/control_detail_3.h>
-#include <CGAL/face_offsetting_3.h>
-#include <CGAL/grow_domain_3.h>
-#include <CGAL/improve_interface_3.h>
-#include <CGAL/interface_flows_3.h>
-#include <CGAL/mean_curvature_flow_3.h>
-#include <CGAL/velocity_fields_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Curvature_sizing_field.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/grow_domain.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_adaptively.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/face_offsetting_3.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
+#include <CGAL/Interface_flows/velocity_fields_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>
@@ -25,6 +25,8 @@
 #include <functional>
 #include <optional>
 #include <variant>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
@@ -68,7 +70,7 @@ struct Step
   unsigned threads;
   bool improves_interface; // before the motion
 
-  using Report = CGAL::Deformation_report<Complex>;
+  using Report = DSC::Deformation_report<Complex>;
 
   Report operator()(const Zalesak&) const {
     throw Usage_error("dsc zalesak moves figures in the plane, and this is a complex in space");
@@ -78,8 +80,8 @@ struct Step
     if (rotation.axis == std::array<double, 3>())
       throw Usage_error("a rotation in space needs an --axis");
     const auto [x, y, z] = rotation.axis;
-    return advect(CGAL::Rigid_rotation_3(centre_of_domain(complex), Vector(x, y, z),
-                                         rotation.degrees * (CGAL_PI / 180)),
+    return advect(DSC::Rigid_rotation_3(centre_of_domain(complex), Vector(x, y, z),
+                                        rotation.degrees * (CGAL_PI / 180)),
                   time, 1);
   }
 
@@ -88,17 +90,17 @@ struct Step
                                                       : 1 / complex.normalization().scale;
     const double speed = offset.distance.value * unit;
     if (!offset.moves_faces)
-      return advect(CGAL::Normal_offset_3{speed}, time, 1);
+      return advect(DSC::Normal_offset{speed}, time, 1);
     make_room();
-    return advect(CGAL::Face_offset_3(speed), time, 1);
+    return advect(DSC::Face_offset_3(speed), time, 1);
   }
 
   Report operator()(const Advection& advection) const {
     switch (advection.field) {
     case Advection::Field::enright:
-      return follow(CGAL::Enright_velocity_3(advection.period), advection);
+      return follow(DSC::Enright_velocity_3(advection.period), advection);
     case Advection::Field::vortex:
-      return follow(CGAL::Single_vortex_velocity_3(advection.period), advection);
+      return follow(DSC::Single_vortex_velocity_3(advection.period), advection);
     default: {
       const Velocity_expressions velocity(advection.expressions, 3);
       return follow(
@@ -115,14 +117,14 @@ struct Step
 
   Report operator()(const Curvature_flow& flow) const {
     const double scale = complex.normalization().scale;
-    return follow(CGAL::Mean_curvature_flow_3(flow.keeps_volumes), time / (scale * scale),
+    return follow(DSC::Mean_curvature_flow(flow.keeps_volumes), time / (scale * scale),
                   Time_step{complex}(flow) / (scale * scale), flow.tolerance,
                   parameters::number_of_threads(threads));
   }
 
 private:
   template <class Field> Report follow(const Field& field, const Advection& advection) const {
-    const CGAL::Velocity_in_user_coordinates_3<Complex, Field> velocity(complex, field);
+    const DSC::Velocity_in_user_coordinates_3<Complex, Field> velocity(complex, field);
     return follow(velocity, time, advection.dt, advection.tolerance,
                   parameters::number_of_threads(threads).scheme(advection.scheme));
   }
@@ -132,7 +134,7 @@ private:
   Report follow(const Velocity& velocity, double t, double dt,
                 const std::optional<double>& tolerance, const NamedParameters& np) const {
     const auto step = [&](const auto& all) {
-      return CGAL::advect_adaptively(complex, velocity, t, dt, all);
+      return DSC::advect_adaptively(complex, velocity, t, dt, all);
     };
     if (improves_interface)
       return step(np.interface_tolerance(0.).adaptation_interval(1));
@@ -140,10 +142,10 @@ private:
   }
 
   // Face offsets stretch the interface, and the mesh around it has to follow.
-  void make_room() const { CGAL::control_detail(complex, parameters::collapse_length(2.)); }
+  void make_room() const { DSC::control_detail(complex, parameters::collapse_length(2.)); }
 
   template <class Flow> Report advect(const Flow& flow, double t, double dt) const {
-    return CGAL::advect_interface(complex, flow, t, dt, parameters::number_of_threads(threads));
+    return DSC::advect_interface(complex, flow, t, dt, parameters::number_of_threads(threads));
   }
 };
 
@@ -152,16 +154,17 @@ private:
 void improve_interface(Complex& complex, const std::optional<double>& aggressiveness) {
   const double edge = complex.mean_interface_edge();
   static constexpr double feature_angle = 85; // below a cube, above the rims of sheets
-  const CGAL::Curvature_size_field_3 size(complex, .05 * edge, .2 * edge, edge, .5, feature_angle);
-  const auto np = parameters::size_field(std::cref(size))
+  const DSC::Curvature_sizing_field<3> size(complex, .05 * edge, .2 * edge, edge, .5,
+                                            feature_angle);
+  const auto np = parameters::sizing_field(std::cref(size))
                       .feature_angle(feature_angle)
                       .interface_split_length(1.5)
                       .interface_collapse_length(.5)
                       .curved_splits(true);
   if (aggressiveness)
-    CGAL::improve_interface(complex, np.aggressiveness(*aggressiveness));
+    DSC::improve_interface(complex, np.aggressiveness(*aggressiveness));
   else
-    CGAL::improve_interface(complex, np);
+    DSC::improve_interface(complex, np);
 }
 
 } // namespace
@@ -182,8 +185,8 @@ Step_outcome Tracked_complex_3::advance(const Step_options& options, double time
   return step_outcome(seconds_since(start), report);
 }
 
-bool Tracked_complex_3::has_room() const { return CGAL::has_room_around_interface(complex); }
+bool Tracked_complex_3::has_room() const { return DSC::has_room_around_interface(complex); }
 
-void Tracked_complex_3::grow_domain() { CGAL::grow_domain(complex); }
+void Tracked_complex_3::grow_domain() { DSC::grow_domain(complex); }
 
 } // namespace dsc

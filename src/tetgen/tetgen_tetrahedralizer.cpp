@@ -7,8 +7,8 @@
 
 #include "child_process.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/soups/Triangle_soup_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/Triangle_soup_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/enum.h>

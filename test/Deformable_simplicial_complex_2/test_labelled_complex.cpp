@@ -1,8 +1,8 @@
 #include "plane.h"
 
-#include <CGAL/Deformable_simplicial_complex_2/edge_flip_2.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_flip_2.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
-#include <CGAL/deform_interface_2.h>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,8 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace {
 
@@ -156,7 +158,7 @@ std::vector<std::pair<double, double>> places_of_events(bool looks) {
     return true;
   };
   for (int step = 0; step < 12; ++step) {
-    const auto report = CGAL::deform_interface(
+    const auto report = DSC::deform_interface(
         complex,
         [&](Vertex v) {
           const auto p = complex.position(v);

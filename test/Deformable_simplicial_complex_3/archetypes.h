@@ -1,9 +1,9 @@
 #ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_ARCHETYPES_H
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_ARCHETYPES_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
 #include <CGAL/Deformable_simplicial_complex_traits_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/quality_measures_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Triangulation_ds_cell_base_3.h>
@@ -15,6 +15,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Models that offer what the concepts of the package require, and nothing else: whatever compiles
 // with them needs no more.
@@ -189,11 +191,11 @@ public:
   double operator()(const Traits::Approximate_point_3& p, const Traits::Approximate_point_3& q,
                     const Traits::Approximate_point_3& r,
                     const Traits::Approximate_point_3& s) const {
-    return CGAL::Volume_length_ratio_3()(p, q, r, s);
+    return DSC::Volume_length_ratio_3()(p, q, r, s);
   }
 };
 
-// DeformationVisitor_3; it is passed by reference, and thus need not be copied
+// DeformationVisitor; it is passed by reference, and thus need not be copied
 
 template <class Complex> class Visitor
 {
@@ -219,8 +221,8 @@ public:
   bool go_further(unsigned) { return true; }
 };
 
-// The destination of a vertex, InterfaceFlowMap_3, VelocityField_3, InterfaceVelocity_3, and
-// InterfaceStep_3: all move everything by the same small vector.
+// The destination of a vertex, InterfaceFlowMap, VelocityField, InterfaceVelocity, and
+// InterfaceStep: all move everything by the same small vector.
 
 inline Traits::Approximate_vector_3 small_vector() { return {.03, .02, .01}; }
 
@@ -257,7 +259,7 @@ public:
 template <class Complex> class Interface_velocity
 {
 public:
-  void operator()(const CGAL::Interface_snapshot_3<Complex>&,
+  void operator()(const DSC::Interface_snapshot<Complex>&,
                   const std::vector<Traits::Approximate_point_3>& positions, double,
                   std::vector<Traits::Approximate_vector_3>& velocities) const {
     velocities.assign(positions.size(), small_vector());
@@ -267,7 +269,7 @@ public:
 template <class Complex> class Interface_step
 {
 public:
-  void operator()(const CGAL::Interface_snapshot_3<Complex>&,
+  void operator()(const DSC::Interface_snapshot<Complex>&,
                   const std::vector<Traits::Approximate_point_3>& positions, double, double dt,
                   std::vector<Traits::Approximate_point_3>& destinations) const {
     for (const Traits::Approximate_point_3& p : positions)

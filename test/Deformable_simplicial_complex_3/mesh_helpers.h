@@ -3,7 +3,7 @@
 
 #include "small_meshes.h"
 
-#include <CGAL/deform_interface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -14,6 +14,8 @@
 #include <random>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // What several tests do to complexes and look at. Templates, as complexes of other kernels and of
 // archetypes take part.
@@ -65,7 +67,7 @@ small_meshes::Complex jittered_grid(std::size_t n, Label label, double part, uns
 // must be a multiple of 4 and r about .6. It has 3 n^2 triangles.
 inline small_meshes::Complex sphere(std::size_t n, double r) {
   auto dsc = small_meshes::make_complex(small_meshes::grid(n, small_meshes::cube));
-  CGAL::deform_interface(dsc, [&](small_meshes::Complex::Vertex_handle v) {
+  DSC::deform_interface(dsc, [&](small_meshes::Complex::Vertex_handle v) {
     const auto x = dsc.position(v) - CGAL::ORIGIN;
     return exact_point(dsc, CGAL::ORIGIN + r / std::sqrt(x.squared_length()) * x);
   });

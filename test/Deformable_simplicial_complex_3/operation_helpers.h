@@ -4,7 +4,7 @@
 #include "mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/number_utils.h>
 
 #include <gtest/gtest.h>

@@ -4,12 +4,14 @@
 #include "operation_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <gtest/gtest.h>
 
 #include <cstddef>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // A mesh with an edge that is too short, and what the tests of drivers that remove it look at.
 namespace short_edge {
@@ -42,7 +44,7 @@ struct Grid_with_short_edge
   Vertex_handle v, w;
 };
 
-inline std::size_t number_of_changes(const CGAL::Improvement_report& r) {
+inline std::size_t number_of_changes(const DSC::Improvement_report& r) {
   return r.split + r.collapsed + r.flipped + r.smoothed + r.inserted;
 }
 

@@ -1,11 +1,11 @@
 #include "mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/vertex_optimization_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/vertex_smoothing_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_optimization_3.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,8 @@
 #include <cstdlib>
 #include <new>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Inner loops take no memory once their buffers have grown, and where there is none, nothing is
 // lost.
@@ -57,7 +59,7 @@ template <class Look> double allocations_a_cell(const Complex& dsc, const Look& 
 TEST(Allocations, there_are_none_where_cells_are_looked_at) {
   const Complex dsc = mesh_helpers::jittered_grid(4, small_meshes::ball, .3, 1);
   std::vector<Complex::Cell_handle> star;
-  CGAL::Cavity_3<Complex> cavity(dsc);
+  DSC::Cavity<Complex> cavity(dsc);
   Complex::Point_3 target;
   std::size_t found = 0;
   EXPECT_GT(allocations_a_cell(dsc, [](auto) { std::vector<int> vector(1); }), .9);
@@ -66,7 +68,7 @@ TEST(Allocations, there_are_none_where_cells_are_looked_at) {
                                [&](auto c) {
                                  dsc.star(c->vertex(1), star);
                                  found +=
-                                     CGAL::propose_smart_laplacian(dsc, c->vertex(1), star, target);
+                                     DSC::propose_smart_laplacian(dsc, c->vertex(1), star, target);
                                }),
             0);
   EXPECT_EQ(allocations_a_cell(dsc,
@@ -74,15 +76,15 @@ TEST(Allocations, there_are_none_where_cells_are_looked_at) {
                                  if (c->vertex(1)->is_interface())
                                    return; // those are rarely smoothed
                                  dsc.star(c->vertex(1), star);
-                                 found += CGAL::propose_optimal_position(dsc, c->vertex(1), star,
-                                                                         target);
+                                 found +=
+                                     DSC::propose_optimal_position(dsc, c->vertex(1), star, target);
                                }),
             0);
   EXPECT_EQ(allocations_a_cell(
-                dsc, [&](auto c) { found += CGAL::propose_edge_removal(dsc, c, 0, 1, cavity); }),
+                dsc, [&](auto c) { found += DSC::propose_edge_removal(dsc, c, 0, 1, cavity); }),
             0);
   EXPECT_EQ(allocations_a_cell(
-                dsc, [&](auto c) { found += CGAL::propose_multi_face_removal(dsc, c, 0, cavity); }),
+                dsc, [&](auto c) { found += DSC::propose_multi_face_removal(dsc, c, 0, cavity); }),
             0);
   EXPECT_GT(found, 100u);
 }
@@ -122,7 +124,7 @@ TEST(Allocations, components_stay_known_if_one_fails) {
 
 TEST(Allocations, cavities_know_their_vertices_if_one_fails) {
   const Complex dsc = mesh_helpers::jittered_grid(3, small_meshes::ball, .3, 1);
-  CGAL::Cavity_3<Complex> cavity(dsc);
+  DSC::Cavity<Complex> cavity(dsc);
   cavity.clear();
   EXPECT_GT(fail_in_turn([&] {
               for (auto v : dsc.vertices())
@@ -136,10 +138,10 @@ TEST(Allocations, cavities_know_their_vertices_if_one_fails) {
 
 TEST(Allocations, commits_do_all_or_nothing_if_one_fails) {
   Complex dsc = mesh_helpers::jittered_grid(3, small_meshes::two_boxes, .3, 1);
-  CGAL::Cavity_3<Complex> cavity(dsc);
+  DSC::Cavity<Complex> cavity(dsc);
   std::size_t failures = 0;
   for (auto c : dsc.cells())
-    if (CGAL::propose_edge_removal(dsc, c, 0, 1, cavity)) {
+    if (DSC::propose_edge_removal(dsc, c, 0, 1, cavity)) {
       failures += fail_in_turn([&] {
         const auto before = dsc.version();
         try {

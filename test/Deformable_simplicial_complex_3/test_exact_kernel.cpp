@@ -4,9 +4,9 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_traits_3.h>
-#include <CGAL/IO/checkpoint_3.h>
-#include <CGAL/deform_interface_3.h>
-#include <CGAL/improve_mesh_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
@@ -14,6 +14,8 @@
 
 #include <string>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Numbers of this kernel are evaluated when needed, and a conversion to double depends on that.
 namespace {
@@ -118,7 +120,7 @@ TEST(Exact_kernel, points_are_rounded_wherever_they_come_in) {
   cavity.remove(c);
   const auto added = cavity.add(CGAL::centroid(c->vertex(0)->point(), c->vertex(1)->point(),
                                                c->vertex(2)->point(), c->vertex(3)->point()),
-                                CGAL::Boundary_class::inside);
+                                DSC::Boundary_class::inside);
   for (int i = 0; i < 4; ++i) {
     std::array<Complex::Cavity::Index, 4> t = {cavity.add(c->vertex(0)), cavity.add(c->vertex(1)),
                                                cavity.add(c->vertex(2)), cavity.add(c->vertex(3))};
@@ -138,7 +140,7 @@ TEST(Exact_kernel, tetrahedron_that_rounding_makes_flat_is_refused) {
   ASSERT_EQ(CGAL::orientation(points[0], points[1], points[2], points[3]), CGAL::POSITIVE);
   Complex dsc;
   EXPECT_THROW(dsc.assign(points, {{0, 1, 2, 3}}, {0}),
-               CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error);
+               CGAL::Deformable_simplicial_complexes::Invalid_cells_error);
 }
 
 // Steps to destinations that are no doubles, a checkpoint between, and a box that stays a box.
@@ -146,12 +148,12 @@ TEST(Exact_kernel, whole_flow) {
   const Temporary_folder folder;
   Complex dsc = cube_in_thirds();
   const auto step = [](Complex& complex) {
-    const auto report = CGAL::deform_interface(complex, [&](Complex::Vertex_handle v) {
+    const auto report = DSC::deform_interface(complex, [&](Complex::Vertex_handle v) {
       const Point& p = v->point();
       return Point(p.x() - third * p.y() / 5, p.y() + third * p.x() / 5, p.z() + third / 20);
     });
     EXPECT_TRUE(report.complete);
-    CGAL::improve_mesh(complex);
+    DSC::improve_mesh(complex);
     evaluate_exactly(complex);
     EXPECT_TRUE(complex.is_valid());
     expect_double_coordinates(complex);
@@ -169,7 +171,7 @@ TEST(Exact_kernel, whole_flow) {
   const double side = CGAL::to_double(third);
   for (auto v : dsc.vertices())
     for (int axis = 0; axis < 3; ++axis) {
-      if (CGAL::Boundary_class::fixes(v->boundary_class(), axis)) {
+      if (DSC::Boundary_class::fixes(v->boundary_class(), axis)) {
         EXPECT_EQ(CGAL::abs(v->point()[axis]), side);
       }
     }

@@ -17,6 +17,8 @@
 #include <utility>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
@@ -176,7 +178,7 @@ TEST(Fluid, rests_when_solved_by_iterations) {
 TEST(Fluid, droplet_oscillates) {
   Complex complex = sphere(12, .6);
   const auto radius = [](double z) { return 1 + .03 * (5 * z * z * z - 3 * z) / 2; };
-  CGAL::deform_interface(complex, [&](Complex::Vertex_handle v) {
+  DSC::deform_interface(complex, [&](Complex::Vertex_handle v) {
     const auto p = complex.position(v);
     const double r = length(vector(p));
     const auto q = CGAL::ORIGIN + radius(p.z() / r) * (p - CGAL::ORIGIN);
@@ -290,7 +292,7 @@ TEST(Fluid, begins_with_velocities_that_are_permitted) {
     before = report.after.kinetic_energy;
     for (auto v : vertices_of_liquids(complex))
       for (int axis = 0; axis < 3; ++axis)
-        if (CGAL::Boundary_class::fixes(v->boundary_class(), axis)) {
+        if (DSC::Boundary_class::fixes(v->boundary_class(), axis)) {
           EXPECT_EQ(fluid.velocity(v)[axis], 0);
         }
   }
@@ -459,8 +461,8 @@ TEST(Fluid, grows_by_sources) {
   EXPECT_THROW(fluid.advance(.1), dsc::Error);
 }
 
-TEST(Gas_ledger, follows_parts) {
-  using Ledger = dsc::internal::Gas_ledger_3;
+TEST(Gas_bookkeeping, follows_parts) {
+  using Ledger = dsc::internal::Gas_bookkeeping_3;
   const dsc::Gas gas = {1, 2};
   Ledger ledger;
   ledger.set_bodies(
@@ -754,8 +756,8 @@ TEST(Saddle_point_solvers, threads_change_no_bit) {
 }
 
 // What components own when they merge and split, by pairs of numbers then and now.
-TEST(Part_ledger, follows_parts) {
-  dsc::internal::Part_ledger_3 ledger;
+TEST(Liquid_bookkeeping, follows_parts) {
+  dsc::internal::Liquid_bookkeeping_3 ledger;
   ledger.set_volumes({{1, 2.}, {2, 3.}, {4, 1.}, {7, .5}});
   std::vector<dsc::internal::Momentum_3> momenta(8);
   for (std::size_t i : {1, 2, 4, 7})

@@ -3,17 +3,17 @@
 #include "temporary_folder.h"
 #include "whole_files.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/MEDIT_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_curves_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_image_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/point_set_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
-#include <CGAL/IO/MEDIT_3.h>
-#include <CGAL/IO/VTU_3.h>
-#include <CGAL/IO/checkpoint_2.h>
-#include <CGAL/IO/checkpoint_3.h>
-#include <CGAL/IO/labelled_curves_2.h>
-#include <CGAL/IO/labelled_image_2.h>
-#include <CGAL/IO/labelled_surface_3.h>
-#include <CGAL/IO/point_set_3.h>
-#include <CGAL/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 
 #include <boost/crc.hpp>
 
@@ -34,6 +34,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Readers survive any input: they read a damaged file or throw an error of the package, print
 // nothing, and take memory for what is in the file and not for what the file announces.
@@ -132,11 +134,11 @@ void read_checkpoint(const std::string& path) {
 using Planar_complex = CGAL::Deformable_simplicial_complex_2<>;
 
 void build_from_wkt(const std::string& path) {
-  CGAL::make_deformable_simplicial_complex_2<Planar_complex>(CGAL::IO::read_labelled_curves(path));
+  DSC::make_deformable_simplicial_complex_2<Planar_complex>(CGAL::IO::read_labelled_curves(path));
 }
 
 void build_from_poly(const std::string& path) {
-  CGAL::make_deformable_simplicial_complex_2<Planar_complex>(CGAL::IO::read_seeded_segments(path));
+  DSC::make_deformable_simplicial_complex_2<Planar_complex>(CGAL::IO::read_seeded_segments(path));
 }
 
 void read_planar_checkpoint(const std::string& path) {
@@ -156,7 +158,7 @@ const char* const pgm = "P2\n# comment\n4 3\n300\n0 1 2 3\n4 5 300 7\n8 9 10 11\
 std::string planar_checkpoint() {
   const Temporary_folder folder;
   write_bytes(folder / "a.wkt", wkt);
-  const auto dsc = CGAL::make_deformable_simplicial_complex_2<Planar_complex>(
+  const auto dsc = DSC::make_deformable_simplicial_complex_2<Planar_complex>(
       CGAL::IO::read_labelled_curves(folder / "a.wkt"));
   CGAL::IO::write_checkpoint(folder / "a.dsc", dsc.state(), "metadata");
   return file_bytes(folder / "a.dsc");

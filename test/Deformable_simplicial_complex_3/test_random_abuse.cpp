@@ -1,9 +1,9 @@
 #include "mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/deform_interface_3.h>
-#include <CGAL/improve_mesh_3.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,8 @@
 #include <cstddef>
 #include <limits>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Whatever it is asked for, a deformation ends, tells what it did and leaves a valid complex.
 
@@ -84,11 +86,11 @@ Complex::State abused(Label label, std::size_t n, int fields, unsigned seed) {
     };
     const auto np = parameters::maximum_number_of_passes(maximum_number_of_passes);
     if (abuse == Abuse::not_finite) {
-      EXPECT_THROW(CGAL::deform_interface(dsc, destination, np), Invalid_destination_error);
+      EXPECT_THROW(DSC::deform_interface(dsc, destination, np), Invalid_destination_error);
       EXPECT_TRUE(dsc.state() == before);
       continue;
     }
-    const auto report = CGAL::deform_interface(dsc, destination, np);
+    const auto report = DSC::deform_interface(dsc, destination, np);
     EXPECT_TRUE(dsc.is_valid()) << "field " << field << " of seed " << seed;
     EXPECT_LE(report.passes, maximum_number_of_passes);
     EXPECT_EQ(report.complete, report.unfinished.empty());
@@ -109,7 +111,7 @@ Complex::State abused(Label label, std::size_t n, int fields, unsigned seed) {
       EXPECT_GT(unfinished.distance, 0);
     }
     if (field % 7 == 6)
-      CGAL::improve_mesh(dsc);
+      DSC::improve_mesh(dsc);
   }
   EXPECT_TRUE(dsc.is_valid());
   return dsc.state();

@@ -3,25 +3,25 @@
 #include "small_meshes.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/vertex_optimization_3.h>
-#include <CGAL/advect_interface_2.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/curve_shortening_flow_2.h>
-#include <CGAL/deform_interface_3.h>
-#include <CGAL/face_offsetting_3.h>
-#include <CGAL/improve_mesh_3.h>
-#include <CGAL/interface_flows_2.h>
-#include <CGAL/interface_flows_3.h>
-#include <CGAL/mean_curvature_flow_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_optimization_3.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/face_offsetting_3.h>
+#include <CGAL/Interface_flows/interface_flows_2.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 
 #include <gtest/gtest.h>
 
 #include <future>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Any number of threads may ask a complex, and one may change it alone. Two complexes share
 // nothing: two threads may work at once, each on its own, and each may have helpers.
@@ -36,7 +36,7 @@ namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 State flow(unsigned number_of_threads) {
   Complex dsc = small_meshes::make_complex(small_meshes::grid(12, small_meshes::two_boxes));
   for (int step = 0; step < 2; ++step)
-    CGAL::deform_interface(
+    DSC::deform_interface(
         dsc,
         [&](Complex::Vertex_handle v) {
           const auto p = dsc.position(v);
@@ -44,7 +44,7 @@ State flow(unsigned number_of_threads) {
               dsc, p + .1 * Complex::Approximate_vector_3(p.x() - p.y(), p.x() + p.y(), p.z()));
         },
         parameters::number_of_threads(number_of_threads));
-  CGAL::improve_mesh(dsc);
+  DSC::improve_mesh(dsc);
   return dsc.state();
 }
 
@@ -72,16 +72,16 @@ std::vector<double> answers(const Complex& dsc) {
 // What operations would do at each cell.
 std::vector<double> proposals(const Complex& dsc) {
   std::vector<double> result;
-  CGAL::Cavity_3<Complex> cavity(dsc);
+  DSC::Cavity<Complex> cavity(dsc);
   std::vector<Complex::Cell_handle> star;
   for (auto c : dsc.cells()) {
-    for (bool is_proposed : {CGAL::propose_edge_removal(dsc, c, 0, 1, cavity),
-                             CGAL::propose_multi_face_removal(dsc, c, 2, cavity),
-                             CGAL::propose_edge_collapse(dsc, c, 3, 0, 0, cavity)})
+    for (bool is_proposed : {DSC::propose_edge_removal(dsc, c, 0, 1, cavity),
+                             DSC::propose_multi_face_removal(dsc, c, 2, cavity),
+                             DSC::propose_edge_collapse(dsc, c, 3, 0, 0, cavity)})
       result.push_back(is_proposed ? cavity.quality_after() : -1);
     Complex::Point_3 target;
     dsc.star(c->vertex(0), star);
-    const bool is_proposed = CGAL::propose_optimal_position(dsc, c->vertex(0), star, target);
+    const bool is_proposed = DSC::propose_optimal_position(dsc, c->vertex(0), star, target);
     result.push_back(is_proposed ? target.x() : -1);
   }
   return result;
@@ -146,8 +146,8 @@ void expect_same_bits(const Complex& initial, const Flow& flow, double dt) {
   const auto state_after = [&](unsigned number_of_threads) {
     Complex dsc = initial;
     for (int step = 0; step < 2; ++step)
-      CGAL::advect_interface(dsc, flow, step * dt, dt,
-                             parameters::number_of_threads(number_of_threads));
+      DSC::advect_interface(dsc, flow, step * dt, dt,
+                            parameters::number_of_threads(number_of_threads));
     return dsc.state();
   };
   const auto expected = state_after(1);
@@ -168,21 +168,21 @@ Complex solid(int (*label)(const small_meshes::Point&)) {
 TEST(Threads, change_no_bit_of_flows_in_space) {
   const Complex ball = solid(small_meshes::ball);
   const double edge = ball.mean_interface_edge();
-  const CGAL::Rigid_rotation_3 rotation(CGAL::ORIGIN, Complex::Approximate_vector_3(0, 0, 1), .05);
+  const DSC::Rigid_rotation_3 rotation(CGAL::ORIGIN, Complex::Approximate_vector_3(0, 0, 1), .05);
   expect_same_bits(ball, rotation, 1);
-  expect_same_bits(ball, CGAL::Normal_offset_3{edge / 4}, 1);
-  expect_same_bits(ball, CGAL::Face_offset_3{edge / 4}, 1);
-  expect_same_bits(ball, CGAL::Mean_curvature_flow_3(), edge * edge / 4);
+  expect_same_bits(ball, DSC::Normal_offset{edge / 4}, 1);
+  expect_same_bits(ball, DSC::Face_offset_3{edge / 4}, 1);
+  expect_same_bits(ball, DSC::Mean_curvature_flow(), edge * edge / 4);
   const Complex phases = solid(small_meshes::eight_phases);
-  expect_same_bits(phases, CGAL::Normal_offset_3{-edge / 4}, 1);
-  expect_same_bits(phases, CGAL::Mean_curvature_flow_3(), edge * edge / 4);
+  expect_same_bits(phases, DSC::Normal_offset{-edge / 4}, 1);
+  expect_same_bits(phases, DSC::Mean_curvature_flow(), edge * edge / 4);
 }
 
 TEST(Threads, change_no_bit_of_aggressive_improvement) {
   const auto improved = [](unsigned number_of_threads) {
     Complex dsc = mesh_helpers::jittered_grid(3, small_meshes::ball, .4, 5);
-    CGAL::improve_mesh(dsc, parameters::aggressive(true).number_of_iterations(1).number_of_threads(
-                                number_of_threads));
+    DSC::improve_mesh(dsc, parameters::aggressive(true).number_of_iterations(1).number_of_threads(
+                               number_of_threads));
     return dsc.state();
   };
   const State expected = improved(1);
@@ -194,8 +194,8 @@ TEST(Threads, change_no_bit_of_flows_in_the_plane) {
   const auto disks = plane::disks_in_a_square({{-.3, 0, .25, 1}, {.3, .1, .25, 2}}, 200, 1, 40);
   ASSERT_GT(disks.number_of_cells(), 3000u);
   const double edge = disks.mean_interface_edge();
-  const CGAL::Rigid_rotation_2 rotation(plane::Complex::Approximate_point_2(0, 0), .05);
+  const DSC::Rigid_rotation_2 rotation(plane::Complex::Approximate_point_2(0, 0), .05);
   expect_same_bits(disks, rotation, 1);
-  expect_same_bits(disks, CGAL::Normal_offset_2{2 * edge}, 1);
-  expect_same_bits(disks, CGAL::Curve_shortening_flow_2(), edge * edge);
+  expect_same_bits(disks, DSC::Normal_offset{2 * edge}, 1);
+  expect_same_bits(disks, DSC::Mean_curvature_flow(), edge * edge);
 }

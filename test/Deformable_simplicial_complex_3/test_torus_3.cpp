@@ -1,12 +1,12 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/control_detail_3.h>
-#include <CGAL/improve_interface_3.h>
-#include <CGAL/improve_mesh_3.h>
-#include <CGAL/interface_flows_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
-#include <CGAL/mean_curvature_flow_3.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 
 #include <gtest/gtest.h>
 
@@ -17,12 +17,14 @@
 #include <random>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace {
 
 using Domain = CGAL::Deformable_simplicial_complexes::Torus_domain<3>;
 using Complex =
     CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
-                                          CGAL::Default, CGAL::Volume_length_ratio_3, Domain>;
+                                          CGAL::Default, DSC::Volume_length_ratio_3, Domain>;
 using Position = Complex::Approximate_point_3;
 using Vector = Complex::Approximate_vector_3;
 
@@ -33,13 +35,13 @@ double distance_on_unit_torus(const Position& p, const Position& q) {
 
 // A ball about the corner of the box, where all seams meet.
 Complex ball_on_the_seams(double radius, double edge) {
-  return CGAL::make_deformable_simplicial_complex_3<Complex>(
-      Domain(), edge,
-      [&](const Position& p) { return distance_on_unit_torus(p, CGAL::ORIGIN) < radius ? 1 : 0; });
+  return DSC::make_deformable_simplicial_complex_3<Complex>(Domain(), edge, [&](const Position& p) {
+    return distance_on_unit_torus(p, CGAL::ORIGIN) < radius ? 1 : 0;
+  });
 }
 
 TEST(Torus_3, is_filled_without_boundary) {
-  const Complex dsc = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  const Complex dsc = DSC::make_deformable_simplicial_complex_3<Complex>(
       Domain({1, 1.5, 2}), .3, [](const Position&) { return 7; });
   EXPECT_TRUE(dsc.is_valid(true));
   EXPECT_EQ(dsc.number_of_vertices(), 2u * 3 * 5 * 7);
@@ -75,7 +77,7 @@ TEST(Torus_3, carries_a_ball_once_around) {
   constexpr int steps = 40;
   for (int i = 0; i < steps; ++i) {
     const auto report =
-        CGAL::advect_interface(dsc, Translation{Vector(1, 2, -1)}, double(i) / steps, 1. / steps);
+        DSC::advect_interface(dsc, Translation{Vector(1, 2, -1)}, double(i) / steps, 1. / steps);
     ASSERT_TRUE(report.complete);
     ASSERT_TRUE(dsc.is_valid(true));
     ASSERT_EQ(dsc.interface_facets().size(), facets);
@@ -91,7 +93,7 @@ TEST(Torus_3, merges_a_growing_ball_with_itself_through_the_seams) {
   Complex dsc = ball_on_the_seams(.35, .125);
   EXPECT_EQ(dsc.euler_characteristic(1), 2);
   for (int i = 0; i < 10; ++i) {
-    CGAL::advect_interface(dsc, CGAL::Normal_offset_3{1.}, 0, .02);
+    DSC::advect_interface(dsc, DSC::Normal_offset{1.}, 0, .02);
     ASSERT_TRUE(dsc.is_valid(true));
   }
   // Three handles, one through each seam.
@@ -140,19 +142,19 @@ TEST(Torus_3, stays_valid_whatever_happens) {
     for (int& label : label_of)
       label = int(random() % unsigned(labels));
     Complex dsc =
-        CGAL::make_deformable_simplicial_complex_3<Complex>(Domain(), .2, [&](const Position& p) {
+        DSC::make_deformable_simplicial_complex_3<Complex>(Domain(), .2, [&](const Position& p) {
           return label_of[std::size_t(4 * p.x()) * 16 + std::size_t(4 * p.y()) * 4 +
                           std::size_t(4 * p.z())];
         });
     for (int i = 0; i < 3; ++i) {
-      CGAL::advect_interface(dsc, Random_field(random), 0, .2);
+      DSC::advect_interface(dsc, Random_field(random), 0, .2);
       ASSERT_TRUE(dsc.is_valid(true)) << labels << " labels, field " << i;
-      CGAL::control_detail(dsc);
+      DSC::control_detail(dsc);
       ASSERT_TRUE(dsc.is_valid(true)) << labels << " labels, field " << i;
     }
-    CGAL::improve_interface(dsc);
+    DSC::improve_interface(dsc);
     ASSERT_TRUE(dsc.is_valid(true));
-    CGAL::improve_mesh(dsc);
+    DSC::improve_mesh(dsc);
     ASSERT_TRUE(dsc.is_valid(true));
   }
 }

@@ -2,8 +2,8 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_traits_3.h>
-#include <CGAL/deform_interface_3.h>
-#include <CGAL/improve_mesh_3.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -16,6 +16,8 @@
 #include <cstddef>
 #include <limits>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace {
 
@@ -214,12 +216,12 @@ TYPED_TEST(Traits_on_kernel, complex_does_not_depend_on_the_kernel) {
   const auto mesh = small_meshes::grid(4, small_meshes::two_boxes);
   const auto run = [&](auto& dsc) {
     mesh_helpers::jitter(dsc, .2, 5);
-    CGAL::deform_interface(dsc, [&](auto v) {
+    DSC::deform_interface(dsc, [&](auto v) {
       const auto p = dsc.position(v);
       return mesh_helpers::exact_point(
           dsc, p + .1 * typename Complex::Approximate_vector_3(p.y(), -p.x(), 1));
     });
-    CGAL::improve_mesh(dsc);
+    DSC::improve_mesh(dsc);
     EXPECT_TRUE(dsc.is_valid());
     return dsc.state();
   };

@@ -1,6 +1,6 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -8,8 +8,10 @@
 #include <thread>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
-using Surface = CGAL::Labelled_surface_3<Complex::Point_3>;
+using Surface = DSC::Labelled_surface_3<Complex::Point_3>;
 
 int main() {
   const Surface octahedron = {
@@ -21,7 +23,7 @@ int main() {
   std::vector<std::thread> threads;
   for (Complex& complex : complexes)
     threads.emplace_back([&] {
-      complex = CGAL::make_deformable_simplicial_complex_3<Complex>(
+      complex = DSC::make_deformable_simplicial_complex_3<Complex>(
           std::vector<Surface>{octahedron}, CGAL::Tetgen_tetrahedralizer_3());
     });
   for (std::thread& thread : threads)

@@ -1,7 +1,7 @@
 // Surfaces that move, and what all commands have in common.
 #include "program.h"
 
-#include <CGAL/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
 
 #include <gtest/gtest.h>
 

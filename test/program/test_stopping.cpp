@@ -11,8 +11,8 @@
 namespace {
 
 using program::contents;
-using program::fs::directory_iterator;
 using program::Outcome;
+using program::fs::directory_iterator;
 
 class Stopping : public program::Program_test
 {
@@ -93,8 +93,8 @@ TEST_F(Stopping, improvement_stops_and_keeps_its_input) {
 
 TEST_F(Stopping, other_commands_stop) {
   expect_stops("cut-locus --point 0.4,0.3 --spacing .05 -o out.svg", "INT", "0.4");
-  const Outcome outcome = run("fluid dam-break --report r.json --quiet",
-                              "timeout --preserve-status -s TERM 1.5");
+  const Outcome outcome =
+      run("fluid dam-break --report r.json --quiet", "timeout --preserve-status -s TERM 1.5");
   EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
   EXPECT_EQ(outcome.err.rfind("dsc: interrupted after step", 0), 0u) << outcome.err;
   expect_success("fluid --resume dsc_interrupted.dsc --steps 1 --quiet");
@@ -120,8 +120,7 @@ TEST_F(Stopping, what_cannot_be_written_leaves_what_was_there) {
     SCOPED_TRACE(name);
     write(name, "precious");
     const auto before = files();
-    const Outcome outcome =
-        run(std::string("convert out/checkpoint.dsc ") + name, "ulimit -f 4; ");
+    const Outcome outcome = run(std::string("convert out/checkpoint.dsc ") + name, "ulimit -f 4; ");
     EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
     EXPECT_EQ(outcome.err.rfind("dsc: cannot write", 0), 0u) << outcome.err;
     EXPECT_EQ(contents(path(name)), "precious");

@@ -7,10 +7,10 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 
 #include <CGAL/enum.h>
 
@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 The domain of a complex that is a ball, in most cases a box: what lies outside is one infinite
 vertex and the cells that have it, and vertices on the boundary move within its sides only. If the
@@ -79,10 +79,10 @@ public:
   template <int d> std::array<double, d> periods() const { return {}; }
 
   /// The domain of a complex in some state.
-  /// \throws Invalid_tetrahedra_error if it was a torus
+  /// \throws Invalid_cells_error if it was a torus
   template <int d> static Ball_domain of(const State<d>& state) {
     if (state.periods != std::array<double, d>{})
-      throw Invalid_tetrahedra_error("the state is one of a complex on a torus, not in a ball");
+      throw Invalid_cells_error("the state is one of a complex on a torus, not in a ball");
     return Ball_domain();
   }
 

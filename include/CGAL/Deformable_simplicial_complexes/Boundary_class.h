@@ -8,9 +8,10 @@
 #include <cstdint>
 
 namespace CGAL {
+namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Where a vertex lies on the boundary of the domain: a set of sides, as bits. Of a box, the bits 0 to
 5 are the sides x minimum, x maximum, y minimum, and so on: one bit for a vertex on a face, two on
@@ -40,6 +41,7 @@ struct Boundary_class
   static bool contains(Bits sides, Bits others) { return (sides & others) == others; }
 };
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_BOUNDARY_CLASS_H

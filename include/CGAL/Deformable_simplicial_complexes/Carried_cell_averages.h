@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 A visitor by which averages over cells, such as densities or concentrations, follow changes of the
 mesh conservatively: the integral over the domain, the sum of averages times volumes, stays what it
@@ -50,10 +50,10 @@ the largest magnitude for the integral.
         keep their values, and handles of new ones may equal those of old ones: identify cells by
         their time stamps. Values can be added, `v + w`, and multiplied, `2. * v`.
 
-\cgalModels `DeformationVisitor_3`
+\cgalModels `DeformationVisitor`
 */
 template <class Complex, class CellValueMap>
-class Carried_cell_averages : public Deformation_visitor_3
+class Carried_cell_averages : public Deformation_visitor
 {
 public:
   using Cell_handle = typename Complex::Cell_handle;     ///< cell of the complex

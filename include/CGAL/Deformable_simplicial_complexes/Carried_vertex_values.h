@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 A visitor by which values on vertices, such as temperatures, follow changes of the mesh. Values
 between vertices are those of the function that is linear in each cell. A vertex that is created, or
@@ -40,10 +40,10 @@ of the nearest one goes on.
         those of old ones: identify vertices by their time stamps. Values can be added, `v + w`, and
         multiplied, `2. * v`.
 
-\cgalModels `DeformationVisitor_3`
+\cgalModels `DeformationVisitor`
 */
 template <class Complex, class VertexValueMap>
-class Carried_vertex_values : public Deformation_visitor_3
+class Carried_vertex_values : public Deformation_visitor
 {
 public:
   using Cell_handle = typename Complex::Cell_handle;     ///< cell of the complex

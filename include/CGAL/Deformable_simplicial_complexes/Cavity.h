@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CAVITY_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CAVITY_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Id_map.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Id_map.h>
 
 #include <CGAL/enum.h>
 
@@ -18,7 +18,7 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// \ingroup PkgDeformableSimplicialComplexesRef
 /// What a proposed replacement does to the vertices.
 enum class Proposal_kind {
   flip,        ///< the vertices stay, other cells connect them
@@ -29,7 +29,7 @@ enum class Proposal_kind {
 };
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 A proposed replacement: cells to remove, cells to create in their place, and the worst quality
 before and after. A mesh operation fills a cavity without touching the complex;
@@ -238,11 +238,6 @@ private:
 };
 
 } // namespace Deformable_simplicial_complexes
-
-/// \ingroup PkgDeformableSimplicialComplex3Ref
-/// A proposed replacement in three dimensions.
-template <class Complex> using Cavity_3 = Deformable_simplicial_complexes::Cavity<Complex>;
-
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CAVITY_H

@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 What was tried with a cell in vain: a part of what a cell carries in any dimension, by itself as a
 byte fits in where the rest of a cell does not.
@@ -32,7 +32,7 @@ private:
 };
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 What a cell of a deformable simplicial complex carries in any dimension: a label, the quality cached
 by the complex, the connected component of its label that it belongs to, a time stamp that orders

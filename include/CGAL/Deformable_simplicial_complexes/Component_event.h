@@ -9,9 +9,10 @@
 #include <vector>
 
 namespace CGAL {
+namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 What became of connected components of a label between two looks at them. Components that merge
 while they split give two events with the same parts.
 */
@@ -38,6 +39,7 @@ struct Component_event
   std::vector<Part> after;  ///< by number; empty if a component vanished
 };
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_COMPONENT_EVENT_H

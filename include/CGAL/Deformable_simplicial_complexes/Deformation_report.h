@@ -13,9 +13,10 @@
 #include <vector>
 
 namespace CGAL {
+namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 What a deformation did: nothing is silently lost.
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 */
@@ -94,6 +95,7 @@ template <class Complex> struct Deformation_report
   Seconds seconds;                                   ///< what alone differs from run to run
 };
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORMATION_REPORT_H

@@ -6,17 +6,18 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORMATION_VISITOR_H
 
 namespace CGAL {
+namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Does nothing when the mesh changes: the default visitor and a base for others, which hide the
 functions they are interested in. Pass a visitor by `std::ref` to see its state afterwards. No
 function may change the complex.
 
-\cgalModels `DeformationVisitor_3`
+\cgalModels `DeformationVisitor`
 */
-struct Deformation_visitor_3
+struct Deformation_visitor
 {
   /// The planned tetrahedra of `cavity` are about to replace its cells, which are still there.
   template <class Cavity> void before_replacement(const Cavity& /*cavity*/) {}
@@ -57,6 +58,7 @@ struct Deformation_visitor_3
   bool go_further(unsigned /*pass*/) { return true; }
 };
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORMATION_VISITOR_H

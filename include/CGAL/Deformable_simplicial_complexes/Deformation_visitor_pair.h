@@ -6,23 +6,24 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORMATION_VISITOR_PAIR_H
 
 namespace CGAL {
+namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Two visitors in the place of one: the first is told of each change, then the second. Of what has
 happened the second is told even if the first throws, so that neither loses track of the mesh; what
 the first refuses before it happens, the second does not hear of. Pairs can be nested.
 
-\tparam First, Second models of `DeformationVisitor_3`
+\tparam First, Second models of `DeformationVisitor`
 
-\cgalModels `DeformationVisitor_3`
+\cgalModels `DeformationVisitor`
 */
-template <class First, class Second> class Deformation_visitor_pair_3
+template <class First, class Second> class Deformation_visitor_pair
 {
 public:
   /// Refers to both visitors, which must outlive the pair and its copies.
-  Deformation_visitor_pair_3(First& first, Second& second) : m_first(first), m_second(second) {}
+  Deformation_visitor_pair(First& first, Second& second) : m_first(first), m_second(second) {}
 
   /// Tells both.
   template <class Cavity> void before_replacement(const Cavity& cavity) {
@@ -101,6 +102,7 @@ private:
   Second& m_second;
 };
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORMATION_VISITOR_PAIR_H

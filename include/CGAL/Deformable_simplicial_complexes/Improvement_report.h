@@ -8,9 +8,10 @@
 #include <cstddef>
 
 namespace CGAL {
+namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 What was done to the mesh. Where the surroundings of a cell were replaced whole, that counts as one
 flip, and vertices that are new, gone or elsewhere as inserted, collapsed or smoothed.
 */
@@ -33,6 +34,7 @@ struct Improvement_report
   }
 };
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IMPROVEMENT_REPORT_H

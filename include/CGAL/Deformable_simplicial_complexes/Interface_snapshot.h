@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERFACE_SNAPSHOT_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERFACE_SNAPSHOT_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Vertex_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 
 #include <array>
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 The vertices of an interface, numbered, as velocities see them. Positions are kept apart: an
 integrator asks for velocities at positions that the vertices never take.
@@ -67,9 +67,9 @@ protected:
 };
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
-The vertices and facets of an interface: `Interface_snapshot_3`, `Interface_snapshot_2`.
+The vertices and facets of an interface: `Interface_snapshot`, `Interface_snapshot`.
 
 \tparam Complex a deformable simplicial complex
 \tparam dimension its dimension
@@ -107,17 +107,6 @@ template <class Complex> struct Interface_snapshot<Complex, 2> : public Interfac
 };
 
 } // namespace Deformable_simplicial_complexes
-
-/// \ingroup PkgDeformableSimplicialComplex3Ref
-/// The vertices and triangles of an interface in space.
-template <class Complex>
-using Interface_snapshot_3 = Deformable_simplicial_complexes::Interface_snapshot<Complex, 3>;
-
-/// \ingroup PkgDeformableSimplicialComplex3Ref
-/// The vertices and segments of an interface in the plane.
-template <class Complex>
-using Interface_snapshot_2 = Deformable_simplicial_complexes::Interface_snapshot<Complex, 2>;
-
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERFACE_SNAPSHOT_H

@@ -9,11 +9,11 @@
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Component_event.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Component_tracker.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Failure_memory.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Label_totals.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Marks.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/accounts/kept_components.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Component_tracker.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Label_totals.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/kept_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Item_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 A domain divided into simplices, each of which, called a cell, carries a label. The *interface* is
 the set of facets between cells of different labels; it may be non-manifold, and any number of
@@ -121,7 +121,7 @@ public:
   \param cells indices of the corners of each cell, positively oriented with the rounded points.
   \param labels one label for each cell.
   \return the vertices in the order of `points`
-  \throws Invalid_tetrahedra_error if sizes or indices do not fit, coordinates are not finite, the
+  \throws Invalid_cells_error if sizes or indices do not fit, coordinates are not finite, the
          extent of the domain is not in [1e-30, 1e30], a vertex is unused, a cell is not positive,
          or the cells do not form the domain. The complex is then unchanged.
   \pre the boundary of the domain does not intersect itself
@@ -141,7 +141,7 @@ public:
   /// cells.
   State state() const;
 
-  /// The complex that `state()` described. \throws Invalid_tetrahedra_error if the state is none of
+  /// The complex that `state()` described. \throws Invalid_cells_error if the state is none of
   /// a valid complex; this one is then unchanged.
   void restore(const State& state);
 

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 A named array of numbers on the points or the cells of a mesh, with one row of `components` numbers
 (a tuple of VTK) for each point or cell.
@@ -44,7 +44,7 @@ struct Mesh_array
 };
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 The arrays of a mesh that are neither coordinates nor labels.
 */

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 The entities of a MEDIT file other than points, tetrahedra and their labels: edges and triangles
 with references, for boundary conditions for example, and corners, ridges and required entities,

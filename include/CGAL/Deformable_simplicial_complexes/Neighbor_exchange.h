@@ -8,9 +8,10 @@
 #include <array>
 
 namespace CGAL {
+namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 In the plane, two phases lost the wall between them, and the two at its ends became neighbors: what
 is called a T1 event in foams.
 \tparam Complex an instance of `Deformable_simplicial_complex_2`
@@ -22,6 +23,7 @@ template <class Complex> struct Neighbor_exchange
   typename Complex::Approximate_point where;     ///< the middle of the wall
 };
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_NEIGHBOR_EXCHANGE_H

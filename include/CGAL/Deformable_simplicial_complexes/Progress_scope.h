@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Exception thrown by functions of this package when the callback of a `Progress_scope` returned
 `false`. A complex that the function was changing is valid; the object or file that the function was
@@ -30,7 +30,7 @@ public:
 };
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Lets the functions of this package report their progress, and stops them. While a scope exists, all
 functions that are called in its thread ask its callback about twenty times a second, whatever they
@@ -41,7 +41,7 @@ second.
 \code
 CGAL::Deformable_simplicial_complexes::Progress_scope scope(
     [&](const char* phase) { return !is_cancelled; });
-auto complex = CGAL::make_deformable_simplicial_complex_3<Complex>(surface, tetrahedralizer);
+auto complex = make_deformable_simplicial_complex_3<Complex>(surface, tetrahedralizer);
 \endcode
 
 Scopes nest: the callbacks of all scopes of the thread are called, the innermost one first, at the
@@ -125,7 +125,7 @@ private:
 };
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 While an object of this class exists, functions of this package that are called in its thread
 neither call the callbacks of scopes nor are interrupted: to restore what was there before an
@@ -144,7 +144,7 @@ private:
 };
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Name of the current phase of the thread, for the callbacks of `Progress_scope`. The phase ends with
 the object.

@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_STATE_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_STATE_H
 
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 is everything a deformable simplicial complex consists of, as plain numbers: a complex that is
 restored from its state continues to the same bits as the original would have. That takes more than
@@ -151,15 +151,6 @@ template <int d> bool operator==(const State<d>& a, const State<d>& b) {
 template <int d> bool operator!=(const State<d>& a, const State<d>& b) { return !(a == b); }
 
 } // namespace Deformable_simplicial_complexes
-
-/// \ingroup PkgDeformableSimplicialComplex3Ref
-/// The state of a complex in three dimensions.
-using Deformable_simplicial_complex_state_3 = Deformable_simplicial_complexes::State<3>;
-
-/// \ingroup PkgDeformableSimplicialComplex3Ref
-/// The state of a planar complex.
-using Deformable_simplicial_complex_state_2 = Deformable_simplicial_complexes::State<2>;
-
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_STATE_H

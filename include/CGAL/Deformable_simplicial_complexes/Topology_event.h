@@ -8,9 +8,10 @@
 #include <CGAL/Deformable_simplicial_complexes/Component_event.h>
 
 namespace CGAL {
+namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 What became of components of a label in a pass of a deformation, and where.
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 */
@@ -20,6 +21,7 @@ template <class Complex> struct Topology_event : public Component_event
   unsigned pass;                             ///< of the deformation, the first one being 1
 };
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TOPOLOGY_EVENT_H

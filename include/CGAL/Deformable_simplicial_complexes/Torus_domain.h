@@ -6,9 +6,9 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TORUS_DOMAIN_H
 
 #include <CGAL/Deformable_simplicial_complexes/State.h>
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 
 #include <CGAL/enum.h>
 
@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 The domain of a complex that is a flat torus: space repeats itself along each axis after a period,
 so there is no boundary and no outside.
@@ -48,7 +48,7 @@ public:
   explicit Torus_domain(const std::array<double, d>& periods = unit_periods());
 
   /// The domain of a complex in some state.
-  /// \throws Invalid_tetrahedra_error if it was no torus, or one of other periods than can be
+  /// \throws Invalid_cells_error if it was no torus, or one of other periods than can be
   static Torus_domain of(const State<d>& state);
 
   /// The length after which space repeats itself, for each axis.
@@ -149,7 +149,7 @@ Torus_domain<d>::Torus_domain(const std::array<double, d>& periods) : m_periods(
 template <int d> Torus_domain<d> Torus_domain<d>::of(const State<d>& state) try {
   return Torus_domain(state.periods);
 } catch (const Error&) {
-  throw Invalid_tetrahedra_error("the state is none of a complex on a torus");
+  throw Invalid_cells_error("the state is none of a complex on a torus");
 }
 
 template <int d> template <class Point> Point Torus_domain<d>::canonical(const Point& p) const {

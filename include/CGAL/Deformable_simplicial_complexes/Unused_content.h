@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 The content of a file that a reader recognized and did not use, by kind. If a reader cannot use
 content without which its result would be wrong, it throws `File_error` instead.

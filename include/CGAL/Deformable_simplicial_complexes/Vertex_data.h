@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 What a vertex of a deformable simplicial complex carries in any dimension, besides its point: a time
 stamp that orders vertices by creation, and what the complex caches about it. The setters are for

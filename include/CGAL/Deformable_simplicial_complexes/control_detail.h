@@ -6,18 +6,19 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CONTROL_DETAIL_H
 
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
+#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Detail_controller.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 
 #include <functional>
 #include <limits>
 
 namespace CGAL {
+namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Splits long edges at their midpoints and collapses short ones ("detail control", sections 3.2.1 and
 3.2.2 of the paper). Lengths are given in units of the mean edge of the input's interface, or of a
@@ -35,9 +36,9 @@ split.
 \param np named parameters:
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{size_field}
+  \cgalParamNBegin{sizing_field}
     \cgalParamDescription{the wanted length of edges, a positive function of position:
-                          `double size_field(Approximate_point_3 p)`, callable as `const`, asked
+                          `double sizing_field(Approximate_point_3 p)`, callable as `const`, asked
                           at midpoints of edges, in the coordinates of the complex}
     \cgalParamType{function object, by value or `std::reference_wrapper`}
     \cgalParamDefault{`dsc.mean_interface_edge()` everywhere}
@@ -84,13 +85,13 @@ split.
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told of each change of the mesh}
-    \cgalParamType{model of `DeformationVisitor_3`, by value or `std::reference_wrapper`}
-    \cgalParamDefault{`Deformation_visitor_3`}
+    \cgalParamType{model of `DeformationVisitor`, by value or `std::reference_wrapper`}
+    \cgalParamDefault{`Deformation_visitor`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return what was done.
-\throws Deformable_simplicial_complexes::Error if a parameter is out of its range, or there is an
+\throws Error if a parameter is out of its range, or there is an
        interface, but neither a size field nor `dsc.mean_interface_edge()`, the complex then being
        unchanged, or if the size field has a value that is not positive. An exception of the
        size field or of the visitor leaves a valid complex.
@@ -98,11 +99,9 @@ split.
 A pass over the cells, with the stars of the ends of edges to be collapsed; then n log n in the
 number of changed cells.
 */
-template <class Complex, class NamedParameters =
-                             Deformable_simplicial_complexes::parameters::Default_named_parameters>
+template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Improvement_report control_detail(Complex& dsc, const NamedParameters& np = NamedParameters()) {
-  namespace tags = Deformable_simplicial_complexes::internal_np;
-  namespace internal = Deformable_simplicial_complexes::internal;
+  namespace tags = internal_np;
   namespace defaults = internal::defaults;
 
   auto visitor = internal::visitor_parameter<Complex>(np);
@@ -129,6 +128,7 @@ Improvement_report control_detail(Complex& dsc, const NamedParameters& np = Name
                                       visitor.any());
 }
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CONTROL_DETAIL_H

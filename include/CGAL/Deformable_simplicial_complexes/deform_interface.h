@@ -7,18 +7,17 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/deform.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 
 #include <vector>
 
 namespace CGAL {
-
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
@@ -59,10 +58,9 @@ deform_by_parameters(Complex& dsc, const std::vector<typename Complex::Vertex_ha
 }
 
 } // namespace internal
-} // namespace Deformable_simplicial_complexes
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Moves the vertices of the interface to destinations, without ever inverting a cell, and keeps the
 mesh good on the way (Algorithm 1 of the paper). Parts of the interface that meet may merge or
@@ -138,8 +136,8 @@ became bad.
   \cgalParamNBegin{topology_control}
     \cgalParamDescription{is asked before a change that alters the topology of a phase and of the
                           interface}
-    \cgalParamType{model of `TopologyControl_3`, by value or `std::reference_wrapper`}
-    \cgalParamDefault{`Deformable_simplicial_complexes::Allow_topology_changes`}
+    \cgalParamType{model of `TopologyControl`, by value or `std::reference_wrapper`}
+    \cgalParamDefault{`Allow_topology_changes`}
   \cgalParamNEnd
   \cgalParamNBegin{manifold_interface}
     \cgalParamDescription{whether the boundary of each phase stays a 2-manifold: cells whose new
@@ -156,20 +154,19 @@ became bad.
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told of each change of the mesh and may end the deformation}
-    \cgalParamType{model of `DeformationVisitor_3`, by value or `std::reference_wrapper`}
-    \cgalParamDefault{`Deformation_visitor_3`}
+    \cgalParamType{model of `DeformationVisitor`, by value or `std::reference_wrapper`}
+    \cgalParamDefault{`Deformation_visitor`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return which vertices did not arrive and how far they stayed, what happened to labels and mesh.
-\throws Deformable_simplicial_complexes::Invalid_destination_error if a destination is not finite;
+\throws Invalid_destination_error if a destination is not finite;
        the complex is then unchanged. An exception of the visitor leaves a valid complex.
-\throws Deformable_simplicial_complexes::Error if a parameter is out of its range, or there is an
+\throws Error if a parameter is out of its range, or there is an
        interface, but no `dsc.mean_interface_edge()`; the complex is then unchanged.
 */
-template <
-    class Complex, class Destination,
-    class NamedParameters = Deformable_simplicial_complexes::parameters::Default_named_parameters>
+template <class Complex, class Destination,
+          class NamedParameters = parameters::Default_named_parameters>
 Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& destination,
                                              const NamedParameters& np = NamedParameters()) {
   const std::vector<typename Complex::Vertex_handle> vertices = dsc.interface_vertices();
@@ -177,12 +174,11 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
   destinations.reserve(vertices.size());
   for (auto v : vertices)
     destinations.push_back(destination(v));
-  return Deformable_simplicial_complexes::internal::deform_by_parameters(dsc, vertices,
-                                                                         destinations, np);
+  return internal::deform_by_parameters(dsc, vertices, destinations, np);
 }
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Deforms the interface as `deform_interface()` does, with destinations in the order of a snapshot.
 
@@ -191,19 +187,16 @@ Deforms the interface as `deform_interface()` does, with destinations in the ord
 \param destinations one for each vertex of the snapshot, in the coordinates of the complex
 \param np the named parameters of `deform_interface()`
 \return what that returns
-\throws Deformable_simplicial_complexes::Invalid_destination_error if a destination is not finite
+\throws Invalid_destination_error if a destination is not finite
        or their number is wrong; and whatever that throws
 */
-template <class Complex, class NamedParameters =
-                             Deformable_simplicial_complexes::parameters::Default_named_parameters>
+template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Deformation_report<Complex>
-deform_interface_to(Complex& dsc,
-                    const Deformable_simplicial_complexes::Interface_vertices<Complex>& interface_,
+deform_interface_to(Complex& dsc, const Interface_vertices<Complex>& interface_,
                     const std::vector<typename Complex::Approximate_point>& destinations,
                     const NamedParameters& np = NamedParameters()) {
-  namespace internal = Deformable_simplicial_complexes::internal;
   if (destinations.size() != interface_.vertices.size())
-    throw Deformable_simplicial_complexes::Invalid_destination_error(
+    throw Invalid_destination_error(
         "a destination must be given for each vertex of the interface, no more and no fewer", {});
   internal::require_finite(destinations, "a destination"); // exact numbers could not express it
   std::vector<typename Complex::Point> points;
@@ -213,6 +206,7 @@ deform_interface_to(Complex& dsc,
   return internal::deform_by_parameters(dsc, interface_.vertices, points, np);
 }
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORM_INTERFACE_H

@@ -7,7 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Marks.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,6 @@
 #include <vector>
 
 namespace CGAL {
-
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
@@ -183,10 +182,9 @@ private:
 };
 
 } // namespace internal
-} // namespace Deformable_simplicial_complexes
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Proposes to collapse an edge: its first vertex is removed, its second one stays where it is.
 
@@ -226,7 +224,7 @@ bool propose_edge_collapse(const Complex& complex, typename Complex::Cell_handle
   if (!is_good_enough)
     return false;
 
-  cavity.begin(Deformable_simplicial_complexes::Proposal_kind::collapse);
+  cavity.begin(Proposal_kind::collapse);
   for (auto c : star_a)
     cavity.remove(c);
   cavity.collapse(a, b);
@@ -242,14 +240,13 @@ bool propose_edge_collapse(const Complex& complex, typename Complex::Cell_handle
   if (!cavity.is_admissible())
     return false;
 
-  const Deformable_simplicial_complexes::internal::Collapse_test<Complex> test(complex, a, b);
+  const internal::Collapse_test<Complex> test(complex, a, b);
   if (!test.has_same_stratum(star_a))
     return false;
   complex.star(b, star_b);
   return test.fulfills_link_condition(star_a, star_b);
 }
 
-namespace Deformable_simplicial_complexes {
 namespace internal {
 
 template <class Complex>
@@ -260,10 +257,9 @@ bool propose_collapse_either_way(const Complex& complex, typename Complex::Cell_
 }
 
 } // namespace internal
-} // namespace Deformable_simplicial_complexes
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Proposes to remove an edge that is too short: it is collapsed, in whichever direction is possible.
 
@@ -281,12 +277,13 @@ template <class Complex>
 bool propose_degenerate_edge_removal(const Complex& complex, typename Complex::Cell_handle cell,
                                      int i, int j, double minimum_length, double minimum_quality,
                                      Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
-  using namespace Deformable_simplicial_complexes::internal;
+  using namespace internal;
   const auto edge = complex.displacement(cell->vertex(i), cell->vertex(j));
   return edge.squared_length() < minimum_length * minimum_length &&
          propose_collapse_either_way(complex, cell, i, j, minimum_quality, cavity);
 }
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_COLLAPSE_H

@@ -13,9 +13,10 @@
 #include <vector>
 
 namespace CGAL {
+namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Proposes to split an edge at a point: each cell around it becomes two. Labels and boundary classes
 are those of before.
@@ -37,7 +38,7 @@ bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle ce
   using Cell_handle = typename Complex::Cell_handle;
   using Index = typename Deformable_simplicial_complexes::Cavity<Complex>::Index;
   const Vertex_handle a = cell->vertex(i), b = cell->vertex(j);
-  cavity.begin(Deformable_simplicial_complexes::Proposal_kind::split);
+  cavity.begin(Proposal_kind::split);
   std::vector<Cell_handle> around;
   Complex::Space::cells_around_edge(complex.triangulation(), cell, i, j, around);
   bool is_on_boundary = false;
@@ -64,7 +65,7 @@ bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle ce
 }
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 The same, with the point given by the part of the way from i to j, in (0, 1): the interface changes
 by the rounding of the point only.
@@ -77,6 +78,7 @@ bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle ce
   return propose_edge_split(complex, cell, i, j, point, cavity);
 }
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_SPLIT_H

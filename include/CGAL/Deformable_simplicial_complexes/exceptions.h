@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 is the base class of everything this package throws because of its input. `what()` is one line that
 says what is wrong and what can be done about it. The offending simplices are carried as indices
@@ -28,7 +28,7 @@ public:
 };
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 is thrown when an input surface does not bound a solid, so that inside and outside are undefined.
 */
@@ -89,7 +89,7 @@ private:
 };
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 is thrown when space around valid surfaces could not be filled with tetrahedra.
 */
@@ -108,17 +108,16 @@ private:
 };
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 is thrown when given tetrahedra do not form a ball-shaped mesh without flat or inverted cells.
 */
-class Invalid_tetrahedra_error : public Error
+class Invalid_cells_error : public Error
 {
 public:
   /// constructs the error; the arguments are returned by the functions below.
-  explicit Invalid_tetrahedra_error(const std::string& message,
-                                    std::vector<std::size_t> tetrahedra = {},
-                                    std::vector<std::size_t> vertices = {})
+  explicit Invalid_cells_error(const std::string& message, std::vector<std::size_t> tetrahedra = {},
+                               std::vector<std::size_t> vertices = {})
       : Error(message), m_tetrahedra(std::move(tetrahedra)), m_vertices(std::move(vertices)) {}
 
   /// returns the indices of the offending tetrahedra, increasing.
@@ -132,7 +131,7 @@ private:
 };
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 is thrown when points bound no solid, so that none can be reconstructed from them.
 */
@@ -167,7 +166,7 @@ private:
 };
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 is thrown when interface vertices are sent to places that no position can be computed for, such as
 points with coordinates that are not finite. Nothing has been moved then.
@@ -187,7 +186,7 @@ private:
 };
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 is thrown when a proposal is committed that was made before the last change of the complex: what was
 found out then need not hold any more. Nothing has changed then; propose again.
@@ -201,7 +200,7 @@ public:
 };
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 is thrown when a file cannot be opened, read, written or understood.
 */

@@ -6,9 +6,9 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_FILL_GRID_H
 
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/fit_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/torus_grid.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 
 #include <vector>
 

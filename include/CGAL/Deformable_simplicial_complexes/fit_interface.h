@@ -16,7 +16,6 @@
 #include <vector>
 
 namespace CGAL {
-
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
@@ -76,10 +75,9 @@ changes_of_labels(const Complex& complex, const LabelAt& label_at,
 }
 
 } // namespace internal
-} // namespace Deformable_simplicial_complexes
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Moves the interface to where the labels change that a function tells: after `relabel()`, which only
 chooses among the facets that are there. Vertices go to the mean of the places around them where it
@@ -94,24 +92,22 @@ curvature times the square of the edges, and lines where labels meet up to a par
 
 About 40 calls of `label_at` for each facet, and the deformations.
 */
-template <
-    class Complex, class LabelAt,
-    class NamedParameters = Deformable_simplicial_complexes::parameters::Default_named_parameters>
+template <class Complex, class LabelAt,
+          class NamedParameters = parameters::Default_named_parameters>
 Deformation_report<Complex> fit_interface(Complex& dsc, const LabelAt& label_at,
                                           const NamedParameters& np = NamedParameters()) {
-  const Deformable_simplicial_complexes::Progress_phase phase("fitting the interface");
+  const Progress_phase phase("fitting the interface");
   static constexpr int rounds = 3; // the first straightens stairs; more change little
   Deformation_report<Complex> report;
   for (int i = 0; i < rounds && !report.stopped; ++i) {
-    const Deformable_simplicial_complexes::Interface_snapshot<Complex> interface_(dsc);
-    report = deform_interface_to(
-        dsc, interface_,
-        Deformable_simplicial_complexes::internal::changes_of_labels(dsc, label_at, interface_),
-        np);
+    const Interface_snapshot<Complex> interface_(dsc);
+    report = deform_interface_to(dsc, interface_,
+                                 internal::changes_of_labels(dsc, label_at, interface_), np);
   }
   return report;
 }
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_FIT_INTERFACE_H

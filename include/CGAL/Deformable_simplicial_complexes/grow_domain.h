@@ -16,9 +16,10 @@
 #include <utility>
 
 namespace CGAL {
+namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Returns whether the interface keeps its distance from the boundary of the domain, a box.
 
@@ -30,7 +31,7 @@ Returns whether the interface keeps its distance from the boundary of the domain
 Linear in the interface and in the boundary.
 */
 template <class Complex> bool has_room_around_interface(const Complex& dsc, double part = .125) {
-  const Deformable_simplicial_complexes::internal::Domain_box<Complex> box(dsc);
+  const internal::Domain_box<Complex> box(dsc);
   if (!box.is_box())
     return true;
   for (auto v : dsc.interface_vertices())
@@ -44,7 +45,7 @@ template <class Complex> bool has_room_around_interface(const Complex& dsc, doub
 }
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Enlarges the domain, a box, about its center, so that an interface that comes near its boundary can
 move on. The space between the old and the new box is filled with cells of label 0. All cells of
@@ -54,14 +55,12 @@ volumes of all labels except 0 stay up to rounding.
 
 \param dsc the complex. Handles are invalidated; changes of components not taken yet are forgotten.
 \param factor by which the sides of the box get longer, more than 1.
-\throws Deformable_simplicial_complexes::Error if the factor is not finite and more than 1, the domain
+\throws Error if the factor is not finite and more than 1, the domain
         is no box, or the new box is larger than complexes can be; the complex is then unchanged.
 
 n log n in the number of cells.
 */
 template <class Complex> void grow_domain(Complex& dsc, double factor = 1.5) {
-  namespace internal = Deformable_simplicial_complexes::internal;
-  using Deformable_simplicial_complexes::Error;
   if (!(factor > 1) || !std::isfinite(factor))
     throw Error("the factor by which the domain grows is out of range: use more than 1");
   const internal::Domain_box<Complex> box(dsc);
@@ -78,12 +77,11 @@ template <class Complex> void grow_domain(Complex& dsc, double factor = 1.5) {
   after.mean_interface_edge = before.mean_interface_edge;
   after.minimum_interface_edge = before.minimum_interface_edge;
   grown.restore(after);
-  internal::improve_new_mesh(
-      grown,
-      internal::new_mesh_options(Deformable_simplicial_complexes::parameters::default_values()));
+  internal::improve_new_mesh(grown, internal::new_mesh_options(parameters::default_values()));
   dsc = std::move(grown);
 }
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_GROW_DOMAIN_H

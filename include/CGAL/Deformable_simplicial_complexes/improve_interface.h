@@ -6,17 +6,18 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IMPROVE_INTERFACE_H
 
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_remesher.h>
+#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 
 #include <CGAL/number_utils.h>
 
 namespace CGAL {
+namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Improves the facets of the interface without changing its shape by much (section 3.2.2 of the
 paper): splits long edges, collapses short ones, and moves vertices along the interface (null-space
@@ -56,11 +57,11 @@ flips, collapses and curved splits change them slightly.
                           differ by more are corners}
     \cgalParamType{`double`} \cgalParamDefault{60}
   \cgalParamNEnd
-  \cgalParamNBegin{size_field}
+  \cgalParamNBegin{sizing_field}
     \cgalParamDescription{the wanted length of edges, a positive function of position:
-                          `double size_field(Approximate_point p)`, callable as `const`, asked
+                          `double sizing_field(Approximate_point p)`, callable as `const`, asked
                           at midpoints of edges, in the coordinates of the complex; for example
-                          `Curvature_size_field`}
+                          `Curvature_sizing_field`}
     \cgalParamType{function object, by value or `std::reference_wrapper`}
     \cgalParamDefault{`dsc.mean_interface_edge()` everywhere}
   \cgalParamNEnd
@@ -100,24 +101,22 @@ flips, collapses and curved splits change them slightly.
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told of each change of the mesh}
-    \cgalParamType{model of `DeformationVisitor_3`, by value or `std::reference_wrapper`}
-    \cgalParamDefault{`Deformation_visitor_3`}
+    \cgalParamType{model of `DeformationVisitor`, by value or `std::reference_wrapper`}
+    \cgalParamDefault{`Deformation_visitor`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return what was done.
-\throws Deformable_simplicial_complexes::Error if a parameter is out of its range, or there is an
+\throws Error if a parameter is out of its range, or there is an
        interface, but neither a size field nor `dsc.mean_interface_edge()`, the complex then being
        unchanged, or if the size field has a value that is not positive. An exception of the size
        field or of the visitor leaves a valid complex.
 
 A pass over the cells and the stars of the vertices of the interface for each iteration.
 */
-template <class Complex, class NamedParameters =
-                             Deformable_simplicial_complexes::parameters::Default_named_parameters>
+template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = NamedParameters()) {
-  namespace tags = Deformable_simplicial_complexes::internal_np;
-  namespace internal = Deformable_simplicial_complexes::internal;
+  namespace tags = internal_np;
   namespace defaults = internal::defaults;
 
   auto visitor = internal::visitor_parameter<Complex>(np);
@@ -152,6 +151,7 @@ Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = N
   return internal::remesh_interface(dsc, thresholds, unit, iterations, visitor.any());
 }
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IMPROVE_INTERFACE_H

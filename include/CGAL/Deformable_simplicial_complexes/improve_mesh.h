@@ -6,15 +6,16 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IMPROVE_MESH_H
 
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
+#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/improve_whole_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 
 namespace CGAL {
+namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Improves the cells of a complex, triangles or tetrahedra, by reconnection, smoothing, collapses and
 insertion of vertices, each done only if it raises the worst quality where it acts, and by splits of
@@ -59,23 +60,21 @@ What is improved is the measure of the complex. In space, where dihedral angles 
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told of each change of the mesh}
-    \cgalParamType{model of `DeformationVisitor_3`, by value or `std::reference_wrapper`}
-    \cgalParamDefault{`Deformation_visitor_3`}
+    \cgalParamType{model of `DeformationVisitor`, by value or `std::reference_wrapper`}
+    \cgalParamDefault{`Deformation_visitor`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return what was done.
-\throws Deformable_simplicial_complexes::Error if a parameter is out of its range; the complex is
+\throws Error if a parameter is out of its range; the complex is
        then unchanged. An exception of the visitor leaves a valid complex.
 
 Some passes over the cells, then n log n in the number of cells below the threshold. Random numbers
 are drawn from generators of its own, with fixed seeds.
 */
-template <class Complex, class NamedParameters =
-                             Deformable_simplicial_complexes::parameters::Default_named_parameters>
+template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedParameters()) {
-  namespace tags = Deformable_simplicial_complexes::internal_np;
-  namespace internal = Deformable_simplicial_complexes::internal;
+  namespace tags = internal_np;
   namespace defaults = internal::defaults;
   using Threshold = defaults::Quality_threshold;
 
@@ -96,6 +95,7 @@ Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedP
       dsc, {threshold, rounds, aggressive, smooth_interface, number_of_threads}, visitor.any());
 }
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IMPROVE_MESH_H

@@ -15,9 +15,10 @@
 /// `manifold_interface()` is about.
 
 namespace CGAL {
+namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Tells whether the interface is manifold at a vertex and its edges: whether for each label there, the
 boundary of the union of its closed cells, where that contains the vertex, is a 2-manifold around
@@ -34,13 +35,13 @@ Quadratic in the star of v.
 */
 template <class Complex>
 bool is_manifold_at(const Complex& complex, typename Complex::Vertex_handle v) {
-  return Deformable_simplicial_complexes::internal::Labelled_star<Complex>(
+  return internal::Labelled_star<Complex>(
              complex, v, [](typename Complex::Cell_handle c) { return c->label(); })
       .is_manifold();
 }
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Finds the vertices at which `is_manifold_at()` does not hold. If there are none, the boundary of
 each phase is a closed 2-manifold.
@@ -60,7 +61,7 @@ std::vector<typename Complex::Vertex_handle> non_manifold_vertices(const Complex
 }
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Proposes to give a cell another label without pinching the interface. Where the cell alone would do
 so at a vertex, cells of its old label around that vertex join it, until the interface is manifold
@@ -84,11 +85,10 @@ bool propose_manifold_relabeling(const Complex& complex, typename Complex::Cell_
                                  typename Complex::Label label,
                                  std::vector<typename Complex::Cell_handle>& cells) {
   cells.assign(1, cell);
-  return Deformable_simplicial_complexes::internal::Manifold_relabeling<Complex>(complex, cells,
-                                                                                 label)
-      .complete();
+  return internal::Manifold_relabeling<Complex>(complex, cells, label).complete();
 }
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MANIFOLD_INTERFACE_H

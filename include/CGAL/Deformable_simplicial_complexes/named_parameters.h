@@ -23,7 +23,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-
 namespace internal_np {
 
 /// \cond SKIP_IN_MANUAL

@@ -11,7 +11,6 @@
 #include <utility>
 
 namespace CGAL {
-
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
@@ -41,10 +40,9 @@ int contact_facet(const Complex& complex, typename Complex::Cell_handle cell,
 }
 
 } // namespace internal
-} // namespace Deformable_simplicial_complexes
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Proposes another label for a nearly flat cell trapped between two parts of the interface
 ("tetrahedron relabeling", section 3.2.1 of the paper). By the first rule, the largest facet of the
@@ -68,7 +66,6 @@ bool propose_relabeling(const Complex& complex, typename Complex::Cell_handle ce
                         double threshold, typename Complex::Label& label) {
   if (!(cell->quality() < threshold))
     return false;
-  namespace internal = Deformable_simplicial_complexes::internal;
   const internal::Facet_normals<Complex> normals(complex, cell);
   if (const int facet = internal::contact_facet(complex, cell, normals); facet >= 0) {
     label = cell->neighbor(facet)->label();
@@ -97,6 +94,7 @@ bool propose_relabeling(const Complex& complex, typename Complex::Cell_handle ce
   return best < 0;
 }
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_RELABELING_H

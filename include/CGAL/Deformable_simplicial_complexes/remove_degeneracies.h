@@ -7,20 +7,21 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Own_operations.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 
 #include <utility>
 
 namespace CGAL {
+namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Removes what is degenerate, of the interface too, each where it is possible: in space nearly flat
 tetrahedra, facets with small angles and short edges ("degeneracy removal", section 3.2.1 of the
@@ -47,9 +48,9 @@ the interface moves by the volume of what is removed.
                           `dsc.minimum_interface_edge()`, not negative}
     \cgalParamType{`double`} \cgalParamDefault{0.5, the paper's}
   \cgalParamNEnd
-  \cgalParamNBegin{size_field}
+  \cgalParamNBegin{sizing_field}
     \cgalParamDescription{the wanted length of edges, a positive function of position:
-                          `double size_field(Approximate_point p)`, callable as `const`, asked
+                          `double sizing_field(Approximate_point p)`, callable as `const`, asked
                           at midpoints of edges, in the coordinates of the complex}
     \cgalParamType{function object, by value or `std::reference_wrapper`}
     \cgalParamDefault{`dsc.minimum_interface_edge()` everywhere}
@@ -60,24 +61,22 @@ the interface moves by the volume of what is removed.
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told of each change of the mesh}
-    \cgalParamType{model of `DeformationVisitor_3`, by value or `std::reference_wrapper`}
-    \cgalParamDefault{`Deformation_visitor_3`}
+    \cgalParamType{model of `DeformationVisitor`, by value or `std::reference_wrapper`}
+    \cgalParamDefault{`Deformation_visitor`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return what was done.
-\throws Deformable_simplicial_complexes::Error if a parameter is out of its range, the complex then
+\throws Error if a parameter is out of its range, the complex then
        being unchanged, or if the size field has a value that is not positive. An exception of the
        size field or of the visitor leaves a valid complex.
 
 A pass over the cells, then n log n in the number of changed cells.
 */
-template <class Complex, class NamedParameters =
-                             Deformable_simplicial_complexes::parameters::Default_named_parameters>
+template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Improvement_report remove_degeneracies(Complex& dsc,
                                        const NamedParameters& np = NamedParameters()) {
-  namespace tags = Deformable_simplicial_complexes::internal_np;
-  namespace internal = Deformable_simplicial_complexes::internal;
+  namespace tags = internal_np;
   using internal::defaults::Degenerate;
   using Cell_handle = typename Complex::Cell_handle;
 
@@ -87,11 +86,9 @@ Improvement_report remove_degeneracies(Complex& dsc,
   const double cosine = internal::number_parameter(np, tags::degenerate_cosine, Degenerate::cosine);
   const double length = internal::number_parameter(np, tags::degenerate_length, Degenerate::length);
   if (!(cosine >= .5 && cosine <= 1))
-    throw Deformable_simplicial_complexes::Error(
-        "the cosine of the smallest angle of a facet is out of range: use 0.5 to 1");
+    throw Error("the cosine of the smallest angle of a facet is out of range: use 0.5 to 1");
   if (!(length >= 0))
-    throw Deformable_simplicial_complexes::Error(
-        "the length of a degenerate edge is out of range: use 0 or more");
+    throw Error("the length of a degenerate edge is out of range: use 0 or more");
   const unsigned rounds =
       internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
                                 internal::defaults::Number_of_iterations::over_mesh);
@@ -100,8 +97,8 @@ Improvement_report remove_degeneracies(Complex& dsc,
   Improvement_report report;
   Deformable_simplicial_complexes::Cavity<Complex> cavity(dsc);
   const auto propose = [&](Cell_handle c) {
-    if (internal::Own_operations<Complex>::propose_degenerate_cell_removal(dsc, c, quality, cosine,
-                                                                           cavity))
+    if (internal::Mesh_operations<Complex>::propose_degenerate_cell_removal(dsc, c, quality, cosine,
+                                                                            cavity))
       return true;
     for (int i = 0; i < Complex::corners; ++i)
       for (int j = i + 1; j < Complex::corners; ++j) {
@@ -127,6 +124,7 @@ Improvement_report remove_degeneracies(Complex& dsc,
   return report;
 }
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_REMOVE_DEGENERACIES_H

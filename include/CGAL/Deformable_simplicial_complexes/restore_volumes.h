@@ -7,10 +7,10 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/Volume_changer.h>
+#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/Volume_changer.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <cmath>
@@ -20,9 +20,10 @@
 #include <vector>
 
 namespace CGAL {
+namespace Deformable_simplicial_complexes {
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 What `restore_volumes()` did.
 \tparam Complex a deformable simplicial complex
 */
@@ -35,7 +36,7 @@ template <class Complex> struct Volume_report
 };
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Gives labels the volumes, in the plane the areas, they are to have, by moving the interface along
 its normals, flat parts between two labels equally far: the correction after a step of a flow that
@@ -61,22 +62,19 @@ keeps volumes, whose discretization does not quite. It is repeated until the vol
 \return what was done, and whether all volumes are right within the tolerance. If not, something
         keeps the interface from where it should go, a visitor has ended it, or there were too few
         iterations.
-\throws Deformable_simplicial_complexes::Error if a label does not occur, a volume or the tolerance
+\throws Error if a label does not occur, a volume or the tolerance
        is not positive, the number of iterations is negative, all labels are given and their volumes
 do not fill the domain, or some are and leave nothing for the others; the complex is then unchanged.
 
 Linear in the size of the interface, plus the deformations.
 */
-template <class Complex, class NamedParameters =
-                             Deformable_simplicial_complexes::parameters::Default_named_parameters>
+template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Volume_report<Complex> restore_volumes(Complex& dsc,
                                        const std::map<typename Complex::Label, double>& volumes,
                                        const NamedParameters& np = NamedParameters()) {
-  namespace tags = Deformable_simplicial_complexes::internal_np;
-  namespace internal = Deformable_simplicial_complexes::internal;
-  using Deformable_simplicial_complexes::Error;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
+  namespace tags = internal_np;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
   const double tolerance = choose_parameter(get_parameter(np, tags::volume_tolerance),
                                             internal::defaults::volume_tolerance);
   const unsigned iterations =
@@ -117,13 +115,14 @@ Volume_report<Complex> restore_volumes(Complex& dsc,
         done > 0 && (report.deformations.back().stopped || report.deformations.back().passes == 0);
     if (report.complete || done == iterations || is_ended)
       return report;
-    const Deformable_simplicial_complexes::Interface_snapshot<Complex> interface_(dsc);
+    const Interface_snapshot<Complex> interface_(dsc);
     auto positions = interface_.positions(dsc);
     internal::Volume_changer<Complex>(interface_).change_by(missing, positions);
     report.deformations.push_back(deform_interface_to(dsc, interface_, positions, np));
   }
 }
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_RESTORE_VOLUMES_H

@@ -16,9 +16,9 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// \ingroup PkgDeformableSimplicialComplexesRef
 /// Parts of a phase may merge, split, appear and vanish: the default.
-/// \cgalModels{TopologyControl_3}
+/// \cgalModels{TopologyControl}
 struct Allow_topology_changes
 {
   /// Returns true.
@@ -29,10 +29,10 @@ struct Allow_topology_changes
   }
 };
 
-/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// \ingroup PkgDeformableSimplicialComplexesRef
 /// The Betti numbers of each phase and of the interface stay what they are. Vertices that would
 /// have to pass through another part of the interface do not reach their destinations.
-/// \cgalModels{TopologyControl_3}
+/// \cgalModels{TopologyControl}
 struct Forbid_topology_changes
 {
   /// Returns false.
@@ -43,10 +43,10 @@ struct Forbid_topology_changes
   }
 };
 
-/// \ingroup PkgDeformableSimplicialComplex3Ref
+/// \ingroup PkgDeformableSimplicialComplexesRef
 /// The topology may change where space passes between two labels of one of the given pairs, in
 /// either direction.
-/// \cgalModels{TopologyControl_3}
+/// \cgalModels{TopologyControl}
 class Allow_topology_changes_between
 {
 public:

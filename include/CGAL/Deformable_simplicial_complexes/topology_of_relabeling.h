@@ -10,7 +10,6 @@
 #include <vector>
 
 namespace CGAL {
-
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
@@ -104,10 +103,9 @@ bool keeps_topology(const Complex& complex, typename Complex::Cell_handle cell,
 }
 
 } // namespace internal
-} // namespace Deformable_simplicial_complexes
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Tells whether giving a cell another label keeps the topology of the two labels, both as the union of
 their closed cells and as its interior, and with them that of the interface. All their Betti numbers
@@ -130,12 +128,12 @@ Linear in the stars of the vertices of the cell.
 template <class Complex>
 bool relabeling_keeps_topology(const Complex& complex, typename Complex::Cell_handle cell,
                                typename Complex::Label label) {
-  return Deformable_simplicial_complexes::internal::keeps_topology(
-      complex, cell, label, [](typename Complex::Cell_handle c) { return c->label(); });
+  return internal::keeps_topology(complex, cell, label,
+                                  [](typename Complex::Cell_handle c) { return c->label(); });
 }
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Tells whether several cells can get another label one after the other so that each of them keeps the
 topology, as the function above says.
@@ -158,7 +156,7 @@ bool relabeling_keeps_topology(const Complex& complex,
       return std::find(cells.begin(), next, c) != next ? label : c->label();
     };
     const auto keeping = std::find_if(next, cells.end(), [&](Cell_handle c) {
-      return Deformable_simplicial_complexes::internal::keeps_topology(complex, c, label, label_of);
+      return internal::keeps_topology(complex, c, label, label_of);
     });
     if (keeping == cells.end())
       return false;
@@ -167,6 +165,7 @@ bool relabeling_keeps_topology(const Complex& complex,
   return true;
 }
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TOPOLOGY_OF_RELABELING_H

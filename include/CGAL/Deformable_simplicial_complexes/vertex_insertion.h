@@ -20,7 +20,6 @@
 #include <utility>
 
 namespace CGAL {
-
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
@@ -164,7 +163,7 @@ bool fill_with_star(const Complex& complex, typename Complex::Cell_handle seed,
                     typename Complex::Approximate_point& p, Cavity<Complex>& cavity) {
   using Cell_handle = typename Complex::Cell_handle;
   using Index = typename Cavity<Complex>::Index;
-  cavity.begin(Deformable_simplicial_complexes::Proposal_kind::insertion);
+  cavity.begin(Proposal_kind::insertion);
   Star_shaped_set<Complex> set(complex, complex.exact(p), cavity);
   if (!set.grow(seed))
     return false;
@@ -178,7 +177,7 @@ bool fill_with_star(const Complex& complex, typename Complex::Cell_handle seed,
   });
   p = optimizer.run();
 
-  cavity.begin(Deformable_simplicial_complexes::Proposal_kind::insertion);
+  cavity.begin(Proposal_kind::insertion);
   for (Cell_handle c : set.cells())
     cavity.remove(c);
   const Index inserted = cavity.add(complex.exact(p), Boundary_class::inside);
@@ -192,10 +191,9 @@ bool fill_with_star(const Complex& complex, typename Complex::Cell_handle seed,
 }
 
 } // namespace internal
-} // namespace Deformable_simplicial_complexes
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Proposes to insert a vertex: cells around a bad one are replaced by the star of a new vertex
 (Klingner and Shewchuk 2007). Of all sets of cells that contain the bad one, and whose boundary its
@@ -230,8 +228,7 @@ bool propose_vertex_insertion(const Complex& complex, typename Complex::Cell_han
   double best = -std::numeric_limits<double>::infinity();
   Deformable_simplicial_complexes::Cavity<Complex> trial(complex);
   for (int round = 0; round < maximum_number_of_rounds; ++round) {
-    if (!Deformable_simplicial_complexes::internal::fill_with_star(complex, cell, p, trial) ||
-        !(trial.quality_after() > best))
+    if (!internal::fill_with_star(complex, cell, p, trial) || !(trial.quality_after() > best))
       break;
     best = trial.quality_after();
     std::swap(cavity, trial);
@@ -239,6 +236,7 @@ bool propose_vertex_insertion(const Complex& complex, typename Complex::Cell_han
   return best > cavity.quality_before() && cavity.is_positive();
 }
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_INSERTION_H

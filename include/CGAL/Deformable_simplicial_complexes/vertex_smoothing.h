@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_SMOOTHING_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_SMOOTHING_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Marks.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
 
 #include <CGAL/Origin.h>
 
@@ -14,7 +14,6 @@
 #include <vector>
 
 namespace CGAL {
-
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
@@ -40,10 +39,9 @@ double star_quality(const Complex& complex, const Measure& measure,
 }
 
 } // namespace internal
-} // namespace Deformable_simplicial_complexes
 
 /*!
-\ingroup PkgDeformableSimplicialComplex3Ref
+\ingroup PkgDeformableSimplicialComplexesRef
 
 Proposes to move a vertex towards the barycenter of its neighbors (smart Laplacian smoothing,
 section 3.2 of the paper): all the way, else half of it, if that raises the worst quality of its
@@ -65,8 +63,7 @@ bool propose_smart_laplacian(const Complex& complex, typename Complex::Vertex_ha
   if (v->is_interface())
     return false;
   using Vector = typename Complex::Approximate_vector;
-  Deformable_simplicial_complexes::internal::Marks seen =
-      Deformable_simplicial_complexes::internal::vertex_marks(complex);
+  internal::Marks seen = internal::vertex_marks(complex);
   std::size_t number = 0; // of neighbors
   const auto from = complex.position(v);
   Vector sum(CGAL::NULL_VECTOR);
@@ -86,14 +83,14 @@ bool propose_smart_laplacian(const Complex& complex, typename Complex::Vertex_ha
   const auto to = CGAL::ORIGIN + sum / double(number);
   for (double step : {1., .5}) {
     target = complex.admissible_destination(v, complex.exact(from + step * (to - from)));
-    if (Deformable_simplicial_complexes::internal::star_quality(
-            complex, complex.quality_measure(), v, star, complex.approximate(target), worst) >
-        worst)
+    if (internal::star_quality(complex, complex.quality_measure(), v, star,
+                               complex.approximate(target), worst) > worst)
       return complex.is_positive_star(v, star, target);
   }
   return false;
 }
 
+} // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_SMOOTHING_H

@@ -1,10 +1,10 @@
 #include "../../Deformable_simplicial_complex_3/temporary_folder.h"
 
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_curves_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_image_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/IO/labelled_curves_2.h>
-#include <CGAL/IO/labelled_image_2.h>
-#include <CGAL/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // What files of curves mean, and what is refused or named as not used.
 
@@ -26,8 +28,8 @@ using CGAL::Deformable_simplicial_complexes::File_error;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using CGAL::Deformable_simplicial_complexes::Unused_content;
 
-CGAL::Seeded_segments_2<Point> read_poly(const std::string& text, Unused_content* unused = nullptr,
-                                         const std::string& node = "") {
+DSC::Seeded_segments_2<Point> read_poly(const std::string& text, Unused_content* unused = nullptr,
+                                        const std::string& node = "") {
   const Temporary_folder folder;
   write_bytes(folder / "a.poly", text);
   if (!node.empty())
@@ -35,15 +37,15 @@ CGAL::Seeded_segments_2<Point> read_poly(const std::string& text, Unused_content
   return CGAL::IO::read_seeded_segments<Point>(folder / "a.poly", unused);
 }
 
-std::vector<CGAL::Labelled_curve_2<Point>> read_wkt(const std::string& text,
-                                                    Unused_content* unused = nullptr) {
+std::vector<DSC::Labelled_curve_2<Point>> read_wkt(const std::string& text,
+                                                   Unused_content* unused = nullptr) {
   const Temporary_folder folder;
   write_bytes(folder / "a.wkt", text);
   return CGAL::IO::read_labelled_curves<Point>(folder / "a.wkt", unused);
 }
 
 template <class Input> Complex make(const Input& input) {
-  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(input);
+  Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(input);
   EXPECT_TRUE(dsc.is_valid(true));
   return dsc;
 }

@@ -1,7 +1,7 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/advect_interface_2.h>
-#include <CGAL/curve_shortening_flow_2.h>
-#include <CGAL/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_interface.h>
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,8 @@
 #include <map>
 #include <random>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 // Complexes of images: each label keeps the area of its pixels, each pixel's center its label.
 
 namespace test_images {
@@ -19,8 +21,8 @@ using Complex = CGAL::Deformable_simplicial_complex_2<>;
 using CGAL::Deformable_simplicial_complexes::Error;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
-template <class LabelAt> CGAL::Labelled_image_2 image(int width, int height, LabelAt label_at) {
-  CGAL::Labelled_image_2 result;
+template <class LabelAt> DSC::Labelled_image_2 image(int width, int height, LabelAt label_at) {
+  DSC::Labelled_image_2 result;
   result.width = std::size_t(width);
   result.height = std::size_t(height);
   for (int y = height - 1; y >= 0; --y)
@@ -29,12 +31,12 @@ template <class LabelAt> CGAL::Labelled_image_2 image(int width, int height, Lab
   return result;
 }
 
-CGAL::Labelled_image_2 noise(int side, int labels) {
+DSC::Labelled_image_2 noise(int side, int labels) {
   std::mt19937 random(5);
   return image(side, side, [&](int, int) { return int(random() % unsigned(labels)); });
 }
 
-std::map<int, double> areas_of_pixels(const CGAL::Labelled_image_2& image) {
+std::map<int, double> areas_of_pixels(const DSC::Labelled_image_2& image) {
   std::map<int, double> result;
   for (int label : image.labels)
     ++result[label];
@@ -49,7 +51,7 @@ bool contains(const Complex& dsc, Complex::Cell_handle c, const Complex::Point_2
   return true;
 }
 
-void expect_image(const Complex& dsc, const CGAL::Labelled_image_2& image) {
+void expect_image(const Complex& dsc, const DSC::Labelled_image_2& image) {
   EXPECT_TRUE(dsc.is_valid(true));
   for (const auto& [label, area] : areas_of_pixels(image))
     EXPECT_NEAR(dsc.area(label), area, 1e-7) << label;
@@ -69,7 +71,7 @@ TEST(Image, keeps_areas_and_centers_of_pixels) {
   const auto disks = image(60, 40, [](int x, int y) {
     return std::hypot(x - 20, y - 20) < 12 ? 3 : std::hypot(x - 45, y - 15) < 9 ? 7 : 0;
   });
-  const Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(disks);
+  const Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(disks);
   expect_image(dsc, disks);
   // Smooth, unlike the edges of pixels, the length of which is four thirds of that of a circle.
   const double radius = std::sqrt(dsc.area(3) / CGAL_PI);
@@ -80,9 +82,9 @@ TEST(Image, keeps_areas_and_centers_of_pixels) {
 
 TEST(Image, may_have_phases_that_fill_it) {
   const auto strips = image(31, 17, [](int x, int y) { return 3 * x > 2 * y + 20 ? 2 : y > 8; });
-  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(strips);
+  Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(strips);
   expect_image(dsc, strips);
-  const auto report = CGAL::advect_interface(dsc, CGAL::Curve_shortening_flow_2(false), 0., .5);
+  const auto report = DSC::advect_interface(dsc, DSC::Mean_curvature_flow(false), 0., .5);
   EXPECT_TRUE(report.complete);
   EXPECT_NEAR(dsc.area(0) + dsc.area(1) + dsc.area(2), 31 * 17, 1e-9);
 }
@@ -90,35 +92,35 @@ TEST(Image, may_have_phases_that_fill_it) {
 TEST(Image, may_be_noise) {
   for (int labels : {2, 3, 40}) {
     const auto pixels = noise(24, labels);
-    expect_image(CGAL::make_deformable_simplicial_complex_2<Complex>(pixels), pixels);
+    expect_image(DSC::make_deformable_simplicial_complex_2<Complex>(pixels), pixels);
   }
 }
 
 TEST(Image, may_have_single_pixels) {
   const auto pixels = image(5, 4, [](int x, int y) { return x == 2 && y == 1 ? 9 : 1; });
-  const Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(pixels);
+  const Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(pixels);
   expect_image(dsc, pixels);
   EXPECT_DOUBLE_EQ(dsc.length(9), 4);
   const Complex one =
-      CGAL::make_deformable_simplicial_complex_2<Complex>(image(1, 1, [](int, int) { return 4; }));
+      DSC::make_deformable_simplicial_complex_2<Complex>(image(1, 1, [](int, int) { return 4; }));
   EXPECT_DOUBLE_EQ(one.area(4), 1);
 }
 
 TEST(Image, may_be_in_a_box) {
   const auto pixels = image(6, 6, [](int, int) { return 2; });
-  const Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+  const Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
       pixels, 2, parameters::enclosing_box(CGAL::Bbox_2(-4, -3, 11, 9)));
   EXPECT_TRUE(dsc.is_valid(true));
   EXPECT_NEAR(dsc.area(2), 36, 1e-9);
   EXPECT_NEAR(dsc.area(0), 15 * 12 - 36, 1e-9);
-  EXPECT_THROW(CGAL::make_deformable_simplicial_complex_2<Complex>(
+  EXPECT_THROW(DSC::make_deformable_simplicial_complex_2<Complex>(
                    pixels, 2, parameters::enclosing_box(CGAL::Bbox_2(0, -3, 11, 9))),
                Error);
 }
 
 TEST(Image, has_triangles_along_the_interface_only) {
   const auto halves = [](int side) {
-    return CGAL::make_deformable_simplicial_complex_2<Complex>(
+    return DSC::make_deformable_simplicial_complex_2<Complex>(
                image(side, side, [&](int x, int y) { return 2 * x + y > side; }))
         .number_of_cells();
   };
@@ -126,13 +128,12 @@ TEST(Image, has_triangles_along_the_interface_only) {
 }
 
 TEST(Image, is_refused_where_it_is_none) {
-  EXPECT_THROW(CGAL::make_deformable_simplicial_complex_2<Complex>(CGAL::Labelled_image_2()),
-               Error);
-  EXPECT_THROW(CGAL::make_deformable_simplicial_complex_2<Complex>(noise(3, 2), .5), Error);
-  EXPECT_THROW(CGAL::make_deformable_simplicial_complex_2<Complex>(noise(800, 100)), Error);
+  EXPECT_THROW(DSC::make_deformable_simplicial_complex_2<Complex>(DSC::Labelled_image_2()), Error);
+  EXPECT_THROW(DSC::make_deformable_simplicial_complex_2<Complex>(noise(3, 2), .5), Error);
+  EXPECT_THROW(DSC::make_deformable_simplicial_complex_2<Complex>(noise(800, 100)), Error);
   auto pixels = noise(3, 2);
   pixels.labels.pop_back();
-  EXPECT_THROW(CGAL::make_deformable_simplicial_complex_2<Complex>(pixels), Error);
+  EXPECT_THROW(DSC::make_deformable_simplicial_complex_2<Complex>(pixels), Error);
 }
 
 } // namespace test_images

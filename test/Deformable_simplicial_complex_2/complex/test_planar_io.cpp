@@ -1,19 +1,19 @@
 #include "../../Deformable_simplicial_complex_3/temporary_folder.h"
 #include "../torus.h"
 
+#include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/VTU_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_PNG_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_curves_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_image_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/IO/SVG_2.h>
-#include <CGAL/IO/VTU_2.h>
-#include <CGAL/IO/checkpoint_2.h>
-#include <CGAL/IO/checkpoint_3.h>
-#include <CGAL/IO/labelled_PNG_2.h>
-#include <CGAL/IO/labelled_curves_2.h>
-#include <CGAL/IO/labelled_image_2.h>
-#include <CGAL/advect_interface_2.h>
-#include <CGAL/extract_interface_2.h>
-#include <CGAL/interface_flows_2.h>
-#include <CGAL/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/extract_interface_2.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_2.h>
 
 #include <gtest/gtest.h>
 
@@ -28,6 +28,8 @@
 #include <string>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_planar_io {
 
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
@@ -36,25 +38,25 @@ using CGAL::Deformable_simplicial_complexes::Error;
 using CGAL::Deformable_simplicial_complexes::File_error;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 
-Complex make(const std::vector<CGAL::Labelled_curve_2<Point>>& curves) {
-  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(curves);
+Complex make(const std::vector<DSC::Labelled_curve_2<Point>>& curves) {
+  Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(curves);
   EXPECT_TRUE(dsc.is_valid(true));
   return dsc;
 }
 
-std::vector<CGAL::Labelled_curve_2<Point>> read_wkt(const std::string& text) {
+std::vector<DSC::Labelled_curve_2<Point>> read_wkt(const std::string& text) {
   const Temporary_folder folder;
   write_bytes(folder / "a.wkt", text);
   return CGAL::IO::read_labelled_curves<Point>(folder / "a.wkt");
 }
 
-CGAL::Seeded_segments_2<Point> read_poly(const std::string& text) {
+DSC::Seeded_segments_2<Point> read_poly(const std::string& text) {
   const Temporary_folder folder;
   write_bytes(folder / "a.poly", text);
   return CGAL::IO::read_seeded_segments<Point>(folder / "a.poly");
 }
 
-CGAL::Labelled_image_2 read_image(const std::string& bytes) {
+DSC::Labelled_image_2 read_image(const std::string& bytes) {
   const Temporary_folder folder;
   write_bytes(folder / "a.pgm", bytes);
   return CGAL::IO::read_labelled_image(folder / "a.pgm");
@@ -62,7 +64,7 @@ CGAL::Labelled_image_2 read_image(const std::string& bytes) {
 
 // A ring and a disk in it, a strip along the top of the box, and a disk that touches nothing.
 Complex phases() {
-  return CGAL::make_deformable_simplicial_complex_2<Complex>(
+  return DSC::make_deformable_simplicial_complex_2<Complex>(
       CGAL::Bbox_2(0, 0, 2, 1), .08, [](const auto& p) {
         const double ring = std::hypot(p.x() - .6, p.y() - .45),
                      disk = std::hypot(p.x() - 1.5, p.y() - .4);
@@ -111,7 +113,7 @@ const char color_png[] =
     "\x4e\x44\xae\x42\x60\x82";
 
 template <std::size_t size>
-CGAL::Labelled_image_2 read_png(const char (&bytes)[size], std::size_t length = size - 1) {
+DSC::Labelled_image_2 read_png(const char (&bytes)[size], std::size_t length = size - 1) {
   const Temporary_folder folder;
   write_bytes(folder / "a.png", std::string(bytes, length));
   return CGAL::IO::read_labelled_PNG(folder / "a.png");
@@ -148,53 +150,53 @@ TEST(Labelled_PNG, passes_on_what_callbacks_throw) {
 
 // Its area is lost by rounding.
 TEST(Extract_polygons, knows_outer_boundaries_exactly) {
-  CGAL::Labelled_curve_2<Point> curve;
+  DSC::Labelled_curve_2<Point> curve;
   curve.add_polyline(std::vector<Point>{Point(1000.0219146334566, 1000.6913223492447),
                                         Point(1000.5913591883145, 1001.6250651841983),
                                         Point(1000.322820012226, 1001.1847298970524)});
-  const auto dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+  const auto dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
       {curve}, CGAL::Deformable_simplicial_complexes::parameters::improve(false));
-  const auto polygons = CGAL::extract_polygons(dsc, 1);
+  const auto polygons = DSC::extract_polygons(dsc, 1);
   ASSERT_EQ(polygons.size(), 1u);
   EXPECT_EQ(polygons[0].outer_boundary().size(), 3u);
   EXPECT_EQ(polygons[0].number_of_holes(), 0u);
   const Temporary_folder folder;
   CGAL::IO::write_WKT(folder / "a.wkt", dsc);
   EXPECT_EQ(CGAL::IO::read_labelled_curves<Point>(folder / "a.wkt").size(), 1u);
-  EXPECT_TRUE(CGAL::extract_polygons(dsc, 7).empty());
+  EXPECT_TRUE(DSC::extract_polygons(dsc, 7).empty());
 }
 
 TEST(Extract_interface_2, between_two_labels) {
   const Complex dsc = phases();
-  EXPECT_EQ(CGAL::extract_interface(dsc).segments.size(),
-            CGAL::extract_interface(dsc, 0, 1).segments.size() +
-                CGAL::extract_interface(dsc, 0, 2).segments.size() +
-                CGAL::extract_interface(dsc, 2, 1).segments.size() +
-                CGAL::extract_interface(dsc, 0, 3).segments.size());
-  EXPECT_TRUE(CGAL::extract_interface(dsc, 1, 3).segments.empty());
+  EXPECT_EQ(DSC::extract_interface(dsc).segments.size(),
+            DSC::extract_interface(dsc, 0, 1).segments.size() +
+                DSC::extract_interface(dsc, 0, 2).segments.size() +
+                DSC::extract_interface(dsc, 2, 1).segments.size() +
+                DSC::extract_interface(dsc, 0, 3).segments.size());
+  EXPECT_TRUE(DSC::extract_interface(dsc, 1, 3).segments.empty());
 }
 
 TEST(Make_complex_2, refuses_what_is_not_finite_or_empty) {
   using CGAL::Deformable_simplicial_complexes::Error;
-  using CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error;
+  using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
   for (double x : {std::nan(""), std::numeric_limits<double>::infinity()})
-    EXPECT_THROW(CGAL::make_deformable_simplicial_complex_2<Complex>(
+    EXPECT_THROW(DSC::make_deformable_simplicial_complex_2<Complex>(
                      {Point(0, 0), Point(1, 0), Point(x, 1)}, {{0, 1, 2}}, {0}),
-                 Invalid_tetrahedra_error);
+                 Invalid_cells_error);
   const double inf = std::numeric_limits<double>::infinity();
   for (const CGAL::Bbox_2& box :
        {CGAL::Bbox_2(), CGAL::Bbox_2(1, 1, 0, 0), CGAL::Bbox_2(0, 0, 1, 0),
         CGAL::Bbox_2(0, 0, inf, 1), CGAL::Bbox_2(0, 0, 1 << 19, 1 << 19)})
     EXPECT_THROW(
-        CGAL::make_deformable_simplicial_complex_2<Complex>(box, 1, [](const auto&) { return 0; }),
+        DSC::make_deformable_simplicial_complex_2<Complex>(box, 1, [](const auto&) { return 0; }),
         Error);
 }
 
 TEST(Make_complex_2, takes_polylines_that_repeat_their_first_point) {
-  CGAL::Labelled_curve_2<Point> curve;
+  DSC::Labelled_curve_2<Point> curve;
   curve.add_polyline(std::vector<Point>{Point(0, 0), Point(1, 0), Point(0, 1), Point(0, 0)});
   EXPECT_EQ(curve.points.size(), 3u);
-  EXPECT_NEAR(CGAL::make_deformable_simplicial_complex_2<Complex>({curve}).area(1), .5, 1e-15);
+  EXPECT_NEAR(DSC::make_deformable_simplicial_complex_2<Complex>({curve}).area(1), .5, 1e-15);
 }
 
 TEST(Wkt, in_other_dialects) {
@@ -230,15 +232,15 @@ TEST(Svg, refuses_windows_that_are_none) {
 
 TEST(Polygons_2, have_the_holes_of_the_regions) {
   const Complex dsc = phases();
-  const auto ring = CGAL::extract_polygons(dsc, 1);
+  const auto ring = DSC::extract_polygons(dsc, 1);
   ASSERT_EQ(ring.size(), 1u);
   EXPECT_EQ(ring[0].number_of_holes(), 1u);
-  EXPECT_EQ(CGAL::extract_polygons(dsc, 2).size(), 2u);
-  EXPECT_EQ(CGAL::extract_polygons(dsc, 0)[0].number_of_holes(), 2u);
-  EXPECT_TRUE(CGAL::extract_polygons(dsc, 7).empty());
+  EXPECT_EQ(DSC::extract_polygons(dsc, 2).size(), 2u);
+  EXPECT_EQ(DSC::extract_polygons(dsc, 0)[0].number_of_holes(), 2u);
+  EXPECT_TRUE(DSC::extract_polygons(dsc, 7).empty());
   for (const auto& [label, area] : areas(dsc)) {
     double sum = 0;
-    for (const auto& polygon : CGAL::extract_polygons(dsc, label)) {
+    for (const auto& polygon : DSC::extract_polygons(dsc, label)) {
       EXPECT_TRUE(polygon.outer_boundary().is_simple());
       sum += polygon.outer_boundary().area();
       for (const auto& hole : polygon.holes())
@@ -264,11 +266,11 @@ TEST(Polygons_2, of_pinched_regions_pass_no_vertex_twice) {
       triangles.push_back({a, d, c}); // clockwise
       labels.insert(labels.end(), 2, (i == 1 && j == 1) || (i == 2 && j == 2) ? 1 : 0);
     }
-  const auto dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+  const auto dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
       points, triangles, labels, CGAL::Deformable_simplicial_complexes::parameters::improve(false));
   EXPECT_TRUE(dsc.is_valid(true));
-  EXPECT_EQ(CGAL::extract_polygons(dsc, 1).size(), 2u);
-  const auto outside = CGAL::extract_polygons(dsc, 0);
+  EXPECT_EQ(DSC::extract_polygons(dsc, 1).size(), 2u);
+  const auto outside = DSC::extract_polygons(dsc, 0);
   ASSERT_EQ(outside.size(), 1u);
   for (const auto& hole : outside[0].holes())
     EXPECT_TRUE(hole.is_simple());
@@ -279,11 +281,11 @@ TEST(Polygons_2, of_pinched_regions_pass_no_vertex_twice) {
 }
 
 TEST(Interface_2, of_a_torus_is_unwrapped) {
-  const auto disk = CGAL::make_deformable_simplicial_complex_2<torus::Complex>(
+  const auto disk = DSC::make_deformable_simplicial_complex_2<torus::Complex>(
       torus::Domain({1, 1}), .06, [](const auto& p) {
         return std::hypot(std::remainder(p.x(), 1.), std::remainder(p.y(), 1.)) < .3 ? 1 : 0;
       });
-  const auto circle = CGAL::extract_interface(disk);
+  const auto circle = DSC::extract_interface(disk);
   EXPECT_EQ(circle.points.size(), circle.segments.size());
   double area = 0;
   for (const auto& [a, b] : circle.segments) {
@@ -294,7 +296,7 @@ TEST(Interface_2, of_a_torus_is_unwrapped) {
 
   // A strip goes around: each of its sides is cut open.
   const auto strip = torus::grid(8, [](const auto& p) { return p.y() > .5 ? 1 : 0; });
-  const auto sides = CGAL::extract_interface(strip);
+  const auto sides = DSC::extract_interface(strip);
   EXPECT_EQ(sides.segments.size(), 16u);
   EXPECT_EQ(sides.points.size(), 18u);
   EXPECT_EQ(sides.vertices.size(), 18u);
@@ -359,7 +361,7 @@ TEST(Poly, comes_back) {
   CGAL::IO::write_poly(folder / "a.poly", dsc);
   const auto segments = CGAL::IO::read_seeded_segments<Point>(folder / "a.poly");
   EXPECT_EQ(segments.seeds.size(), 4u);
-  expect_equal_areas(dsc, CGAL::make_deformable_simplicial_complex_2<Complex>(segments));
+  expect_equal_areas(dsc, DSC::make_deformable_simplicial_complex_2<Complex>(segments));
 }
 
 // As Triangle's own examples are: numbers from 1, markers, comments, a hole and no region.
@@ -373,12 +375,11 @@ TEST(Poly, of_triple_points_and_dangling_segments) {
   EXPECT_EQ(segments.seeds[0].second, 0);
   EXPECT_EQ(segments.seeds[1].second, 7);
   // The diagonal passes through the point 5, where it should end.
-  EXPECT_THROW(CGAL::make_deformable_simplicial_complex_2<Complex>(segments),
-               Invalid_surface_error);
+  EXPECT_THROW(DSC::make_deformable_simplicial_complex_2<Complex>(segments), Invalid_surface_error);
   auto divided = segments;
   divided.segments[4] = {0, 4};
   divided.segments.push_back({4, 2});
-  const auto dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(divided);
+  const auto dsc = DSC::make_deformable_simplicial_complex_2<Complex>(divided);
   EXPECT_TRUE(dsc.is_valid(true));
   EXPECT_NEAR(dsc.area(7), 2, 1e-14);
 }
@@ -386,7 +387,7 @@ TEST(Poly, of_triple_points_and_dangling_segments) {
 TEST(Poly, with_seeds_that_contradict_each_other_is_refused) {
   auto segments = read_poly("3 2\n0 0 0\n1 1 0\n2 0 1\n3\n0 0 1\n1 1 2\n2 2 0\n0\n");
   EXPECT_TRUE(segments.seeds.empty());
-  const auto build = [&] { return CGAL::make_deformable_simplicial_complex_2<Complex>(segments); };
+  const auto build = [&] { return DSC::make_deformable_simplicial_complex_2<Complex>(segments); };
   EXPECT_NEAR(build().area(1), .5, 1e-15);
   segments.seeds = {{Point(.2, .2), 1}, {Point(.3, .3), 1}};
   EXPECT_NEAR(build().area(1), .5, 1e-15);
@@ -422,12 +423,12 @@ TEST(Labelled_image, of_text_and_bytes) {
 }
 
 TEST(Labelled_image, becomes_a_complex) {
-  CGAL::Labelled_image_2 image;
+  DSC::Labelled_image_2 image;
   image.width = image.height = 20;
   for (int row = 0; row < 20; ++row)
     for (int column = 0; column < 20; ++column)
       image.labels.push_back(std::hypot(column - 9.5, row - 9.5) < 6 ? 4 : 0);
-  const auto dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(image.bbox(), 1, image);
+  const auto dsc = DSC::make_deformable_simplicial_complex_2<Complex>(image.bbox(), 1, image);
   EXPECT_TRUE(dsc.is_valid(true));
   const double pixels = double(std::count(image.labels.begin(), image.labels.end(), 4));
   EXPECT_NEAR(dsc.area(4), pixels, .03 * pixels);
@@ -474,15 +475,15 @@ TEST(Vtu_2, has_images_of_vertices_across_the_seam) {
 TEST(Checkpoint_2, continues_to_the_same_bits) {
   const Temporary_folder folder;
   Complex dsc = phases();
-  const CGAL::Normal_offset_2 offset{.02};
-  CGAL::advect_interface(dsc, offset, 0, 1);
+  const DSC::Normal_offset offset{.02};
+  DSC::advect_interface(dsc, offset, 0, 1);
   CGAL::IO::write_checkpoint(folder / "a.dsc", dsc.state(), "what it was");
   const auto checkpoint = CGAL::IO::read_checkpoint_2(folder / "a.dsc");
   EXPECT_EQ(checkpoint.metadata, "what it was");
   Complex again;
   again.restore(checkpoint.state);
-  CGAL::advect_interface(dsc, offset, 0, 1);
-  CGAL::advect_interface(again, offset, 0, 1);
+  DSC::advect_interface(dsc, offset, 0, 1);
+  DSC::advect_interface(again, offset, 0, 1);
   EXPECT_TRUE(dsc.state() == again.state());
   EXPECT_EQ(CGAL::IO::checkpoint_dimension(folder / "a.dsc"), 2);
   EXPECT_THROW(CGAL::IO::read_checkpoint(folder / "a.dsc"), File_error);

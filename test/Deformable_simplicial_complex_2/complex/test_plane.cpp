@@ -1,6 +1,6 @@
 #include "../plane.h"
 
-#include <CGAL/deform_interface_2.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 
 #include <gtest/gtest.h>
 
@@ -12,11 +12,13 @@
 #include <map>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_plane {
 
 using plane::Complex;
 using plane::Point;
-using Report = CGAL::Deformation_report<Complex>;
+using Report = DSC::Deformation_report<Complex>;
 constexpr double pi = 3.14159265358979323846;
 
 Point rotated(const Point& p, double angle) {
@@ -33,7 +35,7 @@ TEST(Plane, disk_rotated_by_a_full_turn_is_back) {
   const double area = complex.area(1);
   static constexpr int steps = 72;
   for (int step = 0; step < steps; ++step) {
-    const Report report = CGAL::deform_interface(complex, [&](Complex::Vertex_handle v) {
+    const Report report = DSC::deform_interface(complex, [&](Complex::Vertex_handle v) {
       return rotated(start.at(v->time_stamp()), 2 * pi * (step + 1) / steps);
     });
     ASSERT_TRUE(report.complete) << step;
@@ -53,12 +55,12 @@ TEST(Plane, disks_that_meet_merge) {
   std::size_t merged = 0, others = 0;
   for (int step = 0; step < 12; ++step) {
     const double way = .03;
-    const Report report = CGAL::deform_interface(complex, [&](Complex::Vertex_handle v) {
+    const Report report = DSC::deform_interface(complex, [&](Complex::Vertex_handle v) {
       const auto p = complex.position(v);
       return Point(p.x() > 0 ? p.x() - way : p.x() + way, p.y());
     });
     for (const auto& event : report.events)
-      (event.kind == CGAL::Component_event::Kind::merged ? merged : others) += 1;
+      (event.kind == DSC::Component_event::Kind::merged ? merged : others) += 1;
     ASSERT_TRUE(complex.is_valid(true)) << step;
   }
   EXPECT_EQ(complex.number_of_components(1), 1u);
@@ -89,7 +91,7 @@ TEST(Plane, space_without_flow_follows_the_interface) {
     return p.x() * p.x() + p.y() * p.y() < .26 ? p + Complex::Approximate_vector_2(way, 0)
                                                : Complex::Approximate_point_2(unknown, unknown);
   };
-  const Report report = CGAL::deform_interface(
+  const Report report = DSC::deform_interface(
       complex,
       [&](Complex::Vertex_handle v) { return Point(v->point().x() + way, v->point().y()); },
       CGAL::Deformable_simplicial_complexes::parameters::flow(flow));
@@ -118,7 +120,7 @@ TEST(Plane, free_vertices_on_the_boundary_go_along_with_lines_of_contact) {
     }
   Complex complex;
   const auto vertices = complex.assign(points, triangles, labels);
-  const Report report = CGAL::deform_interface(
+  const Report report = DSC::deform_interface(
       complex, [](Complex::Vertex_handle v) { return Point(v->point().x() + .6, v->point().y()); });
   EXPECT_TRUE(report.complete);
   EXPECT_TRUE(complex.is_valid(true));

@@ -1,10 +1,10 @@
 // Vertices where more than three phases meet, and curvature flow that keeps its interface fit.
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complex_2/junction_split_2.h>
-#include <CGAL/advect_adaptively_2.h>
-#include <CGAL/curve_shortening_flow_2.h>
-#include <CGAL/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/junction_split_2.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_adaptively.h>
 
 #include <CGAL/determinant.h>
 #include <CGAL/number_utils.h>
@@ -18,6 +18,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_junctions {
 
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
@@ -26,12 +28,12 @@ namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 // A square of n times n pixels, with labels that a function of the half-axes tells.
 template <class LabelAt> Complex square(std::size_t n, const LabelAt& label_at) {
-  CGAL::Labelled_image_2 image;
+  DSC::Labelled_image_2 image;
   image.width = image.height = n;
   for (std::size_t j = 0; j < n; ++j)
     for (std::size_t i = 0; i < n; ++i)
       image.labels.push_back(label_at(2 * i < n, 2 * j < n));
-  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(image);
+  Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(image);
   EXPECT_TRUE(dsc.is_valid(true));
   return dsc;
 }
@@ -60,7 +62,7 @@ TEST(Junction_split_2, makes_two_junctions_of_three_phases) {
   ASSERT_EQ(junctions(dsc, 4).size(), 1u);
   CGAL::Deformable_simplicial_complexes::Cavity<Complex> cavity(dsc);
   const double before = length(dsc);
-  ASSERT_TRUE(CGAL::propose_junction_split(dsc, junctions(dsc, 4).front(), cavity));
+  ASSERT_TRUE(DSC::propose_junction_split(dsc, junctions(dsc, 4).front(), cavity));
   dsc.replace(cavity);
   EXPECT_TRUE(dsc.is_valid(true));
   EXPECT_LT(length(dsc), before);
@@ -69,22 +71,22 @@ TEST(Junction_split_2, makes_two_junctions_of_three_phases) {
   for (int label = 1; label <= 4; ++label)
     EXPECT_EQ(dsc.number_of_components(label), 1u);
   for (Vertex_handle v : dsc.interface_vertices())
-    EXPECT_FALSE(CGAL::propose_junction_split(dsc, v, cavity));
+    EXPECT_FALSE(DSC::propose_junction_split(dsc, v, cavity));
 }
 
 TEST(Junction_split_2, does_not_join_parts_of_a_phase) {
   const Complex dsc = square(12, two_labels);
   CGAL::Deformable_simplicial_complexes::Cavity<Complex> cavity(dsc);
   for (Vertex_handle v : dsc.interface_vertices())
-    EXPECT_FALSE(CGAL::propose_junction_split(dsc, v, cavity));
+    EXPECT_FALSE(DSC::propose_junction_split(dsc, v, cavity));
 }
 
 TEST(Junction_split_2, is_a_part_of_curvature_flow) {
   Complex fit = square(12, four_labels), as_it_is = fit;
-  const CGAL::Curve_shortening_flow_2 flow;
+  const DSC::Mean_curvature_flow flow;
   for (int i = 0; i < 3; ++i) {
-    CGAL::advect_adaptively(fit, flow, .2 * i, .2);
-    CGAL::advect_adaptively(as_it_is, flow, .2 * i, .2, parameters::interface_tolerance(0.));
+    DSC::advect_adaptively(fit, flow, .2 * i, .2);
+    DSC::advect_adaptively(as_it_is, flow, .2 * i, .2, parameters::interface_tolerance(0.));
   }
   EXPECT_TRUE(fit.is_valid(true));
   EXPECT_EQ(junctions(fit, 4).size(), 0u);
@@ -100,11 +102,11 @@ Complex ellipse() {
     const double angle = 2 * std::acos(-1.) * i / n;
     points.emplace_back(3 * std::cos(angle), std::sin(angle));
   }
-  CGAL::Labelled_curve_2<Complex::Point_2> curve;
+  DSC::Labelled_curve_2<Complex::Point_2> curve;
   curve.add_polyline(points);
   curve.label = 1;
-  return CGAL::make_deformable_simplicial_complex_2<Complex>(
-      std::vector<CGAL::Labelled_curve_2<Complex::Point_2>>{curve});
+  return DSC::make_deformable_simplicial_complex_2<Complex>(
+      std::vector<DSC::Labelled_curve_2<Complex::Point_2>>{curve});
 }
 
 // dA/dt = -2 pi, whatever the shape.
@@ -113,7 +115,7 @@ TEST(Curvature_flow_2, keeps_its_interface_fit) {
   const double before = dsc.area(1), dt = .01;
   constexpr int steps = 40;
   for (int i = 0; i < steps; ++i)
-    ASSERT_TRUE(CGAL::advect_adaptively(dsc, CGAL::Curve_shortening_flow_2(), i * dt, dt).complete);
+    ASSERT_TRUE(DSC::advect_adaptively(dsc, DSC::Mean_curvature_flow(), i * dt, dt).complete);
   EXPECT_TRUE(dsc.is_valid(true));
   const double rate = (dsc.area(1) - before) / (steps * dt), exact = -2 * std::acos(-1.);
   EXPECT_NEAR(rate, exact, .01 * std::abs(exact));
@@ -129,7 +131,7 @@ Complex foam(std::size_t n, std::size_t cells) {
   std::vector<std::array<double, 2>> seeds(cells);
   for (auto& seed : seeds)
     seed = {next(), next()};
-  CGAL::Labelled_image_2 image;
+  DSC::Labelled_image_2 image;
   image.width = image.height = n;
   for (std::size_t j = 0; j < n; ++j)
     for (std::size_t i = 0; i < n; ++i) {
@@ -140,7 +142,7 @@ Complex foam(std::size_t n, std::size_t cells) {
           });
       image.labels.push_back(1 + int(nearest - seeds.begin()));
     }
-  return CGAL::make_deformable_simplicial_complex_2<Complex>(image);
+  return DSC::make_deformable_simplicial_complex_2<Complex>(image);
 }
 
 // Of all triangles, in degrees.
@@ -159,7 +161,7 @@ TEST(Curvature_flow_2, leaves_no_small_angles) {
   Complex dsc = foam(100, 20);
   const double dt = .4;
   for (int i = 0; i < 60; ++i) {
-    CGAL::advect_adaptively(dsc, CGAL::Curve_shortening_flow_2(), i * dt, dt);
+    DSC::advect_adaptively(dsc, DSC::Mean_curvature_flow(), i * dt, dt);
     EXPECT_GE(smallest_angle(dsc), 5) << "after step " << i + 1;
   }
   EXPECT_TRUE(dsc.is_valid(true));
@@ -169,7 +171,7 @@ TEST(Curvature_flow_2, restores_volumes_that_the_adaptation_changes) {
   Complex dsc = ellipse();
   const double before = dsc.area(1), dt = .05;
   for (int i = 0; i < 10; ++i)
-    CGAL::advect_adaptively(dsc, CGAL::Curve_shortening_flow_2(true), i * dt, dt);
+    DSC::advect_adaptively(dsc, DSC::Mean_curvature_flow(true), i * dt, dt);
   EXPECT_TRUE(dsc.is_valid(true));
   EXPECT_NEAR(dsc.area(1), before, 1e-8 * before);
 }

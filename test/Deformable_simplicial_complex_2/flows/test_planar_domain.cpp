@@ -1,12 +1,12 @@
 // Interfaces at the boundary of the domain, and domains that grow.
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
-#include <CGAL/advect_adaptively_2.h>
-#include <CGAL/curve_shortening_flow_2.h>
-#include <CGAL/deform_interface_2.h>
-#include <CGAL/grow_domain_2.h>
-#include <CGAL/interface_flows_2.h>
-#include <CGAL/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/grow_domain.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_adaptively.h>
+#include <CGAL/Interface_flows/interface_flows_2.h>
 
 #include <CGAL/Bbox_2.h>
 
@@ -18,11 +18,13 @@
 #include <utility>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_planar_domain {
 
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
 using Point = Complex::Point_2;
-using Curve = CGAL::Labelled_curve_2<Point>;
+using Curve = DSC::Labelled_curve_2<Point>;
 using CGAL::Deformable_simplicial_complexes::Error;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
@@ -37,8 +39,8 @@ Complex disk(const CGAL::Bbox_2& box) {
   Curve curve;
   curve.add_polyline(points);
   curve.label = 1;
-  return CGAL::make_deformable_simplicial_complex_2<Complex>(std::vector<Curve>{curve},
-                                                             parameters::enclosing_box(box));
+  return DSC::make_deformable_simplicial_complex_2<Complex>(std::vector<Curve>{curve},
+                                                            parameters::enclosing_box(box));
 }
 
 TEST(Domain_boundary_2, stops_an_offset_without_loss_of_area) {
@@ -46,7 +48,7 @@ TEST(Domain_boundary_2, stops_an_offset_without_loss_of_area) {
   std::size_t stopped = 0;
   double area = dsc.area(1);
   for (int step = 0; step < 12; ++step) {
-    const auto report = CGAL::advect_interface(dsc, CGAL::Normal_offset_2{.1}, step, 1);
+    const auto report = DSC::advect_interface(dsc, DSC::Normal_offset{.1}, step, 1);
     ASSERT_TRUE(dsc.is_valid(true));
     EXPECT_GE(dsc.area(1), area * (1 - 1e-12)) << step;
     area = dsc.area(1);
@@ -59,16 +61,16 @@ TEST(Domain_boundary_2, stops_an_offset_without_loss_of_area) {
 
 TEST(Domain_boundary_2, lets_nothing_stop_inside) {
   Complex dsc = disk({-3, -3, 3, 3});
-  EXPECT_EQ(CGAL::advect_interface(dsc, CGAL::Normal_offset_2{.1}, 0, 1).stopped_at_boundary, 0u);
+  EXPECT_EQ(DSC::advect_interface(dsc, DSC::Normal_offset{.1}, 0, 1).stopped_at_boundary, 0u);
 }
 
 // A layer of label 1 on the lower side, below label 0.
 TEST(Domain_boundary_2, takes_a_phase_that_is_pressed_onto_it) {
-  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+  Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
       CGAL::Bbox_2(0, 0, 4, 4), .5, [](const auto& p) { return p.y() < .6 ? 1 : 0; });
   ASSERT_GT(dsc.area(1), 1.);
   for (int step = 0; step < 4 && dsc.number_of_cells(1) > 0; ++step) {
-    CGAL::deform_interface(dsc, [&](Complex::Vertex_handle v) {
+    DSC::deform_interface(dsc, [&](Complex::Vertex_handle v) {
       const auto p = dsc.position(v);
       return dsc.exact({p.x(), p.y() - .3});
     });
@@ -80,29 +82,29 @@ TEST(Domain_boundary_2, takes_a_phase_that_is_pressed_onto_it) {
 
 // An interface that ends on the sides slides along them.
 TEST(Domain_boundary_2, lets_images_fill_the_domain) {
-  CGAL::Labelled_image_2 image;
+  DSC::Labelled_image_2 image;
   image.width = image.height = 8;
   for (std::size_t i = 0; i < 64; ++i)
     image.labels.push_back(i % 8 + i / 8 < 7 ? 1 : 2);
-  const Complex whole = CGAL::make_deformable_simplicial_complex_2<Complex>(image);
-  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+  const Complex whole = DSC::make_deformable_simplicial_complex_2<Complex>(image);
+  Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
       image, 2.5, parameters::enclosing_box(image.bbox()));
   EXPECT_EQ(dsc.labels(), (std::vector<int>{1, 2}));
   EXPECT_EQ(dsc.area(1), whole.area(1));
   const double area = dsc.area(1);
   for (int step = 0; step < 5; ++step)
-    CGAL::advect_adaptively(dsc, CGAL::Curve_shortening_flow_2(), .5 * step, .5);
+    DSC::advect_adaptively(dsc, DSC::Mean_curvature_flow(), .5 * step, .5);
   EXPECT_TRUE(dsc.is_valid(true));
   EXPECT_LT(dsc.area(1), area);
   EXPECT_NEAR(dsc.area(1) + dsc.area(2), 64, 1e-10);
-  EXPECT_THROW(CGAL::make_deformable_simplicial_complex_2<Complex>(
+  EXPECT_THROW(DSC::make_deformable_simplicial_complex_2<Complex>(
                    image, 2.5, parameters::enclosing_box(CGAL::Bbox_2(0, 0, 9, 9))),
                Error);
 }
 
 TEST(Grow_domain_2, keeps_the_interface_bit_for_bit) {
   Complex dsc = disk({-1.5, -1.25, 1.5, 1.5});
-  CGAL::advect_interface(dsc, CGAL::Normal_offset_2{.1}, 0, 1);
+  DSC::advect_interface(dsc, DSC::Normal_offset{.1}, 0, 1);
   const auto positions = [&] {
     std::set<std::pair<double, double>> result;
     for (auto v : dsc.interface_vertices())
@@ -111,16 +113,16 @@ TEST(Grow_domain_2, keeps_the_interface_bit_for_bit) {
   };
   const auto before = positions();
   const double area = dsc.area(1), edge = dsc.mean_interface_edge();
-  EXPECT_FALSE(CGAL::has_room_around_interface(dsc));
-  CGAL::grow_domain(dsc, 2);
+  EXPECT_FALSE(DSC::has_room_around_interface(dsc));
+  DSC::grow_domain(dsc, 2);
   EXPECT_TRUE(dsc.is_valid(true));
-  EXPECT_TRUE(CGAL::has_room_around_interface(dsc));
+  EXPECT_TRUE(DSC::has_room_around_interface(dsc));
   EXPECT_EQ(positions(), before);
   EXPECT_NEAR(dsc.area(1), area, 1e-12);
   EXPECT_NEAR(dsc.area(0) + dsc.area(1), 6 * 5.5, 1e-12);
   EXPECT_EQ(dsc.mean_interface_edge(), edge);
-  EXPECT_TRUE(CGAL::advect_interface(dsc, CGAL::Normal_offset_2{.3}, 0, 1).complete);
-  EXPECT_THROW(CGAL::grow_domain(dsc, 1), Error);
+  EXPECT_TRUE(DSC::advect_interface(dsc, DSC::Normal_offset{.3}, 0, 1).complete);
+  EXPECT_THROW(DSC::grow_domain(dsc, 1), Error);
 }
 
 } // namespace test_planar_domain

@@ -1,11 +1,11 @@
 // Curves, the complexes made of them, and how these move.
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
-#include <CGAL/advect_interface_2.h>
-#include <CGAL/control_detail_2.h>
-#include <CGAL/interface_flows_2.h>
-#include <CGAL/make_deformable_simplicial_complex_2.h>
-#include <CGAL/velocity_fields_2.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_2.h>
+#include <CGAL/Interface_flows/velocity_fields_2.h>
 
 #include <gtest/gtest.h>
 
@@ -16,15 +16,17 @@
 #include <random>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_planar_flows {
 
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
 using Point = Complex::Point_2;
 using Position = Complex::Approximate_point_2;
 using Vector = Complex::Approximate_vector_2;
-using Curve = CGAL::Labelled_curve_2<Point>;
+using Curve = DSC::Labelled_curve_2<Point>;
 using Curves = std::vector<Curve>;
-using Report = CGAL::Deformation_report<Complex>;
+using Report = DSC::Deformation_report<Complex>;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
@@ -55,7 +57,7 @@ Curve circle(double x, double y, double radius, std::size_t n, int label = 1) {
 }
 
 Complex make(const Curves& curves) {
-  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(curves);
+  Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(curves);
   EXPECT_TRUE(dsc.is_valid(true));
   return dsc;
 }
@@ -100,9 +102,9 @@ void expect_turn(Complex& dsc, int degrees, double tolerance) {
   std::vector<double> areas;
   for (int label : labels)
     areas.push_back(dsc.area(label));
-  const CGAL::Rigid_rotation_2 rotation({0, 0}, pi / 180);
+  const DSC::Rigid_rotation_2 rotation({0, 0}, pi / 180);
   for (int angle = 0; angle < 360; angle += degrees) {
-    const Report report = CGAL::advect_interface(dsc, rotation, angle, degrees);
+    const Report report = DSC::advect_interface(dsc, rotation, angle, degrees);
     ASSERT_TRUE(report.complete);
     EXPECT_EQ(report.relabeled, 0u);
   }
@@ -146,7 +148,7 @@ TEST(Make_2, refuses_what_bounds_nothing) {
   bad = circle(0, 0, std::numeric_limits<double>::quiet_NaN(), 8);
   EXPECT_EQ(refusal({bad}).reason(), Reason::not_finite);
   EXPECT_THROW(make({}), CGAL::Deformable_simplicial_complexes::Error);
-  EXPECT_THROW(CGAL::make_deformable_simplicial_complex_2<Complex>(
+  EXPECT_THROW(DSC::make_deformable_simplicial_complex_2<Complex>(
                    {circle(0, 0, 1, 8)}, parameters::enclosing_box(CGAL::Bbox_2(-1, -1, 1, 1))),
                Invalid_surface_error);
   for (double size : {1e-170, 1e160})
@@ -158,7 +160,7 @@ TEST(Make_2, refuses_what_bounds_nothing) {
 TEST(Make_2, of_long_segments_beside_short_ones) {
   const Curve curve = polygon(
       {{.25, .5625}, {3.25, .5625}, {3.25, .7625}, {3.45, .7625}, {3.45, 3.5625}, {.25, 3.5625}});
-  const Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+  const Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
       {curve}, parameters::enclosing_box(CGAL::Iso_rectangle_2<CGAL::Epick>(-4, -4, 4, 4)));
   EXPECT_TRUE(dsc.is_valid(true));
   EXPECT_EQ(dsc.interface_vertices().size(), 6u);
@@ -175,7 +177,7 @@ TEST(Make_2, of_polygons_with_holes_in_a_flat_box) {
   polygon.add_hole(hole);
   Curve curve;
   curve.add_polygon(polygon);
-  const Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+  const Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
       {curve}, parameters::enclosing_box(CGAL::Bbox_2(-50, -.5, 50, .5)).improve(false));
   EXPECT_TRUE(dsc.is_valid(true));
   EXPECT_EQ(dsc.number_of_components(0), 2u);
@@ -192,19 +194,19 @@ TEST(Spacing, follows_refinement_and_not_motion) {
   };
   expect_edge();
   for (int step = 0; step < 10; ++step)
-    CGAL::advect_interface(dsc, CGAL::Normal_offset_2{.1}, step, 1.);
+    DSC::advect_interface(dsc, DSC::Normal_offset{.1}, step, 1.);
   EXPECT_EQ(dsc.interface_vertices().size(), 24u);
   expect_edge(); // of edges that are twice as long now
-  CGAL::control_detail(dsc, parameters::change_interface(true).size_field(
-                                [=](const Position&) { return edge / 2; }));
+  DSC::control_detail(dsc, parameters::change_interface(true).sizing_field(
+                               [=](const Position&) { return edge / 2; }));
   EXPECT_GT(dsc.interface_vertices().size(), 60u);
   for (auto v : dsc.interface_vertices())
     EXPECT_NEAR(v->spacing(), dsc.interface_edge_length(v), 1e-6 * edge);
-  CGAL::control_detail(dsc, parameters::change_interface(true)
-                                .interface_split_length(4)
-                                .interface_collapse_length(1)
-                                .collapse_quality(.1)
-                                .size_field([=](const Position&) { return 2 * edge; }));
+  DSC::control_detail(dsc, parameters::change_interface(true)
+                               .interface_split_length(4)
+                               .interface_collapse_length(1)
+                               .collapse_quality(.1)
+                               .sizing_field([=](const Position&) { return 2 * edge; }));
   EXPECT_LT(dsc.interface_vertices().size(), 60u);
   double longest = 0;
   for (auto v : dsc.interface_vertices())
@@ -243,7 +245,7 @@ TEST(Planar_flows, disks_grow_together) {
   EXPECT_EQ(dsc.number_of_components(1), 2u);
   std::size_t merged = 0;
   for (int step = 0; step < 20; ++step) {
-    const Report report = CGAL::advect_interface(dsc, CGAL::Normal_offset_2{.01}, step, 1.);
+    const Report report = DSC::advect_interface(dsc, DSC::Normal_offset{.01}, step, 1.);
     ASSERT_TRUE(dsc.is_valid());
     for (const auto& change : report.labels)
       merged += change.label == 1 ? change.merged : 0;
@@ -262,9 +264,9 @@ TEST(Planar_flows, disks_grow_together) {
 TEST(Planar_flows, disks_stay_apart_if_they_must) {
   Complex dsc = make({circle(-.6, 0, .5, 80), circle(.6, 0, .5, 80)});
   for (int step = 0; step < 20; ++step) {
-    CGAL::advect_interface(dsc, CGAL::Normal_offset_2{.01}, step, 1.,
-                           parameters::topology_control(
-                               CGAL::Deformable_simplicial_complexes::Forbid_topology_changes()));
+    DSC::advect_interface(dsc, DSC::Normal_offset{.01}, step, 1.,
+                          parameters::topology_control(
+                              CGAL::Deformable_simplicial_complexes::Forbid_topology_changes()));
     ASSERT_TRUE(dsc.is_valid());
   }
   EXPECT_EQ(dsc.number_of_components(1), 2u);
@@ -284,10 +286,10 @@ TEST(Planar_flows, hole_of_a_ring_closes) {
     EXPECT_EQ(dsc.euler_characteristic(1), 0);
     for (int step = 0; step < 12; ++step) {
       if (may_close)
-        CGAL::advect_interface(dsc, CGAL::Normal_offset_2{.02}, step, 1.);
+        DSC::advect_interface(dsc, DSC::Normal_offset{.02}, step, 1.);
       else
-        CGAL::advect_interface(
-            dsc, CGAL::Normal_offset_2{.02}, step, 1.,
+        DSC::advect_interface(
+            dsc, DSC::Normal_offset{.02}, step, 1.,
             parameters::topology_control(
                 CGAL::Deformable_simplicial_complexes::Forbid_topology_changes()));
       ASSERT_TRUE(dsc.is_valid());
@@ -301,7 +303,7 @@ TEST(Planar_flows, hole_of_a_ring_closes) {
 // A disk is drawn out to almost twice its circumference and comes back; detail follows it.
 TEST(Planar_flows, vortex_there_and_back) {
   const double radius = .15, edge = 2 * pi * radius / 80;
-  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+  Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
       {circle(.5, .75, radius, 80)}, parameters::enclosing_box(CGAL::Bbox_2(0, 0, 1, 1)));
   const double area = dsc.area(1);
   const auto length = [&] {
@@ -312,14 +314,14 @@ TEST(Planar_flows, vortex_there_and_back) {
   };
   const double start = length();
   double longest = 0;
-  const CGAL::Single_vortex_velocity_2 vortex(2);
+  const DSC::Single_vortex_velocity_2 vortex(2);
   for (int step = 0; step < 80; ++step) {
-    const Report report = CGAL::advect_interface(
+    const Report report = DSC::advect_interface(
         dsc, vortex, step * .025, .025,
         parameters::scheme(CGAL::Deformable_simplicial_complexes::Integration_scheme::rk4));
     EXPECT_TRUE(report.complete);
-    CGAL::control_detail(
-        dsc, parameters::change_interface(true).size_field([=](const Position&) { return edge; }));
+    DSC::control_detail(dsc, parameters::change_interface(true).sizing_field(
+                                 [=](const Position&) { return edge; }));
     ASSERT_TRUE(dsc.is_valid(true));
     EXPECT_NEAR(dsc.area(1), area, .005 * area);
     longest = (std::max)(longest, length());
@@ -344,7 +346,7 @@ TEST(Planar_flows, random_fields_never_break_it) {
       domain += dsc.area(label);
     for (int step = 0; step < 15; ++step) {
       const double a = any(6), b = any(6), c = any(6), d = any(6), size = .1 + any(.09);
-      const Report report = CGAL::advect_interface(
+      const Report report = DSC::advect_interface(
           dsc,
           [&](const Position& p, double) {
             return Vector(size * std::sin(a * p.x() + b * p.y() + c),

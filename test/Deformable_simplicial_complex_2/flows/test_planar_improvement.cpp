@@ -3,16 +3,16 @@
 
 #include "../../Deformable_simplicial_complex_3/stamped_values.h"
 
-#include <CGAL/Carried_cell_averages_2.h>
-#include <CGAL/Carried_vertex_values_2.h>
-#include <CGAL/Deformable_simplicial_complex_2/degeneracy_removal_2.h>
-#include <CGAL/Deformable_simplicial_complex_2/edge_flip_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Carried_cell_averages.h>
+#include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor_pair.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/degeneracy_removal_2.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_flip_2.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/remove_degeneracies.h>
 #include <CGAL/Deformable_simplicial_complexes/vertex_insertion.h>
-#include <CGAL/control_detail_2.h>
-#include <CGAL/deform_interface_2.h>
-#include <CGAL/improve_mesh_2.h>
-#include <CGAL/remove_degeneracies_2.h>
 
 #include <gtest/gtest.h>
 
@@ -23,6 +23,8 @@
 #include <functional>
 #include <random>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_planar_improvement {
 
@@ -84,7 +86,7 @@ TEST(Improve_mesh_2, makes_triangles_better_and_leaves_the_interface) {
     Complex dsc = halves(10, .19, seed);
     const double before = worst_quality(dsc);
     const double length = dsc.length(1);
-    const auto report = CGAL::improve_mesh(dsc, parameters::quality_threshold(.6));
+    const auto report = DSC::improve_mesh(dsc, parameters::quality_threshold(.6));
     EXPECT_TRUE(dsc.is_valid());
     EXPECT_LT(before, .2);
     EXPECT_GT(worst_quality(dsc), .45) << seed;
@@ -97,9 +99,9 @@ TEST(Improve_mesh_2, makes_triangles_better_and_leaves_the_interface) {
 
 TEST(Improve_mesh_2, refuses_what_is_out_of_range) {
   Complex dsc = halves(4, 0, 1);
-  EXPECT_THROW(CGAL::improve_mesh(dsc, parameters::quality_threshold(2.)), Error);
-  EXPECT_THROW(CGAL::remove_degeneracies(dsc, parameters::degenerate_cosine(.1)), Error);
-  EXPECT_EQ(CGAL::improve_mesh(dsc, parameters::quality_threshold(.3).aggressive(true)).smoothed,
+  EXPECT_THROW(DSC::improve_mesh(dsc, parameters::quality_threshold(2.)), Error);
+  EXPECT_THROW(DSC::remove_degeneracies(dsc, parameters::degenerate_cosine(.1)), Error);
+  EXPECT_EQ(DSC::improve_mesh(dsc, parameters::quality_threshold(.3).aggressive(true)).smoothed,
             0u);
 }
 
@@ -148,7 +150,7 @@ TEST(Cap_flip_2, moves_the_interface_to_the_tip) {
   EXPECT_FALSE(propose_cap_flip(dsc, cap, (longest + 1) % 3, cavity) &&
                propose_cap_flip(dsc, cap, (longest + 2) % 3, cavity));
   EXPECT_FALSE(propose_edge_flip(dsc, cap, longest, cavity));
-  const auto report = CGAL::remove_degeneracies(dsc, parameters::degenerate_cosine(.99));
+  const auto report = DSC::remove_degeneracies(dsc, parameters::degenerate_cosine(.99));
   EXPECT_EQ(report.flipped, 1u);
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_GT(worst_quality(dsc), 10 * before);
@@ -158,7 +160,7 @@ TEST(Cap_flip_2, moves_the_interface_to_the_tip) {
 
 TEST(Remove_degeneracies_2, leaves_a_cap_that_is_no_cap) {
   Complex dsc = spike(1);
-  const auto report = CGAL::remove_degeneracies(dsc);
+  const auto report = DSC::remove_degeneracies(dsc);
   EXPECT_EQ(report.flipped + report.collapsed, 0u);
 }
 
@@ -185,7 +187,7 @@ TEST(Vertex_insertion_2, breaks_up_needles) {
       middle = c;
   ASSERT_TRUE(propose_vertex_insertion(dsc, middle, cavity));
   EXPECT_GT(cavity.quality_after(), cavity.quality_before());
-  const auto report = CGAL::improve_mesh(dsc, parameters::quality_threshold(.6));
+  const auto report = DSC::improve_mesh(dsc, parameters::quality_threshold(.6));
   EXPECT_GT(report.inserted, 0u);
   EXPECT_GT(worst_quality(dsc), 1.5 * before);
   EXPECT_TRUE(dsc.is_valid());
@@ -216,15 +218,15 @@ template <class C, class Linear> void expect_carried(C dsc, const Linear& linear
   const std::array<double, 2> before = {integral(dsc, averages, 0), integral(dsc, averages, 1)};
   const auto change = [&dsc](auto& visitor) {
     const auto np = parameters::visitor(std::ref(visitor));
-    const auto improved = CGAL::improve_mesh(dsc, np.quality_threshold(.6)),
-               split = CGAL::control_detail(dsc, np.split_length(1.3).collapse_length(.9));
+    const auto improved = DSC::improve_mesh(dsc, np.quality_threshold(.6)),
+               split = DSC::control_detail(dsc, np.split_length(1.3).collapse_length(.9));
     return improved.flipped + improved.smoothed > 0 && split.split + split.collapsed > 0;
   };
   {
-    CGAL::Carried_vertex_values_2 vertices(dsc, values.map());
-    CGAL::Carried_cell_averages_2 cells(dsc, averages.map()), constants(dsc, constant.map());
-    CGAL::Deformation_visitor_pair_3 both(cells, constants);
-    CGAL::Deformation_visitor_pair_3 all(vertices, both);
+    DSC::Carried_vertex_values vertices(dsc, values.map());
+    DSC::Carried_cell_averages cells(dsc, averages.map()), constants(dsc, constant.map());
+    DSC::Deformation_visitor_pair both(cells, constants);
+    DSC::Deformation_visitor_pair all(vertices, both);
     EXPECT_TRUE(change(all));
   }
   EXPECT_TRUE(dsc.is_valid());

@@ -1,12 +1,12 @@
 #include "../torus.h"
 
-#include <CGAL/Curvature_size_field_2.h>
-#include <CGAL/advect_interface_2.h>
-#include <CGAL/control_detail_2.h>
-#include <CGAL/curve_shortening_flow_2.h>
-#include <CGAL/improve_interface_2.h>
-#include <CGAL/make_deformable_simplicial_complex_2.h>
-#include <CGAL/velocity_fields_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Curvature_sizing_field.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/velocity_fields_2.h>
 
 #include <gtest/gtest.h>
 
@@ -17,11 +17,13 @@
 #include <limits>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_planar_remeshing {
 
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
 using Point = Complex::Point_2;
-using Curve = CGAL::Labelled_curve_2<Point>;
+using Curve = DSC::Labelled_curve_2<Point>;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 constexpr double pi = 3.14159265358979323846;
@@ -43,7 +45,7 @@ double evenly(double t) { return t; }
 double unevenly(double t) { return t + .05 * std::sin(2 * pi * t); }
 
 Complex make(const Curve& curve) {
-  return CGAL::make_deformable_simplicial_complex_2<Complex>({curve});
+  return DSC::make_deformable_simplicial_complex_2<Complex>({curve});
 }
 
 template <class C> std::vector<double> lengths(const C& dsc) {
@@ -67,10 +69,10 @@ TEST(Improve_interface_2, curved_splits_stay_on_the_curve) {
   std::vector<double> errors;
   for (std::size_t n : {20, 40, 80}) {
     Complex dsc = make(ellipse(1, 1, n, unevenly));
-    CGAL::improve_interface(dsc, parameters::curved_splits(true)
-                                     .aggressiveness(0.)
-                                     .interface_collapse_length(0.)
-                                     .interface_split_length(.6));
+    DSC::improve_interface(dsc, parameters::curved_splits(true)
+                                    .aggressiveness(0.)
+                                    .interface_collapse_length(0.)
+                                    .interface_split_length(.6));
     EXPECT_TRUE(dsc.is_valid(true));
     EXPECT_GE(dsc.interface_vertices().size(), 2 * n);
     errors.push_back(worst_radius(dsc, 1));
@@ -83,7 +85,7 @@ TEST(Improve_interface_2, curved_splits_stay_on_the_curve) {
 TEST(Improve_interface_2, straight_splits_change_nothing) {
   Complex dsc = make(ellipse(2, 1, 30, evenly));
   const double area = dsc.area(1);
-  const auto report = CGAL::improve_interface(
+  const auto report = DSC::improve_interface(
       dsc, parameters::aggressiveness(0.).interface_collapse_length(0.).interface_split_length(.6));
   EXPECT_GT(report.split, 20u);
   EXPECT_NEAR(dsc.area(1), area, 1e-14);
@@ -108,11 +110,11 @@ TEST(Improve_interface_2, collapses_keep_corners_and_little_is_swept) {
   square.add_polyline(points);
   Complex dsc = make(square);
   const auto field = [](const auto&) { return 1.; };
-  CGAL::improve_interface(dsc, parameters::size_field(field)
-                                   .interface_collapse_length(.6)
-                                   .aggressiveness(0.)
-                                   .swept_volume(1e-9)
-                                   .number_of_iterations(5));
+  DSC::improve_interface(dsc, parameters::sizing_field(field)
+                                  .interface_collapse_length(.6)
+                                  .aggressiveness(0.)
+                                  .swept_volume(1e-9)
+                                  .number_of_iterations(5));
   EXPECT_TRUE(dsc.is_valid(true));
   EXPECT_NEAR(dsc.area(1), 1, 1e-14);
   EXPECT_LT(dsc.interface_vertices().size(), 20u);
@@ -134,9 +136,9 @@ TEST(Improve_interface_2, smoothing_keeps_areas_and_evens_lengths) {
   };
   const double before = spread();
   const auto report =
-      CGAL::improve_interface(dsc, parameters::interface_collapse_length(0.)
-                                       .interface_split_length(std::numeric_limits<double>::max())
-                                       .number_of_iterations(5));
+      DSC::improve_interface(dsc, parameters::interface_collapse_length(0.)
+                                      .interface_split_length(std::numeric_limits<double>::max())
+                                      .number_of_iterations(5));
   EXPECT_GT(report.smoothed, 50u);
   EXPECT_NEAR(dsc.area(1), area, 1e-13);
   EXPECT_GT(before, 1.8);
@@ -145,30 +147,30 @@ TEST(Improve_interface_2, smoothing_keeps_areas_and_evens_lengths) {
 }
 
 // At the ends of its axes, an ellipse bends by a / b^2 and b / a^2.
-TEST(Curvature_size_field_2, tells_the_lengths_of_an_ellipse) {
+TEST(Curvature_sizing_field<2>, tells_the_lengths_of_an_ellipse) {
   const double a = 2, b = 1, tolerance = 1e-3;
   const Complex dsc = make(ellipse(a, b, 400, evenly));
-  const CGAL::Curvature_size_field_2 size(dsc, tolerance, 1e-3, 10, 100);
+  const DSC::Curvature_sizing_field<2> size(dsc, tolerance, 1e-3, 10, 100);
   const auto length = [&](double curvature) { return std::sqrt(8 * tolerance / curvature); };
-  using P = CGAL::Curvature_size_field_2::Point;
+  using P = DSC::Curvature_sizing_field<2>::Point;
   EXPECT_NEAR(size(P(a, 0)), length(a / (b * b)), 1e-3 * length(2));
   EXPECT_NEAR(size(P(0, b)), length(b / (a * a)), 1e-2 * length(.25));
-  EXPECT_THROW(CGAL::Curvature_size_field_2(dsc, 0, 1, 2),
+  EXPECT_THROW(DSC::Curvature_sizing_field<2>(dsc, 0, 1, 2),
                CGAL::Deformable_simplicial_complexes::Error);
 }
 
-TEST(Curvature_size_field_2, sees_across_the_seam_of_a_torus) {
+TEST(Curvature_sizing_field<2>, sees_across_the_seam_of_a_torus) {
   const auto disk_at = [](double x, double y) {
-    return CGAL::make_deformable_simplicial_complex_2<torus::Complex>(
+    return DSC::make_deformable_simplicial_complex_2<torus::Complex>(
         torus::Domain({1, 1}), .04, [=](const auto& p) {
           return std::hypot(std::remainder(p.x() - x, 1.), std::remainder(p.y() - y, 1.)) < .2 ? 1
                                                                                                : 0;
         });
   };
   const auto middle = disk_at(.5, .5), corner = disk_at(0, 0);
-  const CGAL::Curvature_size_field_2 of_middle(middle, 1e-3, 1e-3, .3),
+  const DSC::Curvature_sizing_field<2> of_middle(middle, 1e-3, 1e-3, .3),
       of_corner(corner, 1e-3, 1e-3, .3);
-  using P = CGAL::Curvature_size_field_2::Point;
+  using P = DSC::Curvature_sizing_field<2>::Point;
   for (double angle = 0; angle < 6; angle += .7) {
     const double x = .2 * std::cos(angle), y = .2 * std::sin(angle);
     const double wanted = std::sqrt(8 * 1e-3 * .2);
@@ -179,13 +181,13 @@ TEST(Curvature_size_field_2, sees_across_the_seam_of_a_torus) {
 }
 
 TEST(Improve_interface_2, works_across_the_seam_of_a_torus) {
-  auto dsc = CGAL::make_deformable_simplicial_complex_2<torus::Complex>(
+  auto dsc = DSC::make_deformable_simplicial_complex_2<torus::Complex>(
       torus::Domain({1, 1}), .06, [](const auto& p) {
         return std::hypot(std::remainder(p.x(), 1.), std::remainder(p.y(), 1.)) < .3 ? 1 : 0;
       });
   const double area = dsc.area(1);
-  const CGAL::Curvature_size_field_2 size(dsc, 1e-4, 1e-3, .3);
-  CGAL::improve_interface(dsc, parameters::size_field(std::cref(size)).curved_splits(true));
+  const DSC::Curvature_sizing_field<2> size(dsc, 1e-4, 1e-3, .3);
+  DSC::improve_interface(dsc, parameters::sizing_field(std::cref(size)).curved_splits(true));
   EXPECT_TRUE(dsc.is_valid(true));
   EXPECT_GT(dsc.interface_vertices().size(), 60u);
   EXPECT_NEAR(dsc.area(1), area, .01 * area);
@@ -193,11 +195,11 @@ TEST(Improve_interface_2, works_across_the_seam_of_a_torus) {
 
 // There and back within a hundredth of the volume-of-fluid methods' error.
 TEST(Vortex_2, stays_smooth_where_it_is_stretched) {
-  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+  Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
       {ellipse(.15, .15, 60, evenly, .5, .75)},
       parameters::enclosing_box(CGAL::Bbox_2(0, 0, 1, 1)));
   const double area = dsc.area(1), period = 2, dt = .02;
-  const CGAL::Single_vortex_velocity_2 field(period);
+  const DSC::Single_vortex_velocity_2 field(period);
   const auto total = [&] {
     double sum = 0;
     for (double l : lengths(dsc))
@@ -206,15 +208,15 @@ TEST(Vortex_2, stays_smooth_where_it_is_stretched) {
   };
   const double length = total();
   for (int i = 0; i < 100; ++i) {
-    const CGAL::Curvature_size_field_2 size(dsc, 1e-4, 1e-3, .05, .5, 60);
-    CGAL::improve_interface(dsc, parameters::size_field(std::cref(size))
-                                     .aggressiveness(0.)
-                                     .curved_splits(true)
-                                     .interface_split_length(1.5)
-                                     .interface_collapse_length(.5)
-                                     .swept_volume(.01));
-    CGAL::control_detail(dsc, parameters::collapse_length(2.));
-    const auto report = CGAL::advect_interface(
+    const DSC::Curvature_sizing_field<2> size(dsc, 1e-4, 1e-3, .05, .5, 60);
+    DSC::improve_interface(dsc, parameters::sizing_field(std::cref(size))
+                                    .aggressiveness(0.)
+                                    .curved_splits(true)
+                                    .interface_split_length(1.5)
+                                    .interface_collapse_length(.5)
+                                    .swept_volume(.01));
+    DSC::control_detail(dsc, parameters::collapse_length(2.));
+    const auto report = DSC::advect_interface(
         dsc, field, i * dt, dt,
         parameters::quality_threshold(.1).minimum_angle(.1).minimum_facet_angle(0.));
     ASSERT_TRUE(report.complete);
@@ -234,7 +236,7 @@ TEST(Curve_shortening_2, of_nothing_is_nothing) {
   Complex dsc = make(ellipse(1, 1, 20, evenly));
   for (auto c : dsc.cells())
     dsc.relabel(c, 0);
-  const auto report = CGAL::advect_interface(dsc, CGAL::Curve_shortening_flow_2(), 0, .1);
+  const auto report = DSC::advect_interface(dsc, DSC::Mean_curvature_flow(), 0, .1);
   EXPECT_TRUE(report.complete);
 }
 
@@ -244,7 +246,7 @@ TEST(Curve_shortening_2, ellipses_lose_area_at_a_constant_rate) {
   double area = dsc.area(1);
   const double dt = .002;
   for (int i = 0; i < 20; ++i) {
-    const auto report = CGAL::advect_interface(dsc, CGAL::Curve_shortening_flow_2(), i * dt, dt);
+    const auto report = DSC::advect_interface(dsc, DSC::Mean_curvature_flow(), i * dt, dt);
     ASSERT_TRUE(report.complete);
     EXPECT_NEAR((dsc.area(1) - area) / dt, -2 * pi, .005 * 2 * pi) << i;
     area = dsc.area(1);

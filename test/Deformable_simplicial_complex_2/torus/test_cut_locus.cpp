@@ -1,6 +1,6 @@
-#include <CGAL/Deformable_simplicial_complex_2/Geodesic_distance_2.h>
-#include <CGAL/Deformable_simplicial_complex_2/Sphere_like_surface_2.h>
-#include <CGAL/cut_locus_2.h>
+#include <CGAL/Cut_loci_2/Geodesic_distance_2.h>
+#include <CGAL/Cut_loci_2/Sphere_like_surface_2.h>
+#include <CGAL/Cut_loci_2/cut_locus_2.h>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <limits>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_cut_locus {
 
@@ -39,22 +41,22 @@ struct Tensor_of_torus
   }
 };
 
-using Torus_metric = CGAL::Embedded_surface_2<Torus>;
+using Torus_metric = DSC::Embedded_surface_2<Torus>;
 
 // A flat torus, sheared: lengths are those of (u + v / 2, v).
 struct Sheared_metric
 {
-  CGAL::Metric_jet_2 operator()(double, double) const { return {1, .5, 1.25, 0, 0, 0, 0, 0, 0}; }
+  DSC::Metric_jet_2 operator()(double, double) const { return {1, .5, 1.25, 0, 0, 0, 0, 0, 0}; }
 };
 
 struct Flat_metric
 {
-  CGAL::Metric_jet_2 operator()(double, double) const { return {1, 0, 1, 0, 0, 0, 0, 0, 0}; }
+  DSC::Metric_jet_2 operator()(double, double) const { return {1, 0, 1, 0, 0, 0, 0, 0, 0}; }
 };
 
 TEST(Riemannian_metric, of_an_embedding_is_differentiated) {
   const Torus_metric metric;
-  const CGAL::Metric_tensor_2<Tensor_of_torus> from_tensor;
+  const DSC::Metric_tensor_2<Tensor_of_torus> from_tensor;
   for (double u : {0., .3, 4.})
     for (double v : {0., .7, 2., 5.}) {
       const double radius = 2 + std::cos(v);
@@ -96,7 +98,7 @@ struct Functions
 };
 
 TEST(Riemannian_metric, has_the_derivatives_of_all_functions) {
-  const CGAL::Embedded_surface_2<Functions> metric;
+  const DSC::Embedded_surface_2<Functions> metric;
   const Functions f;
   static constexpr double width = 1e-3, u = .4, v = .6;
   // Central differences, of the fourth order.
@@ -147,7 +149,7 @@ TEST(Geodesics, are_straight_in_a_sheared_chart) {
 }
 
 TEST(Geodesic_front, is_a_circle_before_it_meets_itself) {
-  CGAL::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(0, 0), .04);
+  DSC::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(0, 0), .04);
   while (front.radius() < .4)
     EXPECT_TRUE(front.advance(.02));
   EXPECT_TRUE(front.complex().is_valid());
@@ -160,7 +162,7 @@ TEST(Geodesic_front, is_a_circle_before_it_meets_itself) {
 // Two lines that cross where four geodesics meet.
 TEST(Cut_locus, of_a_flat_torus) {
   const Point p(.2, .3);
-  const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(Flat_metric(), Domain(), p, .05, .025);
+  const DSC::Cut_locus_2 locus = DSC::cut_locus_2(Flat_metric(), Domain(), p, .05, .025);
   std::size_t crossings = 0;
   for (const auto& v : locus.vertices) {
     const double u = std::abs(std::remainder(v.point.x() - p.x(), 1)),
@@ -183,7 +185,7 @@ struct Torus_by_formulas
 {
   double b;
 
-  CGAL::Metric_jet_2 operator()(double, double v) const {
+  DSC::Metric_jet_2 operator()(double, double v) const {
     const double radius = 2 + std::cos(v), s = std::sin(v), c = std::cos(v);
     return {radius * radius,        0, s * s + b * b * c * c, 0, -2 * radius * s, 0, 0, 0,
             2 * (1 - b * b) * s * c};
@@ -200,8 +202,8 @@ struct Special_point
 // The cut locus is symmetric: u and -u, or both halves of the opposite meridian.
 void expect_cut_locus(double b, double v, double spacing, std::size_t arcs,
                       const std::vector<Special_point>& expected) {
-  const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(Torus_by_formulas{b}, Domain({2 * pi, 2 * pi}),
-                                                    Point(0, v), spacing, spacing / 2);
+  const DSC::Cut_locus_2 locus = DSC::cut_locus_2(Torus_by_formulas{b}, Domain({2 * pi, 2 * pi}),
+                                                  Point(0, v), spacing, spacing / 2);
   EXPECT_EQ(locus.polylines.size(), arcs);
   std::vector<Special_point> found;
   for (const auto& p : locus.vertices)
@@ -244,7 +246,7 @@ TEST(Cut_locus, of_another_point_of_a_torus) {
 TEST(Cut_locus, of_a_torus_does_not_depend_on_the_mesh) {
   for (double v : {.09 * pi, .095 * pi, .105 * pi})
     for (double spacing : {.19, .21}) {
-      const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(
+      const DSC::Cut_locus_2 locus = DSC::cut_locus_2(
           Torus_by_formulas{1}, Domain({2 * pi, 2 * pi}), Point(0, v), spacing, spacing / 2);
       EXPECT_TRUE(locus.is_complete);
       EXPECT_EQ(locus.polylines.size(), 6u) << v << ' ' << spacing;
@@ -270,7 +272,7 @@ struct Thin_torus
 {
   double large, small;
 
-  CGAL::Metric_jet_2 operator()(double, double v) const {
+  DSC::Metric_jet_2 operator()(double, double v) const {
     const double radius = large + small * std::cos(v);
     return {radius * radius, 0, small * small, 0, -2 * radius * small * std::sin(v), 0, 0, 0, 0};
   }
@@ -279,8 +281,8 @@ struct Thin_torus
 // By the symmetry of v and -v, the cut locus of a point of the outer equator has all of the inner
 // one, and of the outer one what is beyond the conjugate points.
 TEST(Cut_locus, of_a_thin_torus_is_symmetric) {
-  const CGAL::Cut_locus_2 locus =
-      CGAL::cut_locus_2(Thin_torus{2, .5}, Domain({2 * pi, 2 * pi}), Point(0, 0), .157, .078);
+  const DSC::Cut_locus_2 locus =
+      DSC::cut_locus_2(Thin_torus{2, .5}, Domain({2 * pi, 2 * pi}), Point(0, 0), .157, .078);
   EXPECT_TRUE(locus.is_complete);
   EXPECT_EQ(locus.polylines.size(), 5u);
   const double conjugate = pi * std::sqrt(.5 / 2.5);
@@ -297,8 +299,8 @@ TEST(Cut_locus, of_a_thin_torus_is_symmetric) {
 // Geodesics that nearly stay on the inner equator: its points far from the source differ by
 // directions of 1e-6.
 TEST(Cut_locus, of_a_point_of_the_outer_equator_of_a_thin_torus) {
-  const CGAL::Cut_locus_2 locus =
-      CGAL::cut_locus_2(Thin_torus{2, .4}, Domain({2 * pi, 2 * pi}), Point(0, 0), .2, .04);
+  const DSC::Cut_locus_2 locus =
+      DSC::cut_locus_2(Thin_torus{2, .4}, Domain({2 * pi, 2 * pi}), Point(0, 0), .2, .04);
   EXPECT_TRUE(locus.is_complete);
   EXPECT_EQ(locus.polylines.size(), 5u);
 }
@@ -307,7 +309,7 @@ TEST(Cut_locus, of_a_point_of_the_outer_equator_of_a_thin_torus) {
 TEST(Cut_locus, of_a_torus_is_reached_by_no_shorter_way) {
   const Domain domain({2 * pi, 2 * pi});
   for (const Thin_torus& torus : {Thin_torus{3, 1}, Thin_torus{2, .3}}) {
-    const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(torus, domain, Point(.7, 1.1), .157, .078);
+    const DSC::Cut_locus_2 locus = DSC::cut_locus_2(torus, domain, Point(.7, 1.1), .157, .078);
     EXPECT_TRUE(locus.is_complete);
     EXPECT_EQ(locus.polylines.size(), 2u);
     for (const auto& vertex : locus.vertices)
@@ -316,12 +318,12 @@ TEST(Cut_locus, of_a_torus_is_reached_by_no_shorter_way) {
 }
 
 template <class Metric>
-CGAL::Geodesic_distance_2<Metric> distance_field(const Metric& metric, const Domain& domain,
-                                                 const Point& source, double spacing) {
-  CGAL::Geodesic_front_2<Metric> front(metric, domain, source, spacing);
+DSC::Geodesic_distance_2<Metric> distance_field(const Metric& metric, const Domain& domain,
+                                                const Point& source, double spacing) {
+  DSC::Geodesic_front_2<Metric> front(metric, domain, source, spacing);
   while (front.advance(spacing / 2)) {
   }
-  return CGAL::Geodesic_distance_2<Metric>(front);
+  return DSC::Geodesic_distance_2<Metric>(front);
 }
 
 TEST(Geodesic_distance, on_a_flat_torus) {
@@ -362,10 +364,10 @@ TEST(Geodesic_distance, at_an_end_of_the_cut_locus) {
 }
 
 TEST(Geodesic_distance, is_infinite_where_the_front_did_not_come) {
-  CGAL::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(0, 0), .04);
+  DSC::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(0, 0), .04);
   while (front.radius() < .2)
     front.advance(.02);
-  const CGAL::Geodesic_distance_2<Flat_metric> distance(front);
+  const DSC::Geodesic_distance_2<Flat_metric> distance(front);
   EXPECT_NEAR(distance(Point(.1, 0)), .1, 1e-9);
   EXPECT_EQ(distance(Point(.5, .5)), std::numeric_limits<double>::infinity());
 }
@@ -379,7 +381,7 @@ struct Ellipsoid
   }
 };
 
-using Ellipsoid_surface = CGAL::Sphere_like_surface_2<Ellipsoid>;
+using Ellipsoid_surface = DSC::Sphere_like_surface_2<Ellipsoid>;
 
 TEST(Geodesics, of_a_sphere_are_great_circles) {
   const Ellipsoid_surface sphere(Ellipsoid{{1, 1, 1}}, {1, 2, 2});
@@ -398,7 +400,7 @@ TEST(Geodesics, of_a_sphere_are_great_circles) {
 TEST(Cut_locus, of_a_point_of_the_equator_of_an_oblate_spheroid) {
   const double h = .8, conjugate = pi * h;
   const Ellipsoid_surface spheroid(Ellipsoid{{1, 1, h}}, {3, 0, 0});
-  const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(spheroid, .2, .1);
+  const DSC::Cut_locus_2 locus = DSC::cut_locus_2(spheroid, .2, .1);
   ASSERT_EQ(locus.polylines.size(), 1u);
   for (const auto& v : locus.vertices) {
     const auto p = spheroid.image(v.point);
@@ -416,7 +418,7 @@ TEST(Cut_locus, of_a_point_of_the_equator_of_an_oblate_spheroid) {
 TEST(Cut_locus, of_an_ellipsoid_is_on_a_line_of_curvature) {
   const std::array<double, 3> axes = {1, .8, .6};
   const Ellipsoid_surface ellipsoid(Ellipsoid{axes}, {1, 1, 1});
-  const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(ellipsoid, .1, .05);
+  const DSC::Cut_locus_2 locus = DSC::cut_locus_2(ellipsoid, .1, .05);
   ASSERT_EQ(locus.polylines.size(), 1u);
   EXPECT_GT(locus.vertices.size(), 10u);
   const auto confocal = [&](const std::array<double, 3>& p, double parameter) {
@@ -438,7 +440,7 @@ TEST(Cut_locus, of_an_ellipsoid_is_on_a_line_of_curvature) {
 TEST(Cut_locus, of_a_sphere_is_a_point) {
   for (const std::array<double, 3>& axes : {std::array<double, 3>{1, 1, 1}, {1, 1, .6}}) {
     const Ellipsoid_surface surface(Ellipsoid{axes}, {0, 0, 2});
-    const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(surface, .1, .05);
+    const DSC::Cut_locus_2 locus = DSC::cut_locus_2(surface, .1, .05);
     EXPECT_TRUE(locus.is_complete);
     EXPECT_TRUE(locus.polylines.empty());
     ASSERT_EQ(locus.vertices.size(), 1u);
@@ -454,7 +456,7 @@ TEST(Cut_locus, of_ellipsoids_of_any_shape) {
   };
   for (const Case& c : {Case{{1, .99, .98}, {1, 1, 1}}, Case{{1, .5, .4}, {.3, -1, .4}}}) {
     const Ellipsoid_surface surface(Ellipsoid{c.axes}, c.source);
-    const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(surface, .2, .04);
+    const DSC::Cut_locus_2 locus = DSC::cut_locus_2(surface, .2, .04);
     EXPECT_TRUE(locus.is_complete) << c.axes[1] << ' ' << c.source[1];
     EXPECT_EQ(locus.polylines.size(), 1u);
   }
@@ -474,7 +476,7 @@ TEST(Cut_locus, of_long_and_flat_ellipsoids) {
     const auto g = surface(middle, middle);
     EXPECT_NEAR(g.F, 0, 1e-9 * g.E); // opposite to the source, the metric is isotropic
     EXPECT_NEAR(g.G, g.E, 1e-9 * g.E);
-    const CGAL::Cut_locus_2 locus = CGAL::cut_locus_2(surface, .1, .05 * std::sqrt(g.E));
+    const DSC::Cut_locus_2 locus = DSC::cut_locus_2(surface, .1, .05 * std::sqrt(g.E));
     EXPECT_TRUE(locus.is_complete) << c.axes[1] << ' ' << c.source[1];
     EXPECT_EQ(locus.polylines.size(), 1u);
   }
@@ -482,10 +484,10 @@ TEST(Cut_locus, of_long_and_flat_ellipsoids) {
 
 TEST(Geodesic_distance, on_a_sphere) {
   const Ellipsoid_surface sphere(Ellipsoid{{1, 1, 1}}, {0, 0, 1});
-  CGAL::Geodesic_front_2<Ellipsoid_surface> front(sphere, .2);
+  DSC::Geodesic_front_2<Ellipsoid_surface> front(sphere, .2);
   while (front.radius() < 1.6)
     front.advance(.1);
-  const CGAL::Geodesic_distance_2<Ellipsoid_surface> distance(front);
+  const DSC::Geodesic_distance_2<Ellipsoid_surface> distance(front);
   for (const Point& p : {Point(5.5, 4), Point(2, 3), Point(7, 1), Point(.5, 4)})
     EXPECT_NEAR(distance(p), std::acos(sphere.direction(p)[2]), 1e-8);
   EXPECT_EQ(distance(Point(4, 4)), std::numeric_limits<double>::infinity());
@@ -494,8 +496,7 @@ TEST(Geodesic_distance, on_a_sphere) {
 TEST(Sphere_like_surface, has_a_source) {
   EXPECT_THROW(Ellipsoid_surface(Ellipsoid{{1, 1, 1}}, {0, 0, 0}), Error);
   EXPECT_THROW(Ellipsoid_surface(Ellipsoid{{1, 1, 1}}, {0, std::nan(""), 1}), Error);
-  EXPECT_THROW(CGAL::cut_locus_2(Ellipsoid_surface(Ellipsoid{{1, 1, 0}}, {1, 0, 0}), .2, .1),
-               Error);
+  EXPECT_THROW(DSC::cut_locus_2(Ellipsoid_surface(Ellipsoid{{1, 1, 0}}, {1, 0, 0}), .2, .1), Error);
 }
 
 // Of the period 1, in any unit: chart and manifold may have different ones.
@@ -503,16 +504,16 @@ TEST(Cut_locus, does_not_depend_on_units) {
   struct Metric
   {
     double scale;
-    CGAL::Metric_jet_2 operator()(double, double) const {
+    DSC::Metric_jet_2 operator()(double, double) const {
       return {scale * scale, 0, scale * scale, 0, 0, 0, 0, 0, 0};
     }
   };
   for (double period : {1e-14, 1., 1e10})
     for (double scale : {1e-8, 1e8}) {
       const Domain domain({period, period});
-      const CGAL::Cut_locus_2 locus =
-          CGAL::cut_locus_2(Metric{scale}, domain, Point(.2 * period, .3 * period), .05 * period,
-                            .025 * period * scale);
+      const DSC::Cut_locus_2 locus =
+          DSC::cut_locus_2(Metric{scale}, domain, Point(.2 * period, .3 * period), .05 * period,
+                           .025 * period * scale);
       EXPECT_TRUE(locus.is_complete);
       EXPECT_EQ(locus.polylines.size(), 2u);
       for (const auto& v : locus.vertices) {
@@ -525,18 +526,18 @@ TEST(Cut_locus, does_not_depend_on_units) {
 }
 
 TEST(Cut_locus, tells_whether_it_is_complete) {
-  EXPECT_FALSE(CGAL::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), .05, .025, .52).is_complete);
-  EXPECT_TRUE(CGAL::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), .05, .025, .8).is_complete);
+  EXPECT_FALSE(DSC::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), .05, .025, .52).is_complete);
+  EXPECT_TRUE(DSC::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), .05, .025, .8).is_complete);
 }
 
 // A step that is too long is divided.
 TEST(Geodesic_front, goes_on_by_any_length) {
-  CGAL::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(0, 0), .04);
+  DSC::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(0, 0), .04);
   EXPECT_TRUE(front.advance(.3));
   EXPECT_TRUE(front.advance(1e-7));
   for (double length : {0., -1., std::nan(""), 1e-300, 1e10})
     EXPECT_THROW(front.advance(length), Error) << length;
-  const CGAL::Geodesic_distance_2<Flat_metric> distance(front);
+  const DSC::Geodesic_distance_2<Flat_metric> distance(front);
   EXPECT_NEAR(distance(Point(.1, .2)), std::hypot(.1, .2), 1e-9);
 }
 
@@ -544,9 +545,9 @@ TEST(Geodesic_front, goes_on_by_any_length) {
 TEST(Geodesic_front, ends_where_the_metric_is_not_positive) {
   const auto metric = [](double, double v) {
     const double G = std::abs(v - .5) < .2 ? -1 : 1;
-    return CGAL::Metric_jet_2{1, 0, G, 0, 0, 0, 0, 0, 0};
+    return DSC::Metric_jet_2{1, 0, G, 0, 0, 0, 0, 0, 0};
   };
-  CGAL::Geodesic_front_2<decltype(metric)> front(metric, Domain(), Point(.3, 0), .04);
+  DSC::Geodesic_front_2<decltype(metric)> front(metric, Domain(), Point(.3, 0), .04);
   double last = front.radius();
   try {
     for (;; last = front.radius())
@@ -560,11 +561,11 @@ TEST(Geodesic_front, ends_where_the_metric_is_not_positive) {
 }
 
 TEST(Geodesic_distance, close_to_the_source) {
-  CGAL::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(.3, .3), .04);
-  const CGAL::Geodesic_distance_2<Flat_metric> at_once(front);
+  DSC::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(.3, .3), .04);
+  const DSC::Geodesic_distance_2<Flat_metric> at_once(front);
   EXPECT_NEAR(at_once(Point(.35, .3)), .05, 1e-12);
   front.advance(.2);
-  const CGAL::Geodesic_distance_2<Flat_metric> distance(front);
+  const DSC::Geodesic_distance_2<Flat_metric> distance(front);
   for (double radius : {1e-12, 1e-9, 1e-6, 1e-3, .03})
     for (double angle : {0., 1., 2., 3., 4., 5.})
       EXPECT_NEAR(distance(Point(.3 + radius * std::cos(angle), .3 + radius * std::sin(angle))),
@@ -573,7 +574,7 @@ TEST(Geodesic_distance, close_to_the_source) {
 
 TEST(Cut_locus, refuses_what_it_cannot_do) {
   const auto find = [](double spacing, double step) {
-    return CGAL::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), spacing, step);
+    return DSC::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), spacing, step);
   };
   EXPECT_THROW(find(0, .1), Error);
   EXPECT_THROW(find(.1, .1), Error);
@@ -582,18 +583,17 @@ TEST(Cut_locus, refuses_what_it_cannot_do) {
   EXPECT_THROW(find(.05, 1e-300), Error);
   EXPECT_THROW(find(.05, std::numeric_limits<double>::infinity()), Error);
   for (double distance : {0., -1., std::nan("")})
-    EXPECT_THROW(CGAL::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), .05, .02, distance),
-                 Error);
+    EXPECT_THROW(DSC::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), .05, .02, distance), Error);
   for (double x : {std::nan(""), std::numeric_limits<double>::infinity()})
-    EXPECT_THROW(CGAL::cut_locus_2(Flat_metric(), Domain(), Point(x, 0), .05, .02), Error);
+    EXPECT_THROW(DSC::cut_locus_2(Flat_metric(), Domain(), Point(x, 0), .05, .02), Error);
   const auto anisotropic = [](double, double) {
-    return CGAL::Metric_jet_2{1, 0, 100, 0, 0, 0, 0, 0, 0};
+    return DSC::Metric_jet_2{1, 0, 100, 0, 0, 0, 0, 0, 0};
   };
-  EXPECT_TRUE(CGAL::cut_locus_2(anisotropic, Domain(), Point(0, 0), .01, .005).is_complete);
+  EXPECT_TRUE(DSC::cut_locus_2(anisotropic, Domain(), Point(0, 0), .01, .005).is_complete);
   const auto no_metric = [](double, double) {
-    return CGAL::Metric_jet_2{1, 1, 1, 0, 0, 0, 0, 0, 0};
+    return DSC::Metric_jet_2{1, 1, 1, 0, 0, 0, 0, 0, 0};
   };
-  EXPECT_THROW(CGAL::cut_locus_2(no_metric, Domain(), Point(0, 0), .05, .02), Error);
+  EXPECT_THROW(DSC::cut_locus_2(no_metric, Domain(), Point(0, 0), .05, .02), Error);
 }
 
 } // namespace test_cut_locus

@@ -1,11 +1,11 @@
 #include "../torus.h"
 
-#include <CGAL/advect_interface_2.h>
-#include <CGAL/control_detail_2.h>
-#include <CGAL/curve_shortening_flow_2.h>
-#include <CGAL/deform_interface_2.h>
-#include <CGAL/interface_flows_2.h>
-#include <CGAL/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_2.h>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +17,8 @@
 #include <random>
 #include <set>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_torus {
 
@@ -98,14 +100,14 @@ TEST(Torus, joins_components_through_the_seams) {
 }
 
 TEST(Torus, refuses_cells_that_are_too_long) {
-  using Error = CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error;
+  using Error = CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
   const auto one = [](const Point&) { return 1; };
   EXPECT_THROW(torus::grid(2, one), Error);
   EXPECT_TRUE(torus::grid(3, one).is_valid());
 }
 
 TEST(Torus, refuses_cells_that_cover_it_twice_or_not_at_all) {
-  using Error = CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error;
+  using Error = CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
   // A grid over two periods, wound up.
   std::vector<Point> points;
   std::vector<std::array<std::size_t, 3>> triangles;
@@ -173,7 +175,7 @@ TEST(Torus, carries_a_disk_once_around) {
   const int steps = 50;
   for (int i = 0; i < steps; ++i) {
     const auto report =
-        CGAL::advect_interface(dsc, Translation{Vector(1, 2)}, double(i) / steps, 1. / steps);
+        DSC::advect_interface(dsc, Translation{Vector(1, 2)}, double(i) / steps, 1. / steps);
     ASSERT_TRUE(report.complete);
     ASSERT_TRUE(dsc.is_valid(true));
     ASSERT_EQ(dsc.interface_facets().size(), facets);
@@ -204,7 +206,7 @@ TEST(Torus, merges_a_growing_disk_with_itself_through_the_seams) {
   Complex dsc = disk_on_the_seams(24, .35);
   EXPECT_EQ(euler_characteristic(dsc, 1), 1);
   for (int i = 0; i < 24; ++i) {
-    CGAL::advect_interface(dsc, CGAL::Normal_offset_2{1.}, 0, .01);
+    DSC::advect_interface(dsc, DSC::Normal_offset{1.}, 0, .01);
     ASSERT_TRUE(dsc.is_valid(true));
   }
   EXPECT_EQ(euler_characteristic(dsc, 1), -1);
@@ -217,8 +219,8 @@ TEST(Torus, keeps_its_topology_where_that_is_wanted) {
   using CGAL::Deformable_simplicial_complexes::Forbid_topology_changes;
   Complex dsc = disk_on_the_seams(24, .35);
   for (int i = 0; i < 24; ++i) {
-    CGAL::advect_interface(dsc, CGAL::Normal_offset_2{1.}, 0, .01,
-                           parameters::topology_control(Forbid_topology_changes()));
+    DSC::advect_interface(dsc, DSC::Normal_offset{1.}, 0, .01,
+                          parameters::topology_control(Forbid_topology_changes()));
     ASSERT_TRUE(dsc.is_valid(true));
     ASSERT_EQ(euler_characteristic(dsc, 1), 1);
     ASSERT_EQ(euler_characteristic(dsc, 0), -1);
@@ -263,7 +265,7 @@ TEST(Torus, stays_valid_whatever_happens) {
       std::mt19937 random(seed);
       Complex dsc = torus::grid(8, [&](const Point&) { return int(random() % unsigned(labels)); });
       for (int i = 0; i < 8; ++i) {
-        CGAL::advect_interface(dsc, Random_field(random), 0, .25);
+        DSC::advect_interface(dsc, Random_field(random), 0, .25);
         ASSERT_TRUE(dsc.is_valid(true)) << labels << " labels, seed " << seed << ", field " << i;
       }
     }
@@ -284,7 +286,7 @@ class Four_phases : public testing::Test
 {
 protected:
   Four_phases()
-      : dsc(CGAL::make_deformable_simplicial_complex_2<Complex>(
+      : dsc(DSC::make_deformable_simplicial_complex_2<Complex>(
             Domain(), .05, [](const Complex::Approximate_point_2& p) {
               const double x = p.x() - .5, y = p.y() - .5;
               if (std::abs(x) > std::abs(y) + .1)
@@ -301,8 +303,8 @@ TEST_F(Four_phases, exchange_neighbors) {
   namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
   std::size_t exchanges = 0;
   for (int i = 0; i < 40 && exchanges == 0; ++i) {
-    CGAL::control_detail(dsc, parameters::change_interface(true));
-    const auto report = CGAL::advect_interface(dsc, Squeeze(), 0, .02);
+    DSC::control_detail(dsc, parameters::change_interface(true));
+    const auto report = DSC::advect_interface(dsc, Squeeze(), 0, .02);
     ASSERT_TRUE(dsc.is_valid(true));
     exchanges = report.exchanges.size();
     if (exchanges > 0) {
@@ -322,8 +324,8 @@ TEST_F(Four_phases, keep_their_neighbors_where_that_is_wanted) {
   namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
   using CGAL::Deformable_simplicial_complexes::Forbid_topology_changes;
   for (int i = 0; i < 40; ++i) {
-    CGAL::control_detail(dsc, parameters::change_interface(true));
-    const auto report = CGAL::advect_interface(
+    DSC::control_detail(dsc, parameters::change_interface(true));
+    const auto report = DSC::advect_interface(
         dsc, Squeeze(), 0, .02, parameters::topology_control(Forbid_topology_changes()));
     ASSERT_TRUE(dsc.is_valid(true));
     ASSERT_TRUE(report.exchanges.empty());
@@ -332,34 +334,34 @@ TEST_F(Four_phases, keep_their_neighbors_where_that_is_wanted) {
 }
 
 TEST(Curve_shortening, shrinks_a_circle_on_the_seams_at_its_rate) {
-  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+  Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
       Domain(), .05, [](const Complex::Approximate_point_2& p) {
         return distance_on_unit_torus(p, Point(0, 0)) < .3 ? 1 : 0;
       });
   const double two_pi = 2 * std::acos(-1.), dt = .001;
   for (int i = 0; i < 10; ++i) {
     const double before = dsc.area(1);
-    ASSERT_TRUE(CGAL::advect_interface(dsc, CGAL::Curve_shortening_flow_2(), 0, dt).complete);
+    ASSERT_TRUE(DSC::advect_interface(dsc, DSC::Mean_curvature_flow(), 0, dt).complete);
     EXPECT_NEAR((dsc.area(1) - before) / dt, -two_pi, .005 * two_pi);
   }
 }
 
 TEST(Curve_shortening, brings_a_bubble_of_a_kept_area_to_rest) {
-  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(
+  Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
       Domain(), .05, [](const Complex::Approximate_point_2& p) {
         return std::abs(p.x() - .5) < .3 && std::abs(p.y() - .5) < .15 ? 1 : 0;
       });
   const double area = dsc.area(1), radius = std::sqrt(area / std::acos(-1.));
-  const CGAL::Curve_shortening_flow_2 flow(true);
+  const DSC::Mean_curvature_flow flow(true);
   for (int i = 0; i < 100; ++i)
-    ASSERT_TRUE(CGAL::advect_interface(dsc, flow, 0, .002).complete);
+    ASSERT_TRUE(DSC::advect_interface(dsc, flow, 0, .002).complete);
   EXPECT_TRUE(dsc.is_valid(true));
   EXPECT_NEAR(dsc.area(1), area, 1e-9);
   for (auto v : dsc.interface_vertices())
     EXPECT_NEAR(distance_on_unit_torus(dsc.position(v), Point(.5, .5)), radius, .03 * radius);
 }
 
-using Curve = CGAL::Labelled_curve_2<Point>;
+using Curve = DSC::Labelled_curve_2<Point>;
 
 Curve circle(double x, double y, double radius, int n, int label) {
   Curve curve;
@@ -376,7 +378,7 @@ Curve circle(double x, double y, double radius, int n, int label) {
 TEST(Make_complex_on_a_torus, of_nested_curves_across_the_seams) {
   const Domain domain({1, 2});
   const std::vector<Curve> curves = {circle(1, 2.05, .4, 60, 1), circle(1.05, 2, .2, 40, 2)};
-  Complex dsc = CGAL::make_deformable_simplicial_complex_2<Complex>(domain, curves);
+  Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(domain, curves);
   EXPECT_TRUE(dsc.is_valid(true));
   const auto area = [](double radius, int n) {
     return radius * radius * n * std::sin(2 * std::acos(-1.) / n) / 2;
@@ -400,7 +402,7 @@ TEST(Make_complex_on_a_torus, of_nested_curves_across_the_seams) {
 TEST(Make_complex_on_a_torus, refuses_curves_that_do_not_fit) {
   using namespace CGAL::Deformable_simplicial_complexes;
   const auto make = [](const std::vector<Curve>& curves) {
-    return CGAL::make_deformable_simplicial_complex_2<Complex>(Domain(), curves);
+    return DSC::make_deformable_simplicial_complex_2<Complex>(Domain(), curves);
   };
   EXPECT_THROW(make({}), Error);
   EXPECT_THROW(make({circle(0, 0, .51, 20, 1)}), Invalid_surface_error);

@@ -2,21 +2,21 @@
 #include "../mesh_helpers.h"
 #include "../stamped_values.h"
 
-#include <CGAL/Carried_cell_averages_3.h>
-#include <CGAL/Carried_vertex_values_3.h>
-#include <CGAL/Curvature_size_field_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_pair_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Carried_cell_averages.h>
+#include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>
+#include <CGAL/Deformable_simplicial_complexes/Curvature_sizing_field.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor_pair.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/remove_degeneracies.h>
+#include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/face_offsetting_3.h>
 #include <CGAL/Triangulation_data_structure_3.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/control_detail_3.h>
-#include <CGAL/deform_interface_3.h>
-#include <CGAL/face_offsetting_3.h>
-#include <CGAL/improve_interface_3.h>
-#include <CGAL/improve_mesh_3.h>
-#include <CGAL/mean_curvature_flow_3.h>
-#include <CGAL/remove_degeneracies_3.h>
-#include <CGAL/restore_volumes_3.h>
 
 #include <gtest/gtest.h>
 
@@ -24,6 +24,8 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // The package runs with models that offer nothing but what the concepts require, and does with them
 // exactly what it does with its own models.
@@ -41,7 +43,7 @@ struct Ratio
 {
   template <class Point>
   double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const {
-    return CGAL::Volume_length_ratio_3()(p, q, r, s);
+    return DSC::Volume_length_ratio_3()(p, q, r, s);
   }
 };
 using Complex =
@@ -95,18 +97,18 @@ TEST(Archetypes, complex) {
 }
 
 TEST(Archetypes, improve_mesh) {
-  expect_same([](auto& dsc) { CGAL::improve_mesh(dsc, parameters::quality_threshold(.6)); });
+  expect_same([](auto& dsc) { DSC::improve_mesh(dsc, parameters::quality_threshold(.6)); });
 }
 
 TEST(Archetypes, control_detail) {
   expect_same([](auto& dsc) {
-    CGAL::control_detail(dsc, parameters::change_interface(true).interface_split_length(1.2));
+    DSC::control_detail(dsc, parameters::change_interface(true).interface_split_length(1.2));
   });
 }
 
 TEST(Archetypes, remove_degeneracies) {
   expect_same([](auto& dsc) {
-    CGAL::remove_degeneracies(dsc, parameters::degenerate_quality(.3).degenerate_cosine(.9));
+    DSC::remove_degeneracies(dsc, parameters::degenerate_quality(.3).degenerate_cosine(.9));
   });
 }
 
@@ -114,19 +116,19 @@ TEST(Archetypes, deform_interface) {
   expect_same([](auto& dsc) {
     using Complex = std::decay_t<decltype(dsc)>;
     archetypes::Visitor<Complex> visitor;
-    CGAL::deform_interface(dsc, archetypes::Destination<Complex>(dsc),
-                           parameters::visitor(std::ref(visitor)));
+    DSC::deform_interface(dsc, archetypes::Destination<Complex>(dsc),
+                          parameters::visitor(std::ref(visitor)));
   });
 }
 
 TEST(Archetypes, advect_interface) {
   expect_same([](auto& dsc) {
     using Complex = std::decay_t<decltype(dsc)>;
-    CGAL::advect_interface(dsc, archetypes::Flow_map(), 0, 1);
-    CGAL::advect_interface(dsc, archetypes::Velocity_field(), 1, 1);
-    CGAL::advect_interface(dsc, archetypes::Interface_velocity<Complex>(), 2, 1);
-    CGAL::advect_interface(dsc, archetypes::Interface_step<Complex>(), 3, 1);
-    CGAL::advect_interface(
+    DSC::advect_interface(dsc, archetypes::Flow_map(), 0, 1);
+    DSC::advect_interface(dsc, archetypes::Velocity_field(), 1, 1);
+    DSC::advect_interface(dsc, archetypes::Interface_velocity<Complex>(), 2, 1);
+    DSC::advect_interface(dsc, archetypes::Interface_step<Complex>(), 3, 1);
+    DSC::advect_interface(
         dsc, archetypes::Velocity_field(), 4, 1,
         parameters::scheme(CGAL::Deformable_simplicial_complexes::Integration_scheme::adaptive));
   });
@@ -135,14 +137,13 @@ TEST(Archetypes, advect_interface) {
 TEST(Archetypes, flows) {
   expect_same([](auto& dsc) {
     const double volume = dsc.volume(1);
-    CGAL::advect_interface(dsc, CGAL::Face_offset_3(1), 0, .02);
-    CGAL::advect_interface(
-        dsc,
-        CGAL::Advective_face_offset_3<archetypes::Velocity_field>(archetypes::Velocity_field()), 0,
-        .5);
-    CGAL::advect_interface(dsc, CGAL::Mean_curvature_flow_3(true), 0, .001);
-    CGAL::advect_interface(dsc, CGAL::Mean_curvature_velocity_3(), 0, .001);
-    CGAL::restore_volumes(dsc, {{1, volume}});
+    DSC::advect_interface(dsc, DSC::Face_offset_3(1), 0, .02);
+    DSC::advect_interface(
+        dsc, DSC::Advective_face_offset_3<archetypes::Velocity_field>(archetypes::Velocity_field()),
+        0, .5);
+    DSC::advect_interface(dsc, DSC::Mean_curvature_flow(true), 0, .001);
+    DSC::advect_interface(dsc, DSC::Mean_curvature_velocity(), 0, .001);
+    DSC::restore_volumes(dsc, {{1, volume}});
   });
 }
 
@@ -156,10 +157,10 @@ TEST(Archetypes, carried_values) {
     for (const auto c : dsc.cells())
       averages.set(c, 1);
     {
-      CGAL::Carried_vertex_values_3 vertices(dsc, values.map());
-      CGAL::Carried_cell_averages_3 cells(dsc, averages.map());
-      CGAL::Deformation_visitor_pair_3 both(vertices, cells);
-      CGAL::improve_mesh(dsc, parameters::quality_threshold(.6).visitor(std::ref(both)));
+      DSC::Carried_vertex_values vertices(dsc, values.map());
+      DSC::Carried_cell_averages cells(dsc, averages.map());
+      DSC::Deformation_visitor_pair both(vertices, cells);
+      DSC::improve_mesh(dsc, parameters::quality_threshold(.6).visitor(std::ref(both)));
     }
     for (const auto v : dsc.vertices())
       EXPECT_NEAR(values[v], 1, 1e-12);
@@ -171,11 +172,10 @@ TEST(Archetypes, carried_values) {
 TEST(Archetypes, improve_interface) {
   expect_same([](auto& dsc) {
     archetypes::Visitor<std::decay_t<decltype(dsc)>> visitor;
-    CGAL::improve_interface(
-        dsc,
-        parameters::curved_splits(true).interface_split_length(1.2).visitor(std::ref(visitor)));
-    const CGAL::Curvature_size_field_3 size(dsc, .1, .2, 1.);
-    CGAL::improve_interface(dsc, parameters::size_field(size));
+    DSC::improve_interface(dsc, parameters::curved_splits(true).interface_split_length(1.2).visitor(
+                                    std::ref(visitor)));
+    const DSC::Curvature_sizing_field<3> size(dsc, .1, .2, 1.);
+    DSC::improve_interface(dsc, parameters::sizing_field(size));
   });
 }
 

@@ -1,18 +1,18 @@
 #include "../mesh_helpers.h"
 #include "../stamped_values.h"
 
-#include <CGAL/Carried_cell_averages_3.h>
-#include <CGAL/Carried_vertex_values_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_pair_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Carried_cell_averages.h>
+#include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor_pair.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/cell_corners.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/overlap_measure.h>
-#include <CGAL/control_detail_3.h>
-#include <CGAL/deform_interface_3.h>
-#include <CGAL/improve_interface_3.h>
-#include <CGAL/improve_mesh_3.h>
-#include <CGAL/remove_degeneracies_3.h>
+#include <CGAL/Deformable_simplicial_complexes/remove_degeneracies.h>
 
 #include <gtest/gtest.h>
 
@@ -25,6 +25,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Values on vertices and averages over cells that follow changes of the mesh.
 
@@ -102,24 +104,24 @@ Complex flat_interface(std::size_t n, double part, unsigned seed) {
 
 // Everything that improves a mesh at rest, by name.
 template <class Visitor>
-CGAL::Improvement_report improve(const std::string& name, Complex& dsc, Visitor& visitor) {
+DSC::Improvement_report improve(const std::string& name, Complex& dsc, Visitor& visitor) {
   const auto np = parameters::visitor(std::ref(visitor));
   if (name == "control_detail")
-    return CGAL::control_detail(dsc, np.split_length(1.2).collapse_length(1.).collapse_quality(.1));
+    return DSC::control_detail(dsc, np.split_length(1.2).collapse_length(1.).collapse_quality(.1));
   if (name == "control_detail of the interface")
-    return CGAL::control_detail(
+    return DSC::control_detail(
         dsc, np.change_interface(true).interface_split_length(1.2).interface_collapse_length(.8));
   if (name == "improve_mesh")
-    return CGAL::improve_mesh(dsc, np.quality_threshold(.5).smooth_interface(true));
+    return DSC::improve_mesh(dsc, np.quality_threshold(.5).smooth_interface(true));
   if (name == "improve_mesh, aggressively")
-    return CGAL::improve_mesh(dsc, np.quality_threshold(.4).aggressive(true));
+    return DSC::improve_mesh(dsc, np.quality_threshold(.4).aggressive(true));
   if (name == "improve_interface")
-    return CGAL::improve_interface(
+    return DSC::improve_interface(
         dsc, np.quality_threshold(.4).curved_splits(true).interface_split_length(1.2));
   if (name == "improve_interface without smoothing")
-    return CGAL::improve_interface(
+    return DSC::improve_interface(
         dsc, np.quality_threshold(.4).aggressiveness(0.).interface_split_length(1.2));
-  return CGAL::remove_degeneracies(dsc, np.degenerate_quality(.2).degenerate_cosine(.9));
+  return DSC::remove_degeneracies(dsc, np.degenerate_quality(.2).degenerate_cosine(.9));
 }
 
 const std::vector<std::string> improvements = {
@@ -128,7 +130,7 @@ const std::vector<std::string> improvements = {
     "improve_interface",  "improve_interface without smoothing",
     "remove_degeneracies"};
 
-std::size_t number_of_changes(const CGAL::Improvement_report& r) {
+std::size_t number_of_changes(const DSC::Improvement_report& r) {
   return r.split + r.collapsed + r.flipped + r.smoothed + r.inserted;
 }
 
@@ -151,9 +153,9 @@ double largest_error(const Complex& dsc, Vertex_values& values) {
 // Runs something with a visitor that carries values on vertices and averages over cells.
 template <class Run>
 auto carry(Complex& dsc, Vertex_values& values, Cell_values& averages, const Run& run) {
-  CGAL::Carried_vertex_values_3<Complex, Vertex_values::Map> vertices(dsc, values.map());
-  CGAL::Carried_cell_averages_3<Complex, Cell_values::Map> cells(dsc, averages.map());
-  CGAL::Deformation_visitor_pair_3 both(vertices, cells);
+  DSC::Carried_vertex_values<Complex, Vertex_values::Map> vertices(dsc, values.map());
+  DSC::Carried_cell_averages<Complex, Cell_values::Map> cells(dsc, averages.map());
+  DSC::Deformation_visitor_pair both(vertices, cells);
   return run(both);
 }
 
@@ -226,11 +228,11 @@ TEST(Carried_values, may_be_vectors) {
   for (Cell_handle c : dsc.cells())
     momenta.set(c, velocity);
   {
-    CGAL::Carried_vertex_values_3 vertices(dsc, positions.map());
-    CGAL::Carried_cell_averages_3 cells(dsc, momenta.map());
-    CGAL::Deformation_visitor_pair_3 both(vertices, cells);
+    DSC::Carried_vertex_values vertices(dsc, positions.map());
+    DSC::Carried_cell_averages cells(dsc, momenta.map());
+    DSC::Deformation_visitor_pair both(vertices, cells);
     EXPECT_GT(number_of_changes(
-                  CGAL::control_detail(dsc, parameters::split_length(1.2).visitor(std::ref(both)))),
+                  DSC::control_detail(dsc, parameters::split_length(1.2).visitor(std::ref(both)))),
               10u);
   }
   for (Vertex_handle v : dsc.vertices())
@@ -244,14 +246,14 @@ TEST(Carried_values, may_be_vectors) {
 
 // Moves vertices of the interface at random, by up to a distance.
 template <class Visitor>
-CGAL::Deformation_report<Complex> shake(Complex& dsc, double distance, unsigned seed,
-                                        Visitor& visitor) {
+DSC::Deformation_report<Complex> shake(Complex& dsc, double distance, unsigned seed,
+                                       Visitor& visitor) {
   Random random(seed);
   std::map<Vertex_handle, Point> destinations;
   for (Vertex_handle v : dsc.interface_vertices())
     destinations[v] =
         mesh_helpers::exact_point(dsc, dsc.position(v) + random.vector<Complex>(distance));
-  return CGAL::deform_interface(
+  return DSC::deform_interface(
       dsc, [&](Vertex_handle v) { return destinations.at(v); },
       parameters::maximum_number_of_passes(6).visitor(std::ref(visitor)));
 }
@@ -262,13 +264,13 @@ TEST(Carried_values, keep_the_integral_in_deformations) {
     Vertex_values values = linear_values(dsc);
     Cell_values averages = random_averages(dsc, 2, 0, 1);
     const double before = integral(dsc, averages);
-    CGAL::Improvement_report changes;
+    DSC::Improvement_report changes;
     std::size_t relabeled = 0;
     for (unsigned seed : {3, 4, 5}) {
       const auto report = carry(dsc, values, averages,
                                 [&](auto& visitor) { return shake(dsc, .4, seed, visitor); });
-      changes = changes + CGAL::Improvement_report{report.split, report.collapsed, report.flipped,
-                                                   report.smoothed, report.inserted};
+      changes = changes + DSC::Improvement_report{report.split, report.collapsed, report.flipped,
+                                                  report.smoothed, report.inserted};
       relabeled += report.relabeled;
       EXPECT_NEAR(integral(dsc, averages), before, tolerance * before);
       EXPECT_GE(range(dsc, averages).first, 0);
@@ -292,7 +294,7 @@ TEST(Carried_values, move_with_the_flow) {
     averages.set(c, c->label());
   const Vector way(.02, .01, 0);
   carry(dsc, values, averages, [&](auto& visitor) {
-    return CGAL::deform_interface(
+    return DSC::deform_interface(
         dsc, [&](Vertex_handle v) { return mesh_helpers::exact_point(dsc, dsc.position(v) + way); },
         parameters::visitor(std::ref(visitor)));
   });
@@ -346,7 +348,7 @@ template <class Visitor> void tell_everything(Visitor& visitor) {
 
 TEST(Visitor_pair, forwards_everything) {
   Recorder first, second;
-  CGAL::Deformation_visitor_pair_3 pair(first, second);
+  DSC::Deformation_visitor_pair pair(first, second);
   tell_everything(pair);
   EXPECT_TRUE(pair.go_further(1));
   EXPECT_EQ(first.told.size(), 11u);
@@ -364,7 +366,7 @@ TEST(Visitor_pair, tells_the_second_of_what_has_happened) {
   for (const std::string what : {"after_replacement", "before_replacement"}) {
     Recorder first, second;
     first.last = what;
-    CGAL::Deformation_visitor_pair_3 pair(first, second);
+    DSC::Deformation_visitor_pair pair(first, second);
     EXPECT_THROW(tell_everything(pair), std::runtime_error);
     EXPECT_EQ(second.told[what], what == "after_replacement" ? 1 : 0);
   }
@@ -373,10 +375,10 @@ TEST(Visitor_pair, tells_the_second_of_what_has_happened) {
 TEST(Visitor, is_told_before_and_after_each_change) {
   Complex dsc = jittered_grid(4, small_meshes::two_boxes, .4, 1);
   Recorder visitor, nobody;
-  CGAL::Deformation_visitor_pair_3 pair(visitor, nobody);
+  DSC::Deformation_visitor_pair pair(visitor, nobody);
   auto& told = visitor.told;
   int replaced = 0, smoothed = 0;
-  const auto count = [&](const CGAL::Improvement_report& r) {
+  const auto count = [&](const DSC::Improvement_report& r) {
     EXPECT_EQ(told["after_split"], int(r.split));
     EXPECT_EQ(told["before_collapse"], int(r.collapsed));
     EXPECT_EQ(told["after_flip"], int(r.flipped));
@@ -417,12 +419,12 @@ TEST(Visitor, may_throw_at_any_time) {
         recorder.last = what;
         recorder.limit = limit;
         {
-          CGAL::Carried_cell_averages_3<Complex, Cell_values::Map> cells(dsc, averages.map());
+          DSC::Carried_cell_averages<Complex, Cell_values::Map> cells(dsc, averages.map());
           if (is_first) {
-            CGAL::Deformation_visitor_pair_3 pair(recorder, cells);
+            DSC::Deformation_visitor_pair pair(recorder, cells);
             EXPECT_THROW(improve("improve_mesh", dsc, pair), std::runtime_error);
           } else {
-            CGAL::Deformation_visitor_pair_3 pair(cells, recorder);
+            DSC::Deformation_visitor_pair pair(cells, recorder);
             EXPECT_THROW(improve("improve_mesh", dsc, pair), std::runtime_error);
           }
         }
@@ -435,7 +437,7 @@ TEST(Visitor, may_throw_at_any_time) {
     Complex dsc = initial;
     Recorder visitor, nobody;
     visitor.last = what;
-    CGAL::Deformation_visitor_pair_3 pair(visitor, nobody);
+    DSC::Deformation_visitor_pair pair(visitor, nobody);
     EXPECT_THROW(improve("improve_mesh", dsc, pair), std::runtime_error);
     const bool is_changed = visitor.told["after_replacement"] + visitor.told["after_smoothing"] > 0;
     EXPECT_EQ(dsc.state() == initial.state(), !is_changed);

@@ -1,10 +1,10 @@
 #include "../small_meshes.h"
 #include "../temporary_folder.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/State_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/State.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
-#include <CGAL/IO/checkpoint_3.h>
 
 #include <boost/crc.hpp>
 
@@ -17,10 +17,12 @@
 #include <string>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_checkpoint {
 
 using CGAL::Deformable_simplicial_complexes::File_error;
-using State = CGAL::Deformable_simplicial_complex_state_3;
+using State = DSC::State<3>;
 namespace internal = CGAL::Deformable_simplicial_complexes::internal;
 
 constexpr std::size_t header_size = 24;

@@ -1,8 +1,8 @@
 #include "../mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/improve_mesh_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,11 @@
 #include <utility>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_complex {
 
-using CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error;
+using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
 using mesh_helpers::interface_triangles;
 using mesh_helpers::jittered_grid;
 using small_meshes::Complex;
@@ -87,17 +89,17 @@ template <class Condition> Labelled_mesh part(const Labelled_mesh& mesh, Conditi
 }
 
 // What assign() says against a mesh. The complex is then as it was.
-Invalid_tetrahedra_error refusal(const Labelled_mesh& mesh) {
+Invalid_cells_error refusal(const Labelled_mesh& mesh) {
   Complex dsc = make_complex(grid(2, small_meshes::uniform));
   const auto before = dsc.state();
   try {
     dsc.assign(mesh.points, mesh.tetrahedra, mesh.labels);
-  } catch (const Invalid_tetrahedra_error& e) {
+  } catch (const Invalid_cells_error& e) {
     EXPECT_TRUE(dsc.state() == before);
     return e;
   }
   ADD_FAILURE() << "accepted";
-  return Invalid_tetrahedra_error("");
+  return Invalid_cells_error("");
 }
 
 Indices sorted(Indices indices) {
@@ -413,7 +415,7 @@ TEST(Boundary, of_another_domain_is_fixed) {
   Complex dsc = make_complex(without_corner);
   EXPECT_TRUE(dsc.is_valid());
   for (Vertex_handle v : dsc.vertices()) {
-    EXPECT_EQ(v->boundary_class(), CGAL::Boundary_class::fixed);
+    EXPECT_EQ(v->boundary_class(), DSC::Boundary_class::fixed);
     const Point before = v->point();
     EXPECT_EQ(dsc.admissible_destination(v, Point(5, 6, 7)), before);
     EXPECT_EQ(dsc.move_vertex(v, Point(.1, .1, .1)), 1);

@@ -1,15 +1,15 @@
 #include "../mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_split.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>
 #include <CGAL/Random.h>
-#include <CGAL/deform_interface_3.h>
 #include <CGAL/hilbert_sort.h>
-#include <CGAL/improve_mesh_3.h>
 
 #include <gtest/gtest.h>
 
@@ -20,11 +20,13 @@
 #include <utility>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 // Copies, states, storage, the past of components, and what is_valid() sees.
 
 namespace test_complex_storage {
 
-using CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error;
+using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
 using mesh_helpers::interface_triangles;
 using mesh_helpers::jittered_grid;
 using small_meshes::Complex;
@@ -38,7 +40,7 @@ namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 // A complex with a past: vertices and cells were removed and created.
 Complex used_complex() {
   Complex dsc = jittered_grid(4, small_meshes::two_boxes, .45, 11);
-  const auto report = CGAL::improve_mesh(dsc, parameters::quality_threshold(.7));
+  const auto report = DSC::improve_mesh(dsc, parameters::quality_threshold(.7));
   EXPECT_GT(report.flipped, 0u);
   EXPECT_GT(report.collapsed, 0u);
   dsc.set_normalization({Complex::Approximate_vector_3(1, 2, 3), 10});
@@ -48,9 +50,9 @@ Complex used_complex() {
 // Goes on with a complex, in ways that depend on the order of everything.
 Complex::State continuation(Complex dsc) {
   mesh_helpers::jitter(dsc, .1, 12);
-  CGAL::improve_mesh(dsc, parameters::quality_threshold(.8));
+  DSC::improve_mesh(dsc, parameters::quality_threshold(.8));
   for (int i = 0; i < 3; ++i)
-    CGAL::deform_interface(dsc, [&](Vertex_handle v) {
+    DSC::deform_interface(dsc, [&](Vertex_handle v) {
       const auto p = dsc.position(v);
       const Complex::Approximate_vector_3 way(std::sin(4 * p.y()), std::sin(4 * p.z()),
                                               std::sin(4 * p.x()));
@@ -78,7 +80,7 @@ template <class Condition> void relabel(Complex& dsc, int label, Condition condi
   EXPECT_TRUE(dsc.is_valid());
 }
 
-using Event = CGAL::Component_event;
+using Event = DSC::Component_event;
 
 void expect_event(const Event& event, Event::Kind kind, int label, std::size_t before,
                   std::size_t after) {
@@ -154,7 +156,7 @@ TEST(Complex_storage, impossible_states_are_refused) {
   const auto expect_refusal = [&](auto spoil) {
     auto spoiled = state;
     spoil(spoiled);
-    EXPECT_THROW(dsc.restore(spoiled), Invalid_tetrahedra_error);
+    EXPECT_THROW(dsc.restore(spoiled), Invalid_cells_error);
     EXPECT_TRUE(dsc.state() == before);
   };
   expect_refusal([](auto& s) { s.cell_labels.pop_back(); });
@@ -231,13 +233,13 @@ TEST(Complex_storage, ids_stay_dense) {
       cells = dsc.triangulation().tds().number_of_cells();
   EXPECT_EQ(dsc.vertex_id_bound(), vertices);
   EXPECT_EQ(dsc.cell_id_bound(), cells);
-  CGAL::Cavity_3<Complex> cavity(dsc);
+  DSC::Cavity<Complex> cavity(dsc);
   std::size_t most_vertices = vertices, most_cells = cells;
   for (int i = 0; i < 60; ++i) {
     const auto all = dsc.cells();
     const auto c = all[std::size_t(i) * 7 % all.size()];
-    const bool is_split = i % 3 != 0 && CGAL::propose_edge_split(dsc, c, 0, 1, .5, cavity);
-    if (!is_split && !CGAL::propose_edge_collapse(dsc, c, i % 4, (i + 1) % 4, 0, cavity))
+    const bool is_split = i % 3 != 0 && DSC::propose_edge_split(dsc, c, 0, 1, .5, cavity);
+    if (!is_split && !DSC::propose_edge_collapse(dsc, c, i % 4, (i + 1) % 4, 0, cavity))
       continue;
     // New cells are there before those that they replace go.
     const std::size_t planned = cavity.planned().size();
@@ -361,8 +363,8 @@ TEST(Components, keep_their_numbers_in_states) {
     }
   };
   // Cells come and go, and volumes change, but components stay.
-  CGAL::improve_mesh(dsc, parameters::quality_threshold(.6).number_of_iterations(1));
-  CGAL::deform_interface(dsc, [&](Vertex_handle v) {
+  DSC::improve_mesh(dsc, parameters::quality_threshold(.6).number_of_iterations(1));
+  DSC::deform_interface(dsc, [&](Vertex_handle v) {
     return mesh_helpers::exact_point(dsc, CGAL::ORIGIN + .95 * (dsc.position(v) - CGAL::ORIGIN));
   });
   dsc.take_component_events();

@@ -2,9 +2,9 @@
 #include "../surface_measures.h"
 #include "../temporary_folder.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/IO/labelled_surface_3.h>
-#include <CGAL/extract_interface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -18,6 +18,8 @@
 #include <cstddef>
 #include <string>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Interfaces as surfaces, in memory and in files.
 
@@ -35,7 +37,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 TEST(Extract_interface, of_a_cube) {
   const Complex dsc = make_complex(grid(4, small_meshes::cube));
-  const auto surface = CGAL::extract_interface(dsc);
+  const auto surface = DSC::extract_interface(dsc);
   EXPECT_EQ(surface.points.size(), 26u);
   EXPECT_EQ(surface.triangles.size(), 48u);
   EXPECT_EQ(surface.vertices, dsc.interface_vertices());
@@ -49,9 +51,9 @@ TEST(Extract_interface, of_a_cube) {
 
 TEST(Extract_interface, points_out_of_the_first_label_of_a_pair) {
   const Complex dsc = make_complex(grid(4, small_meshes::cube));
-  const auto from_cube = CGAL::extract_interface(dsc, 1, 0);
-  const auto into_cube = CGAL::extract_interface(dsc, 0, 1);
-  EXPECT_EQ(from_cube.triangles, CGAL::extract_interface(dsc).triangles);
+  const auto from_cube = DSC::extract_interface(dsc, 1, 0);
+  const auto into_cube = DSC::extract_interface(dsc, 0, 1);
+  EXPECT_EQ(from_cube.triangles, DSC::extract_interface(dsc).triangles);
   EXPECT_NEAR(measures(from_cube).volume, 1, tolerance);
   EXPECT_NEAR(measures(into_cube).volume, -1, tolerance);
   EXPECT_EQ(into_cube.labels.at(0), (std::array<int, 2>{0, 1}));
@@ -60,7 +62,7 @@ TEST(Extract_interface, points_out_of_the_first_label_of_a_pair) {
 TEST(Extract_interface, is_in_user_coordinates) {
   Complex dsc = make_complex(grid(4, small_meshes::cube));
   dsc.set_normalization({Complex::Approximate_vector_3(10, 20, 30), 2});
-  const auto surface = CGAL::extract_interface(dsc);
+  const auto surface = DSC::extract_interface(dsc);
   EXPECT_NEAR(measures(surface).area, 24, tolerance);
   for (std::size_t i = 0; i < surface.points.size(); ++i)
     EXPECT_EQ(surface.points[i], dsc.user_position(surface.vertices[i]));
@@ -70,22 +72,22 @@ TEST(Extract_interface, is_in_user_coordinates) {
 
 TEST(Extract_interface, of_pairs_of_several_labels) {
   const Complex boxes = make_complex(grid(4, small_meshes::two_boxes));
-  EXPECT_NEAR(measures(CGAL::extract_interface(boxes)).area, 7, tolerance);
-  EXPECT_NEAR(measures(CGAL::extract_interface(boxes, 1, 2)).area, 1, tolerance);
-  EXPECT_NEAR(measures(CGAL::extract_interface(boxes, 0, 2)).area, 3, tolerance);
-  const auto middle = CGAL::extract_interface(boxes, 1, 2);
+  EXPECT_NEAR(measures(DSC::extract_interface(boxes)).area, 7, tolerance);
+  EXPECT_NEAR(measures(DSC::extract_interface(boxes, 1, 2)).area, 1, tolerance);
+  EXPECT_NEAR(measures(DSC::extract_interface(boxes, 0, 2)).area, 3, tolerance);
+  const auto middle = DSC::extract_interface(boxes, 1, 2);
   for (const auto& t : middle.triangles)
     EXPECT_GT(CGAL::normal(middle.points[t[0]], middle.points[t[1]], middle.points[t[2]]).x(), 0);
 
   const Complex phases = make_complex(grid(4, small_meshes::four_phases));
-  EXPECT_NEAR(measures(CGAL::extract_interface(phases)).area, 8, tolerance);
-  EXPECT_NEAR(measures(CGAL::extract_interface(phases, 3, 1)).area, 2, tolerance);
-  EXPECT_TRUE(CGAL::extract_interface(phases, 0, 3).triangles.empty());
+  EXPECT_NEAR(measures(DSC::extract_interface(phases)).area, 8, tolerance);
+  EXPECT_NEAR(measures(DSC::extract_interface(phases, 3, 1)).area, 2, tolerance);
+  EXPECT_TRUE(DSC::extract_interface(phases, 0, 3).triangles.empty());
 }
 
 TEST(Extract_interface, of_two_balls) {
   const Complex dsc = make_complex(grid(16, small_meshes::two_balls));
-  const Measures m = measures(CGAL::extract_interface(dsc));
+  const Measures m = measures(DSC::extract_interface(dsc));
   EXPECT_NEAR(m.volume, dsc.volume(1), tolerance);
   EXPECT_NEAR(m.area, dsc.area(1), tolerance);
   EXPECT_EQ(m.euler_characteristic, dsc.euler_characteristic(1));
@@ -93,16 +95,16 @@ TEST(Extract_interface, of_two_balls) {
 
 TEST(Extract_interface, of_one_label_is_empty) {
   const Complex dsc = make_complex(grid(2, small_meshes::uniform));
-  EXPECT_TRUE(CGAL::extract_interface(dsc).points.empty());
+  EXPECT_TRUE(DSC::extract_interface(dsc).points.empty());
   Mesh mesh;
-  CGAL::interface_to_surface_mesh(CGAL::extract_interface(dsc), mesh);
+  DSC::interface_to_surface_mesh(DSC::extract_interface(dsc), mesh);
   EXPECT_TRUE(mesh.is_empty());
 }
 
 TEST(Interface_to_surface_mesh, is_closed_and_outward_for_a_cube) {
   const Complex dsc = make_complex(grid(4, small_meshes::cube));
   Mesh mesh;
-  CGAL::interface_to_surface_mesh(CGAL::extract_interface(dsc), mesh);
+  DSC::interface_to_surface_mesh(DSC::extract_interface(dsc), mesh);
   EXPECT_TRUE(mesh.is_valid());
   ASSERT_TRUE(CGAL::is_closed(mesh));
   EXPECT_TRUE(PMP::is_outward_oriented(mesh));
@@ -111,9 +113,9 @@ TEST(Interface_to_surface_mesh, is_closed_and_outward_for_a_cube) {
 
 TEST(Interface_to_surface_mesh, is_cut_open_along_triple_lines) {
   const Complex dsc = make_complex(grid(4, small_meshes::four_phases));
-  const auto surface = CGAL::extract_interface(dsc);
+  const auto surface = DSC::extract_interface(dsc);
   Mesh mesh;
-  CGAL::interface_to_surface_mesh(surface, mesh);
+  DSC::interface_to_surface_mesh(surface, mesh);
   EXPECT_TRUE(mesh.is_valid());
   ASSERT_EQ(mesh.number_of_faces(), surface.triangles.size());
   // The line in which the four half planes meet has five vertices.
@@ -133,7 +135,7 @@ TEST(Labelled_surface, of_a_written_interface_is_the_interface) {
   const Temporary_folder folder;
   Complex dsc = make_complex(grid(4, small_meshes::cube));
   set_awkward_normalization(dsc);
-  const auto surface = CGAL::extract_interface(dsc);
+  const auto surface = DSC::extract_interface(dsc);
   for (const std::string extension : {"off", "obj", "ply", "stl", "OFF"}) {
     const std::string path = folder / ("a." + extension);
     CGAL::IO::write_interface(path, dsc);

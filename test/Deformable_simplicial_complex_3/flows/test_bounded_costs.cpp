@@ -1,12 +1,12 @@
 #include "../operation_helpers.h"
 
-#include <CGAL/Curvature_size_field_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Curvature_sizing_field.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/Volume_changer.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/cell_corners.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/Volume_changer.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Labelled_star.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Trapped_cells.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/values/redistribute_contents.h>
@@ -20,6 +20,8 @@
 #include <set>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // What must not become slow where vertices have many neighbors or there are many labels: against
 // slow definitions, to the bit.
@@ -151,12 +153,12 @@ TEST(Edge_collapse, is_proposed_up_to_the_quality_that_it_leaves) {
   EXPECT_GT(proposed, 50);
 }
 
-TEST(Curvature_size_field, is_what_relaxation_over_all_edges_ends_with) {
+TEST(Curvature_sizing_field, is_what_relaxation_over_all_edges_ends_with) {
   const Complex dsc = jittered_grid(8, small_meshes::ball, .3, 1);
-  const CGAL::Interface_snapshot_3<Complex> interface_(dsc);
+  const DSC::Interface_snapshot<Complex> interface_(dsc);
   const auto positions = interface_.positions(dsc);
   static constexpr double tolerance = .002, shortest = .01, longest = 1, gradation = .05;
-  const CGAL::Curvature_size_field_3 not_graded(dsc, tolerance, shortest, longest, 1e100),
+  const DSC::Curvature_sizing_field<3> not_graded(dsc, tolerance, shortest, longest, 1e100),
       graded(dsc, tolerance, shortest, longest, gradation);
   std::vector<double> lengths;
   for (const Position& p : positions)
@@ -276,7 +278,7 @@ TEST(Components, are_known_after_many_relabelings) {
     const auto events = dsc.take_component_events();
     EXPECT_TRUE(dsc.is_valid());
     ++(events.empty() ? known : changed);
-    using Kind = CGAL::Component_event::Kind;
+    using Kind = DSC::Component_event::Kind;
     for (const auto& event : events) // what merges and splits at once is told of twice
       expected[event.label] += (event.kind == Kind::merged ? 1 : event.after.size()) -
                                (event.kind == Kind::split ? 1 : event.before.size());
@@ -319,7 +321,7 @@ TEST(Volume_changer, does_not_need_directions_that_are_zero) {
   const Complex dsc = make_complex(grid(10, [](const Point& p) {
     return small_meshes::two_balls(p) == 0 ? 0 : p.x() < 0 ? 1 : 2;
   }));
-  const CGAL::Interface_snapshot_3<Complex> interface_(dsc);
+  const DSC::Interface_snapshot<Complex> interface_(dsc);
   const auto start = interface_.positions(dsc);
   const internal::Volume_changer<Complex> changer(interface_);
   const std::map<int, double> amounts = {{1, .01}, {2, -.01}};

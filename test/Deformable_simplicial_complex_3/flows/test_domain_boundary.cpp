@@ -1,15 +1,17 @@
 // Interfaces at the boundary of the domain, and domains that grow, in space.
 #include "../mesh_helpers.h"
 
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/grow_domain_3.h>
-#include <CGAL/interface_flows_3.h>
+#include <CGAL/Deformable_simplicial_complexes/grow_domain.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstddef>
 #include <set>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_domain_boundary {
 
@@ -27,7 +29,7 @@ TEST(Domain_boundary_3, stops_an_offset_without_loss_of_volume) {
   double volume = dsc.volume(1);
   std::size_t stopped = 0;
   for (int step = 0; step < 12; ++step) {
-    const auto report = CGAL::advect_interface(dsc, CGAL::Normal_offset_3{.08}, step, 1);
+    const auto report = DSC::advect_interface(dsc, DSC::Normal_offset{.08}, step, 1);
     ASSERT_TRUE(dsc.is_valid());
     EXPECT_GE(dsc.volume(1), volume * (1 - 1e-12)) << step;
     volume = dsc.volume(1);
@@ -47,7 +49,7 @@ TEST(Grow_domain_3, keeps_the_interface_bit_for_bit) {
   };
   const auto before = positions();
   const double volume = dsc.volume(1), edge = dsc.mean_interface_edge();
-  CGAL::grow_domain(dsc);
+  DSC::grow_domain(dsc);
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_EQ(positions(), before);
   EXPECT_NEAR(dsc.volume(1), volume, 1e-12);

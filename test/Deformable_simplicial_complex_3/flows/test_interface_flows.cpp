@@ -1,12 +1,12 @@
 #include "../mesh_helpers.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/Volume_changer.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/face_offsetting_3.h>
-#include <CGAL/improve_interface_3.h>
-#include <CGAL/mean_curvature_flow_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/Volume_changer.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/face_offsetting_3.h>
 
 #include <gtest/gtest.h>
 
@@ -16,6 +16,8 @@
 #include <map>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_interface_flows {
 
 using small_meshes::Complex;
@@ -24,7 +26,7 @@ using small_meshes::make_complex;
 using Position = Complex::Approximate_point_3;
 using Vector = Complex::Approximate_vector_3;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
-using Snapshot = CGAL::Interface_snapshot_3<Complex>;
+using Snapshot = DSC::Interface_snapshot<Complex>;
 
 double length(const Vector& v) { return std::sqrt(v.squared_length()); }
 
@@ -69,7 +71,7 @@ TEST(Mean_curvature, velocities_are_the_gradient_of_the_area) {
   const Snapshot snapshot(dsc);
   const std::vector<Position> positions = snapshot.positions(dsc);
   std::vector<Vector> velocities;
-  CGAL::Mean_curvature_velocity_3()(snapshot, positions, 0, velocities);
+  DSC::Mean_curvature_velocity()(snapshot, positions, 0, velocities);
   const CGAL::Deformable_simplicial_complexes::internal::Tensions<Complex> tensions(snapshot,
                                                                                     positions);
   double total = 0;
@@ -95,7 +97,7 @@ TEST(Mean_curvature, spheres_shrink_as_they_should) {
   static constexpr double r = .6, dt = .005;
   Complex dsc = mesh_helpers::sphere(8, r);
   for (int i = 1; i <= 6; ++i) {
-    EXPECT_TRUE(CGAL::advect_interface(dsc, CGAL::Mean_curvature_flow_3(), i * dt, dt).complete);
+    EXPECT_TRUE(DSC::advect_interface(dsc, DSC::Mean_curvature_flow(), i * dt, dt).complete);
     EXPECT_TRUE(dsc.is_valid());
     EXPECT_NEAR(mean_radius(Snapshot(dsc).positions(dsc)) / std::sqrt(r * r - 4 * i * dt), 1, .01);
   }
@@ -103,7 +105,7 @@ TEST(Mean_curvature, spheres_shrink_as_they_should) {
   Complex by_velocity = mesh_helpers::sphere(8, r);
   for (int i = 1; i <= 20; ++i)
     EXPECT_TRUE(
-        CGAL::advect_interface(by_velocity, CGAL::Mean_curvature_velocity_3(), 0, .001).complete);
+        DSC::advect_interface(by_velocity, DSC::Mean_curvature_velocity(), 0, .001).complete);
   EXPECT_NEAR(mean_radius(Snapshot(by_velocity).positions(by_velocity)) / std::sqrt(r * r - .08), 1,
               .01);
 }
@@ -111,7 +113,7 @@ TEST(Mean_curvature, spheres_shrink_as_they_should) {
 // The difference of a step and two half ones falls with the third power.
 TEST(Mean_curvature, steps_are_of_second_order) {
   const Complex dsc = mesh_helpers::sphere(4, .6);
-  const CGAL::Mean_curvature_flow_3 flow;
+  const DSC::Mean_curvature_flow flow;
   const Snapshot snapshot(dsc);
   const auto error = [&](double dt) {
     const auto whole = destinations(dsc, flow, dt), half = destinations(dsc, flow, dt / 2);
@@ -125,9 +127,9 @@ TEST(Mean_curvature, steps_are_of_second_order) {
 // Long steps are no danger: everything shrinks, in the end to a point.
 TEST(Mean_curvature, steps_of_any_length_are_stable) {
   const Complex dsc = mesh_helpers::sphere(4, .6);
-  for (const Position& p : destinations(dsc, CGAL::Mean_curvature_flow_3(), 1.))
+  for (const Position& p : destinations(dsc, DSC::Mean_curvature_flow(), 1.))
     EXPECT_LT(length(p - CGAL::ORIGIN), .15);
-  for (const Position& p : destinations(dsc, CGAL::Mean_curvature_flow_3(), 1e4))
+  for (const Position& p : destinations(dsc, DSC::Mean_curvature_flow(), 1e4))
     EXPECT_LT(length(p - CGAL::ORIGIN), 1e-3);
 }
 
@@ -136,8 +138,7 @@ TEST(Mean_curvature, flat_films_stay) {
   const Complex dsc = make_complex(grid(8, small_meshes::four_phases));
   const std::vector<Position> before = Snapshot(dsc).positions(dsc);
   for (double dt : {.05, 10.})
-    EXPECT_LT(largest_distance(before, destinations(dsc, CGAL::Mean_curvature_flow_3(), dt)),
-              1e-10);
+    EXPECT_LT(largest_distance(before, destinations(dsc, DSC::Mean_curvature_flow(), dt)), 1e-10);
 }
 
 TEST(Mean_curvature, keeps_the_volumes_of_all_labels) {
@@ -147,8 +148,8 @@ TEST(Mean_curvature, keeps_the_volumes_of_all_labels) {
     volumes[label] = dsc.volume(label);
   double last_area = dsc.area(0) + dsc.area(1) + dsc.area(2);
   for (int i = 0; i < 5; ++i) {
-    EXPECT_TRUE(CGAL::advect_interface(dsc, CGAL::Mean_curvature_flow_3(true), 0, .002,
-                                       parameters::minimum_angle(0))
+    EXPECT_TRUE(DSC::advect_interface(dsc, DSC::Mean_curvature_flow(true), 0, .002,
+                                      parameters::minimum_angle(0))
                     .complete);
     const double area = dsc.area(0) + dsc.area(1) + dsc.area(2);
     EXPECT_LT(area, last_area);
@@ -166,7 +167,7 @@ TEST(Mean_curvature, bubbles_at_rest_stay) {
   };
   const Complex dsc = make_complex(grid(6, bubbles));
   const Snapshot snapshot(dsc);
-  const CGAL::Mean_curvature_flow_3 flow(true);
+  const DSC::Mean_curvature_flow flow(true);
   std::vector<Position> positions = snapshot.positions(dsc), next;
   const auto step = [&](double dt) {
     next.clear();
@@ -186,7 +187,7 @@ TEST(Mean_curvature, bubbles_at_rest_stay) {
 TEST(Mean_curvature, refuses_to_go_back_in_time) {
   Complex dsc = mesh_helpers::sphere(4, .6);
   const auto before = dsc.state();
-  EXPECT_THROW(CGAL::advect_interface(dsc, CGAL::Mean_curvature_flow_3(), 0, -1e-3),
+  EXPECT_THROW(DSC::advect_interface(dsc, DSC::Mean_curvature_flow(), 0, -1e-3),
                CGAL::Deformable_simplicial_complexes::Error);
   EXPECT_TRUE(dsc.state() == before);
 }
@@ -227,7 +228,7 @@ TEST(Face_offset, rounds_what_is_convex) {
   static constexpr double d = .1;
   const Complex dsc = make_complex(grid(8, small_meshes::cube));
   const std::vector<Position> before = Snapshot(dsc).positions(dsc);
-  const std::vector<Position> after = destinations(dsc, CGAL::Face_offset_3(1), d);
+  const std::vector<Position> after = destinations(dsc, DSC::Face_offset_3(1), d);
   for (std::size_t i = 0; i < before.size(); ++i) {
     EXPECT_NEAR(length(after[i] - before[i]), d, 1e-12);
     Vector expected(0, 0, 0); // towards the means of the sides that the vertex is on
@@ -244,14 +245,14 @@ TEST(Face_offset, does_not_depend_on_the_triangles_of_a_side) {
   static constexpr double d = .01;
   Complex dsc = make_complex(grid(4, small_meshes::cube));
   const auto fine_on_one_side = [](const Position& p) { return p.z() > .49 ? .05 : 1.; };
-  CGAL::improve_interface(dsc, parameters::size_field(fine_on_one_side)
-                                   .aggressiveness(0.)
-                                   .interface_split_length(1.)
-                                   .interface_collapse_length(0.)
-                                   .minimum_facet_angle(0.)
-                                   .flip_angle(0.));
+  DSC::improve_interface(dsc, parameters::sizing_field(fine_on_one_side)
+                                  .aggressiveness(0.)
+                                  .interface_split_length(1.)
+                                  .interface_collapse_length(0.)
+                                  .minimum_facet_angle(0.)
+                                  .flip_angle(0.));
   const std::vector<Position> before = Snapshot(dsc).positions(dsc);
-  const std::vector<Position> after = destinations(dsc, CGAL::Face_offset_3(1), d);
+  const std::vector<Position> after = destinations(dsc, DSC::Face_offset_3(1), d);
   EXPECT_GT(before.size(), 500u);
   for (std::size_t i = 0; i < before.size(); ++i)
     if (before[i].z() == .5) {
@@ -264,7 +265,7 @@ TEST(Face_offset, does_not_depend_on_the_triangles_of_a_side) {
 TEST(Face_offset, keeps_what_is_concave_sharp) {
   static constexpr double d = .1;
   const Complex dsc = make_complex(grid(8, small_meshes::cube));
-  for (const Position& p : destinations(dsc, CGAL::Face_offset_3(-1), d))
+  for (const Position& p : destinations(dsc, DSC::Face_offset_3(-1), d))
     EXPECT_NEAR(maximum_norm(p), .5 - d, 1e-12);
 }
 
@@ -274,12 +275,12 @@ TEST(Face_offset, goes_outwards_at_a_thin_rim) {
     return small_meshes::cube(p) == 1 && p.z() > 0 && p.x() > p.z() ? 1 : 0;
   };
   Complex dsc = make_complex(grid(4, wedge)); // its rim is on the y axis
-  CGAL::deform_interface(dsc, [&](Complex::Vertex_handle v) {
+  DSC::deform_interface(dsc, [&](Complex::Vertex_handle v) {
     const Position p = dsc.position(v);
     return mesh_helpers::exact_point(dsc, {p.x(), p.y(), .1 * p.z()});
   });
   const std::vector<Position> before = Snapshot(dsc).positions(dsc);
-  const std::vector<Position> after = destinations(dsc, CGAL::Face_offset_3(1), .05);
+  const std::vector<Position> after = destinations(dsc, DSC::Face_offset_3(1), .05);
   bool is_rim_there = false;
   for (std::size_t i = 0; i < before.size(); ++i)
     if (before[i] == Position(0, 0, 0)) {
@@ -295,7 +296,7 @@ TEST(Face_offset, stays_on_the_sides_of_the_domain) {
   const auto slope = [](const small_meshes::Point& p) { return p.x() > p.y() ? 1 : 0; };
   const Complex dsc = make_complex(grid(4, slope));
   const std::vector<Position> before = Snapshot(dsc).positions(dsc);
-  const std::vector<Position> after = destinations(dsc, CGAL::Face_offset_3(1), .1);
+  const std::vector<Position> after = destinations(dsc, DSC::Face_offset_3(1), .1);
   for (std::size_t i = 0; i < before.size(); ++i)
     if (std::abs(before[i].z()) == 1 && std::abs(before[i].x()) < 1) {
       EXPECT_NEAR(after[i].z(), before[i].z(), 1e-12);
@@ -305,13 +306,13 @@ TEST(Face_offset, stays_on_the_sides_of_the_domain) {
 
 TEST(Face_offset, refuses_thresholds_out_of_range) {
   for (double bad : {-.1, 1., std::nan("")})
-    EXPECT_THROW(CGAL::Face_offset_3(1, bad), CGAL::Deformable_simplicial_complexes::Error);
+    EXPECT_THROW(DSC::Face_offset_3(1, bad), CGAL::Deformable_simplicial_complexes::Error);
 }
 
 TEST(Face_offset, keeps_walls_between_labels_in_their_planes) {
   const Complex dsc = make_complex(grid(8, small_meshes::two_boxes));
   const std::vector<Position> before = Snapshot(dsc).positions(dsc);
-  const std::vector<Position> after = destinations(dsc, CGAL::Face_offset_3(1), .05);
+  const std::vector<Position> after = destinations(dsc, DSC::Face_offset_3(1), .05);
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (before[i].x() == 0) {
       EXPECT_NEAR(after[i].x(), 0, 1e-12);
@@ -326,10 +327,10 @@ TEST(Face_offset, spheres_grow_and_shrink_by_the_offset) {
   for (double speed : {-1., 1.}) {
     Complex dsc = mesh_helpers::sphere(8, .6);
     const std::vector<Position> before = Snapshot(dsc).positions(dsc);
-    const std::vector<Position> after = destinations(dsc, CGAL::Face_offset_3(speed, .2), .05);
+    const std::vector<Position> after = destinations(dsc, DSC::Face_offset_3(speed, .2), .05);
     for (std::size_t i = 0; i < before.size(); ++i)
       EXPECT_NEAR(length(after[i] - before[i]), .05, 1e-12);
-    EXPECT_TRUE(CGAL::advect_interface(dsc, CGAL::Face_offset_3(speed, .2), 0, .05).complete);
+    EXPECT_TRUE(DSC::advect_interface(dsc, DSC::Face_offset_3(speed, .2), 0, .05).complete);
     EXPECT_NEAR(mean_radius(Snapshot(dsc).positions(dsc)), .6 + speed * .05, 1e-3);
   }
 }
@@ -340,7 +341,7 @@ TEST(Advective_face_offset, moves_across_the_interface_only) {
   const auto field = [&](const Position&, double) { return velocity; };
   const Complex dsc = make_complex(grid(8, small_meshes::cube));
   const std::vector<Position> before = Snapshot(dsc).positions(dsc);
-  const auto after = destinations(dsc, CGAL::Advective_face_offset_3<decltype(field)>(field), .5);
+  const auto after = destinations(dsc, DSC::Advective_face_offset_3<decltype(field)>(field), .5);
   for (std::size_t i = 0; i < before.size(); ++i)
     for (int k = 0; k < 3; ++k)
       EXPECT_NEAR(after[i][k], before[i][k] + (std::abs(before[i][k]) == .5 ? .5 * velocity[k] : 0),
@@ -353,7 +354,7 @@ TEST(Advective_face_offset, slides_along_the_sides_of_the_domain) {
   const auto field = [](const Position&, double) { return Vector(1, 0, 0); };
   const Complex dsc = make_complex(grid(4, slope));
   const std::vector<Position> before = Snapshot(dsc).positions(dsc);
-  const auto after = destinations(dsc, CGAL::Advective_face_offset_3<decltype(field)>(field), .1);
+  const auto after = destinations(dsc, DSC::Advective_face_offset_3<decltype(field)>(field), .1);
   for (std::size_t i = 0; i < before.size(); ++i)
     if (before[i].x() > -1) {
       EXPECT_NEAR(after[i].x() - after[i].z(), -.9, 1e-12);

@@ -2,8 +2,8 @@
 #include "../short_edge.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
-#include <CGAL/control_detail_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,8 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Splits of long edges and collapses of short ones, by thresholds and by size fields.
 
@@ -42,8 +44,8 @@ TEST(Control_detail, splits_long_edges_of_the_interface) {
   const double limit = 1.1 * dsc.mean_interface_edge();
   ASSERT_TRUE(.5 < limit && limit < std::sqrt(.5));
   const auto np = parameters::collapse_length(0.).interface_split_length(1.1);
-  EXPECT_EQ(number_of_changes(CGAL::control_detail(dsc, np)), 0u); // it may not change
-  const auto report = CGAL::control_detail(dsc, np.change_interface(true));
+  EXPECT_EQ(number_of_changes(DSC::control_detail(dsc, np)), 0u); // it may not change
+  const auto report = DSC::control_detail(dsc, np.change_interface(true));
   EXPECT_EQ(report.split, 24u);
   EXPECT_EQ(number_of_changes(report), 24u);
   EXPECT_TRUE(dsc.is_valid());
@@ -56,8 +58,8 @@ TEST(Control_detail, splits_long_edges_of_the_interface) {
 TEST(Control_detail, follows_the_size_field) {
   const auto number_of_splits = [](const auto& size) {
     Complex dsc = make_complex(grid(2, small_meshes::uniform));
-    const auto report = CGAL::control_detail(
-        dsc, parameters::size_field(size).split_length(1.5).collapse_length(0.));
+    const auto report = DSC::control_detail(
+        dsc, parameters::sizing_field(size).split_length(1.5).collapse_length(0.));
     EXPECT_TRUE(dsc.is_valid());
     EXPECT_EQ(number_of_changes(report), report.split);
     EXPECT_EQ(dsc.number_of_vertices(), 27 + report.split);
@@ -85,7 +87,7 @@ TEST(Control_detail, gives_the_interface_room_to_move) {
     const Vertex_handle v = e.first->vertex(e.second), w = e.first->vertex(e.third);
     tied += (v->is_interface() && dsc.is_boundary(w)) || (w->is_interface() && dsc.is_boundary(v));
   }
-  const auto report = CGAL::control_detail(dsc, parameters::collapse_length(0.));
+  const auto report = DSC::control_detail(dsc, parameters::collapse_length(0.));
   EXPECT_GT(tied, 20u);
   EXPECT_EQ(report.split, tied);
   EXPECT_EQ(number_of_changes(report), tied);
@@ -96,7 +98,7 @@ TEST(Control_detail, gives_the_interface_room_to_move) {
 }
 
 TEST(Control_detail, coarsens_the_inside_of_labels_only) {
-  struct Visitor : public CGAL::Deformation_visitor_3
+  struct Visitor : public DSC::Deformation_visitor
   {
     void after_split(Vertex_handle, Vertex_handle, Vertex_handle) { ++split; }
     void before_collapse(Vertex_handle removed, Vertex_handle kept) {
@@ -110,7 +112,7 @@ TEST(Control_detail, coarsens_the_inside_of_labels_only) {
   const auto triangles = interface_triangles(dsc);
   const std::size_t vertices = dsc.number_of_vertices();
   Visitor visitor;
-  const auto report = CGAL::control_detail(dsc, parameters::visitor(std::ref(visitor)));
+  const auto report = DSC::control_detail(dsc, parameters::visitor(std::ref(visitor)));
   EXPECT_GT(report.collapsed, 5u);
   EXPECT_EQ(report.collapsed, visitor.collapsed);
   EXPECT_EQ(report.split, visitor.split);
@@ -125,7 +127,7 @@ TEST(Control_detail, makes_no_cell_below_the_quality_asked_for) {
   for (double bound : {.1, .25, .4}) {
     Complex dsc = make_complex(grid(6, small_meshes::uniform));
     const auto size = [](const Approximate_point&) { return 1.; };
-    CGAL::control_detail(dsc, parameters::size_field(size).collapse_quality(bound));
+    DSC::control_detail(dsc, parameters::sizing_field(size).collapse_quality(bound));
     EXPECT_TRUE(dsc.is_valid());
     EXPECT_GE(minimum_quality(dsc), bound);
   }
@@ -133,8 +135,8 @@ TEST(Control_detail, makes_no_cell_below_the_quality_asked_for) {
 
 TEST(Control_detail, makes_no_edge_that_it_would_split) {
   Complex dsc = make_complex(grid(4, small_meshes::uniform));
-  const auto report = CGAL::control_detail(
-      dsc, parameters::size_field([](const Approximate_point&) { return 1.; }).split_length(1.3));
+  const auto report = DSC::control_detail(
+      dsc, parameters::sizing_field([](const Approximate_point&) { return 1.; }).split_length(1.3));
   EXPECT_GT(report.collapsed, 0u);
   EXPECT_EQ(report.split, 0u);
   EXPECT_TRUE(dsc.is_valid());
@@ -146,9 +148,9 @@ TEST(Control_detail, collapses_short_edges_of_the_interface_if_it_may) {
   Complex& dsc = mesh.dsc;
   const auto state = dsc.state();
   const auto np = parameters::collapse_length(0.);
-  EXPECT_EQ(number_of_changes(CGAL::control_detail(dsc, np)), 0u);
+  EXPECT_EQ(number_of_changes(DSC::control_detail(dsc, np)), 0u);
   EXPECT_TRUE(dsc.state() == state);
-  const auto report = CGAL::control_detail(dsc, np.change_interface(true));
+  const auto report = DSC::control_detail(dsc, np.change_interface(true));
   EXPECT_EQ(report.collapsed, 1u);
   EXPECT_EQ(number_of_changes(report), 1u);
   EXPECT_TRUE(dsc.is_valid());
@@ -160,10 +162,10 @@ TEST(Control_detail, keeps_the_topology_and_is_deterministic) {
   const auto run = [](unsigned seed) {
     Complex dsc = jittered_grid(4, small_meshes::two_boxes, .3, seed);
     const Complex before = dsc;
-    CGAL::control_detail(dsc, parameters::change_interface(true)
-                                  .interface_split_length(1.3)
-                                  .interface_collapse_length(1.)
-                                  .collapse_quality(.05));
+    DSC::control_detail(dsc, parameters::change_interface(true)
+                                 .interface_split_length(1.3)
+                                 .interface_collapse_length(1.)
+                                 .collapse_quality(.05));
     EXPECT_TRUE(dsc.is_valid());
     EXPECT_NEAR(volume_of_domain(dsc), 8, tolerance);
     EXPECT_EQ(dsc.labels(), before.labels());
@@ -181,33 +183,33 @@ TEST(Control_detail, keeps_the_topology_and_is_deterministic) {
 TEST(Control_detail, without_interface_and_size_field_does_nothing) {
   Complex dsc = jittered_grid(4, small_meshes::uniform, .3, 1);
   const auto state = dsc.state();
-  EXPECT_EQ(number_of_changes(CGAL::control_detail(dsc, parameters::change_interface(true))), 0u);
+  EXPECT_EQ(number_of_changes(DSC::control_detail(dsc, parameters::change_interface(true))), 0u);
   EXPECT_TRUE(dsc.state() == state);
   Complex empty;
-  EXPECT_EQ(number_of_changes(CGAL::control_detail(empty)), 0u);
+  EXPECT_EQ(number_of_changes(DSC::control_detail(empty)), 0u);
 }
 
 // Of an interface that was not there when the complex was built
 TEST(Control_detail, needs_a_length) {
   Complex dsc = make_complex(grid(4, small_meshes::uniform));
   dsc.relabel(dsc.cells().front(), 1);
-  expect_error(dsc, [&](Complex& copy) { CGAL::control_detail(copy); });
-  CGAL::control_detail(
-      dsc, parameters::size_field([](const Complex::Approximate_point_3&) { return 1.; }));
+  expect_error(dsc, [&](Complex& copy) { DSC::control_detail(copy); });
+  DSC::control_detail(
+      dsc, parameters::sizing_field([](const Complex::Approximate_point_3&) { return 1.; }));
   dsc.measure_interface_edges();
-  CGAL::control_detail(dsc);
+  DSC::control_detail(dsc);
   EXPECT_TRUE(dsc.is_valid());
 }
 
 TEST(Control_detail, refuses_values_out_of_range) {
   const Complex dsc = make_complex(grid(2, small_meshes::four_phases));
   const auto refuses = [&](const auto& np) {
-    expect_error(dsc, [&](Complex& copy) { CGAL::control_detail(copy, np); });
+    expect_error(dsc, [&](Complex& copy) { DSC::control_detail(copy, np); });
   };
   for (double value : {-1., 0., not_a_number}) {
     refuses(parameters::split_length(value));
     refuses(parameters::interface_split_length(value));
-    refuses(parameters::size_field([value](const Approximate_point&) { return value; }));
+    refuses(parameters::sizing_field([value](const Approximate_point&) { return value; }));
   }
   for (double value : {-1., not_a_number}) {
     refuses(parameters::collapse_length(value));

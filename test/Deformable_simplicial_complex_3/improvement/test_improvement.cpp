@@ -1,8 +1,8 @@
 #include "../mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
-#include <CGAL/improve_mesh_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,8 @@
 #include <set>
 #include <stdexcept>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_improvement {
 
@@ -31,10 +33,10 @@ namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 // Improves a complex and looks at what must not change.
 template <class NamedParameters>
-CGAL::Improvement_report improve(Complex& dsc, const NamedParameters& np) {
+DSC::Improvement_report improve(Complex& dsc, const NamedParameters& np) {
   const auto triangles = interface_triangles(dsc);
   const Complex before = dsc;
-  const auto report = CGAL::improve_mesh(dsc, np);
+  const auto report = DSC::improve_mesh(dsc, np);
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_TRUE(interface_triangles(dsc) == triangles);
   EXPECT_GE(minimum_quality(dsc), minimum_quality(before));
@@ -46,7 +48,7 @@ CGAL::Improvement_report improve(Complex& dsc, const NamedParameters& np) {
   return report;
 }
 
-std::size_t number_of_changes(const CGAL::Improvement_report& r) {
+std::size_t number_of_changes(const DSC::Improvement_report& r) {
   return r.split + r.collapsed + r.flipped + r.smoothed;
 }
 
@@ -63,7 +65,7 @@ int middle(const Point& p) {
   return (std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}) < 1. / 3 ? 1 : 0;
 }
 
-struct Counting_visitor : public CGAL::Deformation_visitor_3
+struct Counting_visitor : public DSC::Deformation_visitor
 {
   void after_split(Vertex_handle, Vertex_handle, Vertex_handle) { ++split; }
   void before_collapse(Vertex_handle, Vertex_handle) { ++collapsed; }
@@ -99,7 +101,7 @@ TEST(Improve_mesh, removes_most_bad_cells) {
 TEST(Improve_mesh, is_deterministic) {
   const auto run = [] {
     Complex dsc = jittered_grid(4, small_meshes::ball, .45, 2);
-    CGAL::improve_mesh(dsc, parameters::quality_threshold(.5));
+    DSC::improve_mesh(dsc, parameters::quality_threshold(.5));
     return dsc.state();
   };
   EXPECT_TRUE(run() == run());
@@ -114,7 +116,7 @@ TEST(Improve_mesh, leaves_a_good_mesh_alone) {
     EXPECT_EQ(number_of_changes(improve(dsc, mode.number_of_iterations(0u))), 0u);
     EXPECT_TRUE(dsc.state() == state);
     Complex empty;
-    EXPECT_EQ(number_of_changes(CGAL::improve_mesh(empty, mode)), 0u);
+    EXPECT_EQ(number_of_changes(DSC::improve_mesh(empty, mode)), 0u);
   }
 }
 
@@ -129,7 +131,7 @@ TEST(Improve_mesh, tells_the_visitor_of_each_change) {
 }
 
 TEST(Improve_mesh, exception_of_the_visitor_leaves_a_valid_complex) {
-  struct Throwing_visitor : public CGAL::Deformation_visitor_3
+  struct Throwing_visitor : public DSC::Deformation_visitor
   {
     void after_flip(const std::vector<Cell_handle>&) {
       if (++flipped == 3)
@@ -140,7 +142,7 @@ TEST(Improve_mesh, exception_of_the_visitor_leaves_a_valid_complex) {
   Complex dsc = jittered_grid(4, small_meshes::ball, .45, 5);
   const auto triangles = interface_triangles(dsc);
   Throwing_visitor visitor;
-  EXPECT_THROW(CGAL::improve_mesh(dsc, parameters::visitor(std::ref(visitor))), std::runtime_error);
+  EXPECT_THROW(DSC::improve_mesh(dsc, parameters::visitor(std::ref(visitor))), std::runtime_error);
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_TRUE(interface_triangles(dsc) == triangles);
 }
@@ -175,7 +177,7 @@ TEST(Improve_mesh, around_a_small_interface) {
 }
 
 TEST(Improve_mesh, inserts_vertices_and_tells_so) {
-  struct Visitor : public CGAL::Deformation_visitor_3
+  struct Visitor : public DSC::Deformation_visitor
   {
     void after_insertion(Vertex_handle v) {
       EXPECT_FALSE(v->is_interface());
@@ -195,7 +197,7 @@ TEST(Improve_mesh, inserts_vertices_and_tells_so) {
 }
 
 // Keeps a list of the vertices by what it is told.
-struct Bookkeeper : public CGAL::Deformation_visitor_3
+struct Bookkeeper : public DSC::Deformation_visitor
 {
   explicit Bookkeeper(const Complex& dsc) {
     for (Vertex_handle v : dsc.vertices())
@@ -269,7 +271,7 @@ TEST(Improve_mesh, aggressively_twice_gives_the_same_bits) {
   const Complex initial = jittered_grid(3, small_meshes::two_boxes, .45, 5);
   Complex one = initial, two = initial;
   for (Complex* dsc : {&one, &two})
-    CGAL::improve_mesh(*dsc, parameters::aggressive(true));
+    DSC::improve_mesh(*dsc, parameters::aggressive(true));
   EXPECT_TRUE(one.state() == two.state());
 }
 
@@ -292,7 +294,7 @@ TEST(Improve_mesh, smooths_the_interface_only_on_request) {
   Complex fixed = dsc;
   improve(fixed, parameters::quality_threshold(.4));
   const double wall = dsc.area(1, 2), area = dsc.area(0);
-  CGAL::improve_mesh(dsc, parameters::quality_threshold(.4).smooth_interface(true));
+  DSC::improve_mesh(dsc, parameters::quality_threshold(.4).smooth_interface(true));
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_EQ(dsc.position(middle).x(), 0);
   EXPECT_FALSE(middle->point() == Point(0, .47, .48));

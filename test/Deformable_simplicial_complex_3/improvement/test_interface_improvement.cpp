@@ -1,11 +1,11 @@
 #include "../betti_numbers.h"
 #include "../mesh_helpers.h"
 
-#include <CGAL/Curvature_size_field_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/geometry/triangle_quality.h>
-#include <CGAL/Deformable_simplicial_complex_3/null_space_smoothing_3.h>
-#include <CGAL/improve_interface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Curvature_sizing_field.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/triangle_quality.h>
+#include <CGAL/Deformable_simplicial_complexes/null_space_smoothing_3.h>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +17,8 @@
 #include <limits>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_interface_improvement {
 
@@ -90,7 +92,7 @@ TEST(Null_space_smoothing, moves_within_sides_and_edges) {
   for (Vertex_handle v : vertices)
     before.push_back(dsc.position(v));
   const double worst = worst_facet(dsc), volume = dsc.volume(1);
-  const auto report = CGAL::improve_interface(dsc, only_smoothing.number_of_iterations(20));
+  const auto report = DSC::improve_interface(dsc, only_smoothing.number_of_iterations(20));
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_GT(report.smoothed, 50u);
   EXPECT_EQ(report.split + report.flipped, 0u);
@@ -127,7 +129,7 @@ TEST(Null_space_smoothing, proposes_the_mean_of_the_centroids) {
     area += dsc.area(f);
   }
   Complex::Point_3 target;
-  ASSERT_TRUE(CGAL::propose_null_space_position(dsc, v, star, .025, 1., 0., target));
+  ASSERT_TRUE(DSC::propose_null_space_position(dsc, v, star, .025, 1., 0., target));
   EXPECT_NEAR(target.x(), sum.x() / area, 1e-14);
   EXPECT_NEAR(target.y(), sum.y() / area, 1e-14);
   EXPECT_NEAR(target.z(), .5, 1e-14);
@@ -152,8 +154,8 @@ TEST(Null_space_smoothing, keeps_edges_of_thin_sides) {
     std::size_t left = 0;
     for (Vertex_handle v : dsc.interface_vertices()) {
       dsc.star(v, star);
-      if (CGAL::propose_null_space_position(dsc, v, star, .025, feature_angle * right_angle, 0.,
-                                            target))
+      if (DSC::propose_null_space_position(dsc, v, star, .025, feature_angle * right_angle, 0.,
+                                           target))
         left += number_of_sides(dsc.position(v)) > number_of_sides(approximate(target));
     }
     EXPECT_EQ(left > 0, feature_angle > 1);
@@ -174,7 +176,7 @@ TEST(Null_space_smoothing, leaves_lines_between_labels_and_the_boundary) {
           labels.push_back(c->label());
       std::sort(labels.begin(), labels.end());
       labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
-      if (!CGAL::propose_null_space_position(dsc, v, star, .9, 1., 0., target))
+      if (!DSC::propose_null_space_position(dsc, v, star, .9, 1., 0., target))
         continue;
       ++proposed;
       EXPECT_EQ(labels.size(), 2u);
@@ -187,8 +189,8 @@ TEST(Null_space_smoothing, leaves_lines_between_labels_and_the_boundary) {
 TEST(Improve_interface, splits_long_edges) {
   Complex dsc = make_complex(grid(4, small_meshes::cube));
   const double wanted = .3, volume = dsc.volume(1);
-  const auto report = CGAL::improve_interface(
-      dsc, only_smoothing.aggressiveness(0.).interface_split_length(1.).size_field(
+  const auto report = DSC::improve_interface(
+      dsc, only_smoothing.aggressiveness(0.).interface_split_length(1.).sizing_field(
                [wanted](const Position&) { return wanted; }));
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_GT(report.split, 0u);
@@ -201,7 +203,7 @@ TEST(Improve_interface, splits_on_the_smooth_surface) {
   static constexpr double r = .6;
   const auto sum_of_errors = [](bool curved) {
     Complex dsc = mesh_helpers::sphere(16, r);
-    CGAL::improve_interface(
+    DSC::improve_interface(
         dsc, only_smoothing.aggressiveness(0.).interface_split_length(.9).curved_splits(curved));
     EXPECT_TRUE(dsc.is_valid());
     double sum = 0;
@@ -216,7 +218,7 @@ TEST(Improve_interface, splits_on_the_smooth_surface) {
 TEST(Improve_interface, curved_splits_keep_features) {
   Complex dsc = make_complex(grid(4, small_meshes::cube));
   const double volume = dsc.volume(1);
-  const auto report = CGAL::improve_interface(
+  const auto report = DSC::improve_interface(
       dsc, only_smoothing.aggressiveness(0.).interface_split_length(.6).curved_splits(true));
   EXPECT_GT(report.split, 0u);
   for (Vertex_handle v : dsc.interface_vertices())
@@ -229,7 +231,7 @@ TEST(Improve_interface, collapses_short_edges_within_a_bound_on_the_volume) {
     Complex dsc = mesh_helpers::sphere(8, .6);
     const std::size_t vertices = dsc.interface_vertices().size();
     const double volume = dsc.volume(1);
-    const auto report = CGAL::improve_interface(
+    const auto report = DSC::improve_interface(
         dsc,
         only_smoothing.aggressiveness(0.).interface_collapse_length(.9).swept_volume(swept_volume));
     EXPECT_TRUE(dsc.is_valid());
@@ -262,7 +264,7 @@ TEST(Improve_interface, flips_edges_of_flat_parts) {
   const double volume = flat.volume(1);
   const int before = violations(flat);
   ASSERT_GT(before, 4);
-  CGAL::improve_interface(flat, flipping.number_of_iterations(3));
+  DSC::improve_interface(flat, flipping.number_of_iterations(3));
   EXPECT_TRUE(flat.is_valid());
   EXPECT_LT(violations(flat), before / 2);
   EXPECT_NEAR(flat.volume(1), volume, 1e-13);
@@ -271,7 +273,7 @@ TEST(Improve_interface, flips_edges_of_flat_parts) {
 
   Complex bent = mesh_helpers::sphere(4, .6); // facets meet at more than 5 degrees
   const auto facets = mesh_helpers::interface_triangles(bent);
-  CGAL::improve_interface(bent, flipping);
+  DSC::improve_interface(bent, flipping);
   EXPECT_EQ(mesh_helpers::interface_triangles(bent), facets);
 }
 
@@ -292,11 +294,11 @@ TEST(Improve_interface, random_complexes) {
                         .curved_splits(seed % 3 == 0)
                         .number_of_iterations(2);
     Complex dsc = input, again = input;
-    CGAL::improve_interface(dsc, np);
+    DSC::improve_interface(dsc, np);
     EXPECT_TRUE(dsc.is_valid());
     EXPECT_TRUE(betti_numbers::of_complex(dsc) == topology);
     EXPECT_EQ(dsc.labels(), input.labels());
-    CGAL::improve_interface(again, np);
+    DSC::improve_interface(again, np);
     EXPECT_TRUE(dsc.state() == again.state());
   }
 }
@@ -306,10 +308,10 @@ TEST(Improve_interface, keeps_features) {
   for (unsigned seed = 0; seed < 3; ++seed) {
     Complex dsc = disturbed_cube(seed);
     const double volume = dsc.volume(1);
-    const auto report = CGAL::improve_interface(dsc, parameters::interface_collapse_length(.9)
-                                                         .minimum_facet_angle(30.)
-                                                         .swept_volume(1.)
-                                                         .number_of_iterations(3));
+    const auto report = DSC::improve_interface(dsc, parameters::interface_collapse_length(.9)
+                                                        .minimum_facet_angle(30.)
+                                                        .swept_volume(1.)
+                                                        .number_of_iterations(3));
     EXPECT_TRUE(dsc.is_valid());
     EXPECT_GT(report.collapsed, 10u);
     EXPECT_NEAR(dsc.volume(1), volume, 1e-12);
@@ -328,28 +330,28 @@ TEST(Improve_interface, curved_splits_stay_on_the_boundary) {
     return p.z() < -.5 - std::abs(p.y()) ? 1 : 0;
   };
   Complex dsc = make_complex(grid(4, ridge));
-  CGAL::improve_interface(dsc, parameters::curved_splits(true).interface_split_length(.6));
+  DSC::improve_interface(dsc, parameters::curved_splits(true).interface_split_length(.6));
   EXPECT_TRUE(dsc.is_valid());
 }
 
 TEST(Improve_interface, needs_a_length) {
   Complex dsc = make_complex(grid(4, small_meshes::uniform));
   dsc.relabel(dsc.cells().front(), 1); // an interface that was not there when it was built
-  EXPECT_THROW(CGAL::improve_interface(dsc), CGAL::Deformable_simplicial_complexes::Error);
-  CGAL::improve_interface(dsc, parameters::size_field([](const Position&) { return 1.; }));
+  EXPECT_THROW(DSC::improve_interface(dsc), CGAL::Deformable_simplicial_complexes::Error);
+  DSC::improve_interface(dsc, parameters::sizing_field([](const Position&) { return 1.; }));
   dsc.measure_interface_edges();
-  CGAL::improve_interface(dsc);
+  DSC::improve_interface(dsc);
   EXPECT_TRUE(dsc.is_valid());
 }
 
 TEST(Improve_interface, removes_small_angles) {
   Complex dsc = mesh_helpers::jittered_grid(6, small_meshes::ball, .45, 8);
   const double worst = worst_facet(dsc);
-  const auto report = CGAL::improve_interface(dsc, only_smoothing.aggressiveness(0.)
-                                                       .feature_angle(180.)
-                                                       .minimum_facet_angle(30.)
-                                                       .swept_volume(1.)
-                                                       .number_of_iterations(3));
+  const auto report = DSC::improve_interface(dsc, only_smoothing.aggressiveness(0.)
+                                                      .feature_angle(180.)
+                                                      .minimum_facet_angle(30.)
+                                                      .swept_volume(1.)
+                                                      .number_of_iterations(3));
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_GT(report.flipped + report.collapsed, 0u);
   EXPECT_GT(worst_facet(dsc), worst);
@@ -361,75 +363,75 @@ TEST(Improve_interface, refuses_parameters_out_of_range) {
   const double nan = std::nan("");
   using CGAL::Deformable_simplicial_complexes::Error;
   for (double bad : {-.1, 1., nan})
-    EXPECT_THROW(CGAL::improve_interface(dsc, parameters::aggressiveness(bad)), Error);
+    EXPECT_THROW(DSC::improve_interface(dsc, parameters::aggressiveness(bad)), Error);
   for (double bad : {-1., 91., nan})
-    EXPECT_THROW(CGAL::improve_interface(dsc, parameters::flip_angle(bad)), Error);
+    EXPECT_THROW(DSC::improve_interface(dsc, parameters::flip_angle(bad)), Error);
   for (double bad : {-1., 181., nan})
-    EXPECT_THROW(CGAL::improve_interface(dsc, parameters::feature_angle(bad)), Error);
+    EXPECT_THROW(DSC::improve_interface(dsc, parameters::feature_angle(bad)), Error);
   for (double bad : {-1., 31., nan})
-    EXPECT_THROW(CGAL::improve_interface(dsc, parameters::minimum_facet_angle(bad)), Error);
+    EXPECT_THROW(DSC::improve_interface(dsc, parameters::minimum_facet_angle(bad)), Error);
   for (double bad : {-1., 0., nan})
-    EXPECT_THROW(CGAL::improve_interface(dsc, parameters::interface_split_length(bad)), Error);
+    EXPECT_THROW(DSC::improve_interface(dsc, parameters::interface_split_length(bad)), Error);
   for (double bad : {-1., nan}) {
-    EXPECT_THROW(CGAL::improve_interface(dsc, parameters::interface_collapse_length(bad)), Error);
-    EXPECT_THROW(CGAL::improve_interface(dsc, parameters::swept_volume(bad)), Error);
-    EXPECT_THROW(CGAL::improve_interface(dsc, parameters::quality_threshold(bad)), Error);
+    EXPECT_THROW(DSC::improve_interface(dsc, parameters::interface_collapse_length(bad)), Error);
+    EXPECT_THROW(DSC::improve_interface(dsc, parameters::swept_volume(bad)), Error);
+    EXPECT_THROW(DSC::improve_interface(dsc, parameters::quality_threshold(bad)), Error);
   }
-  EXPECT_THROW(CGAL::improve_interface(dsc, parameters::number_of_iterations(-1)), Error);
+  EXPECT_THROW(DSC::improve_interface(dsc, parameters::number_of_iterations(-1)), Error);
   EXPECT_TRUE(dsc.state() == before);
 }
 
-TEST(Curvature_size_field, of_a_sphere) {
+TEST(Curvature_sizing_field, of_a_sphere) {
   static constexpr double r = .6, tolerance = .002;
   const Complex dsc = mesh_helpers::sphere(8, r);
-  const CGAL::Curvature_size_field_3 size(dsc, tolerance, .01, 1.);
+  const DSC::Curvature_sizing_field<3> size(dsc, tolerance, .01, 1.);
   const double expected = std::sqrt(8 * tolerance * r);
   for (Vertex_handle v : dsc.interface_vertices())
     EXPECT_NEAR(size(dsc.position(v)), expected, .15 * expected);
-  const CGAL::Curvature_size_field_3 bounded(dsc, tolerance, .2, .3);
+  const DSC::Curvature_sizing_field<3> bounded(dsc, tolerance, .2, .3);
   EXPECT_EQ(bounded({r, 0, 0}), .2);
-  EXPECT_EQ(CGAL::Curvature_size_field_3(dsc, 1., .2, .3)({r, 0, 0}), .3);
+  EXPECT_EQ(DSC::Curvature_sizing_field<3>(dsc, 1., .2, .3)({r, 0, 0}), .3);
 }
 
 // Short at the edges of a cube and at the first vertices that see them, longer the farther from
 // there, and as long as may be without an interface.
-TEST(Curvature_size_field, is_graded) {
+TEST(Curvature_sizing_field, is_graded) {
   const Complex dsc = make_complex(grid(16, small_meshes::cube));
-  const CGAL::Curvature_size_field_3 size(dsc, 1e-6, .01, 1., .5);
+  const DSC::Curvature_sizing_field<3> size(dsc, 1e-6, .01, 1., .5);
   EXPECT_EQ(size({.5, .5, 0}), .01);
   EXPECT_EQ(size({.5, .375, 0}), .01);
   EXPECT_NEAR(size({.5, .25, 0}), .01 + .5 * .125, 1e-12);
   EXPECT_NEAR(size({.5, .125, 0}), .01 + .5 * .25, 1e-12);
-  const CGAL::Curvature_size_field_3 slowly(dsc, 1e-6, .01, 1., .05);
+  const DSC::Curvature_sizing_field<3> slowly(dsc, 1e-6, .01, 1., .05);
   EXPECT_NEAR(slowly({.5, 0, 0}), .01 + .05 * .375, 1e-12);
   const Complex nothing = make_complex(grid(2, small_meshes::uniform));
-  EXPECT_EQ(CGAL::Curvature_size_field_3(nothing, 1e-6, .01, 1.)({0, 0, 0}), 1);
+  EXPECT_EQ(DSC::Curvature_sizing_field<3>(nothing, 1e-6, .01, 1.)({0, 0, 0}), 1);
 }
 
 // The edges of a cube are sharp by intent, those of a sphere are not.
-TEST(Curvature_size_field, leaves_out_sharp_edges) {
+TEST(Curvature_sizing_field, leaves_out_sharp_edges) {
   const Complex cube = make_complex(grid(16, small_meshes::cube));
-  const CGAL::Curvature_size_field_3 of_cube(cube, 1e-6, .01, 1., .5, 60.);
+  const DSC::Curvature_sizing_field<3> of_cube(cube, 1e-6, .01, 1., .5, 60.);
   for (Vertex_handle v : cube.interface_vertices())
     EXPECT_EQ(of_cube(cube.position(v)), 1);
-  EXPECT_EQ(CGAL::Curvature_size_field_3(cube, 1e-6, .01, 1., .5, 91.)({.5, .5, 0}), .01);
+  EXPECT_EQ(DSC::Curvature_sizing_field<3>(cube, 1e-6, .01, 1., .5, 91.)({.5, .5, 0}), .01);
   const Complex sphere = mesh_helpers::sphere(8, .6);
-  const CGAL::Curvature_size_field_3 smooth(sphere, .002, .01, 1.),
+  const DSC::Curvature_sizing_field<3> smooth(sphere, .002, .01, 1.),
       also_smooth(sphere, .002, .01, 1., .5, 60.);
   for (Vertex_handle v : sphere.interface_vertices())
     EXPECT_EQ(smooth(sphere.position(v)), also_smooth(sphere.position(v)));
 }
 
-TEST(Curvature_size_field, refuses_what_makes_no_sense) {
+TEST(Curvature_sizing_field, refuses_what_makes_no_sense) {
   const Complex dsc = make_complex(grid(4, small_meshes::cube));
   using CGAL::Deformable_simplicial_complexes::Error;
-  EXPECT_THROW(CGAL::Curvature_size_field_3(dsc, 0., .1, 1.), Error);
-  EXPECT_THROW(CGAL::Curvature_size_field_3(dsc, .1, 0., 1.), Error);
-  EXPECT_THROW(CGAL::Curvature_size_field_3(dsc, .1, 2., 1.), Error);
-  EXPECT_THROW(CGAL::Curvature_size_field_3(dsc, .1, .1, 1., 0.), Error);
-  EXPECT_THROW(CGAL::Curvature_size_field_3(dsc, std::nan(""), .1, 1.), Error);
+  EXPECT_THROW(DSC::Curvature_sizing_field<3>(dsc, 0., .1, 1.), Error);
+  EXPECT_THROW(DSC::Curvature_sizing_field<3>(dsc, .1, 0., 1.), Error);
+  EXPECT_THROW(DSC::Curvature_sizing_field<3>(dsc, .1, 2., 1.), Error);
+  EXPECT_THROW(DSC::Curvature_sizing_field<3>(dsc, .1, .1, 1., 0.), Error);
+  EXPECT_THROW(DSC::Curvature_sizing_field<3>(dsc, std::nan(""), .1, 1.), Error);
   for (double bad : {-1., 181., std::nan("")})
-    EXPECT_THROW(CGAL::Curvature_size_field_3(dsc, .1, .1, 1., .5, bad), Error);
+    EXPECT_THROW(DSC::Curvature_sizing_field<3>(dsc, .1, .1, 1., .5, bad), Error);
 }
 
 } // namespace test_interface_improvement

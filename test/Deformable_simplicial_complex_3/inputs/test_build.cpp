@@ -1,8 +1,8 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/boost/graph/generators.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 
 #include <gtest/gtest.h>
 
@@ -16,22 +16,24 @@
 #include <utility>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_build {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
-using Surface = CGAL::Labelled_surface_3<Point>;
+using Surface = DSC::Labelled_surface_3<Point>;
 using Surfaces = std::vector<Surface>;
 using Tetrahedra = std::vector<std::array<std::size_t, 4>>;
 using CGAL::Deformable_simplicial_complexes::Error;
+using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
-using CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error;
 using CGAL::Deformable_simplicial_complexes::Tetrahedralization_error;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 template <class Input, class NP = parameters::Default_named_parameters>
 Complex build(const Input& input, const NP& np = NP()) {
-  Complex dsc = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  Complex dsc = DSC::make_deformable_simplicial_complex_3<Complex>(
       input, CGAL::Tetgen_tetrahedralizer_3(), np);
   EXPECT_TRUE(dsc.is_valid(true));
   return dsc;
@@ -343,8 +345,8 @@ TEST(Build, twice_the_same) {
 TEST(Build, bounds_of_the_tetrahedralizer) {
   const Surfaces surfaces = {octahedron(1, 1)};
   const auto cells = [&](const CGAL::Tetgen_tetrahedralizer_3& tetrahedralizer) {
-    return CGAL::make_deformable_simplicial_complex_3<Complex>(surfaces, tetrahedralizer,
-                                                               parameters::improve(false));
+    return DSC::make_deformable_simplicial_complex_3<Complex>(surfaces, tetrahedralizer,
+                                                              parameters::improve(false));
   };
   const double infinity = std::numeric_limits<double>::infinity();
   const std::size_t few = cells(CGAL::Tetgen_tetrahedralizer_3(infinity, 0)).number_of_cells();
@@ -377,7 +379,7 @@ TEST(Build, the_tetrahedralizer_fails_with_words) {
 struct Moving_tetrahedralizer
 {
   template <class Points, class Triangles>
-  CGAL::Tetrahedralization_3 operator()(const Points& points, const Triangles& triangles) const {
+  DSC::Tetrahedralization_3 operator()(const Points& points, const Triangles& triangles) const {
     auto result = CGAL::Tetgen_tetrahedralizer_3()(points, triangles);
     result.points[3][0] += 1e-9;
     return result;
@@ -387,7 +389,7 @@ struct Moving_tetrahedralizer
 struct Forgetful_tetrahedralizer
 {
   template <class Points, class Triangles>
-  CGAL::Tetrahedralization_3 operator()(const Points& points, const Triangles& triangles) const {
+  DSC::Tetrahedralization_3 operator()(const Points& points, const Triangles& triangles) const {
     auto result = CGAL::Tetgen_tetrahedralizer_3()(points, triangles);
     const auto t = triangles.front();
     const auto has_triangle = [&](const std::array<std::size_t, 4>& v) {
@@ -403,10 +405,10 @@ struct Forgetful_tetrahedralizer
 TEST(Build, the_tetrahedralizer_is_checked) {
   const Surfaces surfaces = {cube(1, 1)};
   EXPECT_THROW(
-      CGAL::make_deformable_simplicial_complex_3<Complex>(surfaces, Moving_tetrahedralizer()),
+      DSC::make_deformable_simplicial_complex_3<Complex>(surfaces, Moving_tetrahedralizer()),
       Tetrahedralization_error);
   EXPECT_THROW(
-      CGAL::make_deformable_simplicial_complex_3<Complex>(surfaces, Forgetful_tetrahedralizer()),
+      DSC::make_deformable_simplicial_complex_3<Complex>(surfaces, Forgetful_tetrahedralizer()),
       Tetrahedralization_error);
 }
 
@@ -416,13 +418,13 @@ const std::vector<Point> bipyramid = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}
 
 Complex build(const std::vector<Point>& points, const Tetrahedra& tetrahedra,
               const std::vector<int>& labels) {
-  return CGAL::make_deformable_simplicial_complex_3<Complex>(points, tetrahedra, labels);
+  return DSC::make_deformable_simplicial_complex_3<Complex>(points, tetrahedra, labels);
 }
 
 std::vector<std::size_t> refused(const std::vector<Point>& points, const Tetrahedra& tetrahedra) {
   try {
     build(points, tetrahedra, std::vector<int>(tetrahedra.size(), 0));
-  } catch (const Invalid_tetrahedra_error& e) {
+  } catch (const Invalid_cells_error& e) {
     return e.tetrahedra().empty() ? e.vertices() : e.tetrahedra();
   }
   return {};
@@ -447,15 +449,15 @@ TEST(Build, tetrahedra_that_are_refused) {
   EXPECT_EQ(refused(points, good), Indices{1});
   EXPECT_EQ(refused(bipyramid, {{0, 1, 2, 3}, {0, 2, 1, 5}}), Indices{1});
   EXPECT_EQ(refused(bipyramid, {{0, 1, 2, 3}, {0, 1, 3, 4}, {0, 2, 1, 4}}), Indices{1}); // flat
-  EXPECT_THROW(build(bipyramid, good, {1}), Invalid_tetrahedra_error);
-  EXPECT_THROW(build(bipyramid, {}, {}), Invalid_tetrahedra_error);
+  EXPECT_THROW(build(bipyramid, good, {1}), Invalid_cells_error);
+  EXPECT_THROW(build(bipyramid, {}, {}), Invalid_cells_error);
 }
 
 TEST(Build, tetrahedra_that_are_no_ball_are_refused) {
   const auto is_refused = [](const std::vector<Point>& points, const Tetrahedra& tetrahedra) {
     try {
       build(points, tetrahedra, std::vector<int>(tetrahedra.size(), 0));
-    } catch (const Invalid_tetrahedra_error&) {
+    } catch (const Invalid_cells_error&) {
       return true;
     }
     return false;

@@ -1,6 +1,6 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/convert_labelled_image_3.h>
+#include <CGAL/Deformable_simplicial_complexes/convert_labelled_image_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -18,6 +18,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_image_conversion {
 
@@ -54,8 +56,8 @@ struct Noise
 };
 
 Complex convert(const CGAL::Image_3& voxels, double edge = 0) {
-  return CGAL::make_complex_from_labelled_image_3<Complex>(voxels, edge,
-                                                           parameters::normalize(true));
+  return DSC::make_complex_from_labelled_image_3<Complex>(voxels, edge,
+                                                          parameters::normalize(true));
 }
 
 double volume(const Complex& dsc, int label) {
@@ -108,7 +110,7 @@ TEST(Image_conversion, fills_the_domain_with_voxels) {
     for (unsigned j = 0; j < 9; ++j)
       wanted[i + j < 8 ? 1 : i < 5 ? 2 : 0] += 9;
   for (const bool normalize : {false, true}) {
-    const auto dsc = CGAL::make_complex_from_labelled_image_3<Complex>(
+    const auto dsc = DSC::make_complex_from_labelled_image_3<Complex>(
         voxels, 0,
         parameters::normalize(normalize).enclosing_box(CGAL::Bbox_3(-.5, -.5, -.5, 8.5, 8.5, 8.5)));
     EXPECT_TRUE(dsc.is_valid());
@@ -116,7 +118,7 @@ TEST(Image_conversion, fills_the_domain_with_voxels) {
     for (const auto& [label, value] : wanted)
       EXPECT_NEAR(volume(dsc, label), value, 1e-3 * value) << label;
     for (const auto v : dsc.vertices())
-      EXPECT_EQ(v->boundary_class() & CGAL::Boundary_class::fixed, 0);
+      EXPECT_EQ(v->boundary_class() & DSC::Boundary_class::fixed, 0);
   }
 }
 
@@ -205,11 +207,11 @@ TEST(Image_conversion, takes_voxels_of_any_sides) {
 
 TEST(Image_conversion, fills_the_box_that_is_given) {
   const auto voxels = image(5, [](unsigned i, unsigned, unsigned) { return i > 1 ? 3 : 0; });
-  const auto dsc = CGAL::make_complex_from_labelled_image_3<Complex>(
+  const auto dsc = DSC::make_complex_from_labelled_image_3<Complex>(
       voxels, 0, parameters::enclosing_box(CGAL::Bbox_3(0, -3, -2, 6, 40, 5)));
   EXPECT_NEAR(dsc.volume(0) + dsc.volume(3), 6. * 43 * 7, 1e-9);
   EXPECT_NEAR(dsc.volume(3), 75, 1e-6);
-  EXPECT_THROW(CGAL::make_complex_from_labelled_image_3<Complex>(
+  EXPECT_THROW(DSC::make_complex_from_labelled_image_3<Complex>(
                    voxels, 0, parameters::enclosing_box(CGAL::Bbox_3(2, -3, -2, 6, 40, 5))),
                Error);
 }

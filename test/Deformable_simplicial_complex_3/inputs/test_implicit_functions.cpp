@@ -1,10 +1,12 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstddef>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_implicit_functions {
 
@@ -16,7 +18,7 @@ constexpr double pi = 3.14159265358979323846;
 
 template <class Label_at>
 Complex make(const CGAL::Bbox_3& box, double edge, const Label_at& label_at) {
-  return CGAL::make_deformable_simplicial_complex_3<Complex>(box, edge, label_at);
+  return DSC::make_deformable_simplicial_complex_3<Complex>(box, edge, label_at);
 }
 
 TEST(Make_complex_in_a_box, fills_it_exactly) {

@@ -2,14 +2,14 @@
 #include "../surface_measures.h"
 #include "../temporary_folder.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/MEDIT_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/PVD_series.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
-#include <CGAL/IO/MEDIT_3.h>
-#include <CGAL/IO/PVD_series.h>
-#include <CGAL/IO/VTU_3.h>
-#include <CGAL/IO/labelled_surface_3.h>
-#include <CGAL/extract_interface_3.h>
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
@@ -28,6 +28,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_io {
 
@@ -153,7 +155,7 @@ TEST(Vtu, of_the_interface_has_all_arrays) {
   const Temporary_folder folder;
   const Complex dsc = make_complex(grid(4, small_meshes::two_boxes));
   CGAL::IO::write_interface_VTU(folder / "a.vtu", dsc);
-  const auto surface = CGAL::extract_interface(dsc);
+  const auto surface = DSC::extract_interface(dsc);
   Vtu vtu(folder / "a.vtu");
   const std::size_t n = surface.points.size(), m = surface.triangles.size();
   EXPECT_EQ(vtu.number_of_points, n);
@@ -258,7 +260,7 @@ TEST(Medit, triangles_refer_to_pairs_of_labels) {
                            "reference 3 have normals from label 2 to label 1"})
     EXPECT_NE(text.find(pair), std::string::npos) << pair;
 
-  const auto surface = CGAL::extract_interface(dsc);
+  const auto surface = DSC::extract_interface(dsc);
   std::istringstream triangles(text.substr(text.find("Triangles\n") + 10));
   std::size_t n;
   triangles >> n;

@@ -1,10 +1,10 @@
 #include "../mesh_helpers.h"
 #include "../temporary_folder.h"
 
-#include <CGAL/IO/MEDIT_3.h>
-#include <CGAL/IO/VTU_3.h>
-#include <CGAL/IO/checkpoint_3.h>
-#include <CGAL/IO/labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/MEDIT_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
 
 #include <gtest/gtest.h>
 

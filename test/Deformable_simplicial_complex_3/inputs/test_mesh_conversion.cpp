@@ -1,6 +1,6 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/convert_mesh_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/convert_mesh_complex_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Labeled_mesh_domain_3.h>
@@ -20,6 +20,8 @@
 #include <set>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_mesh_conversion {
 
@@ -53,7 +55,7 @@ std::map<int, double> volumes(const Mesh& mesh) {
 TEST(Mesh_conversion, to_a_complex_keeps_cells_labels_and_the_interface) {
   const Mesh mesh = two_halves();
   const auto dsc =
-      CGAL::make_complex_from_mesh_complex_3<Complex>(mesh, tetgen, parameters::improve(false));
+      DSC::make_complex_from_mesh_complex_3<Complex>(mesh, tetgen, parameters::improve(false));
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_EQ(dsc.labels(), (std::vector<int>{0, 1, 2}));
   EXPECT_EQ(dsc.number_of_cells(1) + dsc.number_of_cells(2), mesh.number_of_cells_in_complex());
@@ -63,9 +65,9 @@ TEST(Mesh_conversion, to_a_complex_keeps_cells_labels_and_the_interface) {
 }
 
 TEST(Mesh_conversion, of_a_complex_and_back_is_the_same) {
-  const auto dsc = CGAL::make_complex_from_mesh_complex_3<Complex>(
+  const auto dsc = DSC::make_complex_from_mesh_complex_3<Complex>(
       two_halves(), tetgen, parameters::normalize(true).improve(false));
-  const Mesh mesh = CGAL::extract_mesh_complex_3<Mesh>(dsc);
+  const Mesh mesh = DSC::extract_mesh_complex_3<Mesh>(dsc);
   EXPECT_TRUE(mesh.triangulation().tds().is_valid());
   EXPECT_EQ(mesh.number_of_cells_in_complex(), dsc.number_of_cells(1) + dsc.number_of_cells(2));
   EXPECT_EQ(mesh.number_of_facets_in_complex(), dsc.interface_facets().size());
@@ -84,14 +86,14 @@ TEST(Mesh_conversion, of_a_complex_and_back_is_the_same) {
   EXPECT_EQ(on_surfaces, dsc.interface_vertices().size());
 
   const auto again =
-      CGAL::make_complex_from_mesh_complex_3<Complex>(mesh, tetgen, parameters::improve(false));
+      DSC::make_complex_from_mesh_complex_3<Complex>(mesh, tetgen, parameters::improve(false));
   EXPECT_EQ(again.number_of_cells(1), dsc.number_of_cells(1));
   EXPECT_EQ(again.interface_facets().size(), dsc.interface_facets().size());
 }
 
 TEST(Mesh_conversion, of_nothing_is_refused) {
-  EXPECT_THROW(CGAL::make_complex_from_mesh_complex_3<Complex>(Mesh(), tetgen),
-               CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error);
+  EXPECT_THROW(DSC::make_complex_from_mesh_complex_3<Complex>(Mesh(), tetgen),
+               CGAL::Deformable_simplicial_complexes::Invalid_cells_error);
 }
 
 } // namespace test_mesh_conversion

@@ -1,7 +1,7 @@
 #include "../../../src/tetgen/child_process.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/building/enclosing_box_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/enclosing_box_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 #include <gtest/gtest.h>
@@ -22,6 +22,8 @@
 #include <string>
 #include <thread>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_tetgen {
 
@@ -200,8 +202,8 @@ using CGAL::Deformable_simplicial_complexes::internal::Triangle_soup_3;
 const Triangle_soup_3 cube = CGAL::Deformable_simplicial_complexes::internal::box_surface(
     CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 6);
 
-CGAL::Tetrahedralization_3 fill(const Tetgen_tetrahedralizer_3& tetrahedralizer,
-                                const Triangle_soup_3& soup) {
+DSC::Tetrahedralization_3 fill(const Tetgen_tetrahedralizer_3& tetrahedralizer,
+                               const Triangle_soup_3& soup) {
   return tetrahedralizer(soup.points, soup.triangles);
 }
 
@@ -232,7 +234,7 @@ TEST(Tetgen, puts_the_input_first) {
 #ifndef __SANITIZE_ADDRESS__
 TEST(Tetgen, several_threads_get_the_same) {
   const auto expected = fill(Tetgen_tetrahedralizer_3(), cube);
-  std::vector<CGAL::Tetrahedralization_3> meshes(4);
+  std::vector<DSC::Tetrahedralization_3> meshes(4);
   std::vector<std::thread> threads;
   for (auto& mesh : meshes)
     threads.emplace_back([&] { mesh = fill(Tetgen_tetrahedralizer_3(), cube); });

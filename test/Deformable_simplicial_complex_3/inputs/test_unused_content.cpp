@@ -1,11 +1,11 @@
 #include "../temporary_folder.h"
 #include "../whole_files.h"
 
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/point_set_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
-#include <CGAL/IO/labelled_surface_3.h>
-#include <CGAL/IO/point_set_3.h>
 
 #include <gtest/gtest.h>
 

@@ -2,14 +2,14 @@
 #include "../temporary_folder.h"
 #include "../vtu_grid.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/MEDIT_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Mesh_arrays.h>
 #include <CGAL/Deformable_simplicial_complexes/Mesh_entities.h>
 #include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/base64.h>
-#include <CGAL/IO/MEDIT_3.h>
-#include <CGAL/IO/VTU_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 
 #include <gtest/gtest.h>
 
@@ -22,10 +22,12 @@
 #include <utility>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_volume_io {
 
 using CGAL::Deformable_simplicial_complexes::File_error;
-using CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error;
+using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
 using small_meshes::Complex;
 using small_meshes::grid;
 using small_meshes::Labelled_mesh;
@@ -483,14 +485,14 @@ TEST(Read_vtu, tetrahedra_are_turned_or_refused_by_the_builder) {
   const std::string text = labelled_cells().text(sizes), path = folder / "a.vtu";
   const auto make = [&] {
     const Labelled_mesh mesh = read_vtu(path);
-    return CGAL::make_deformable_simplicial_complex_3<Complex>(
+    return DSC::make_deformable_simplicial_complex_3<Complex>(
         mesh.points, mesh.tetrahedra, mesh.labels, parameters::improve(false));
   };
   write_bytes(path, replaced(text, " 0 1 2 3 1 2 3 4\n", " 1 0 2 3 1 2 3 4\n"));
   EXPECT_EQ(make().number_of_cells(), 2u);
   EXPECT_EQ(make().labels(), (std::vector<int>{-7, 3}));
   write_bytes(path, replaced(text, " 0 1 2 3 1 2 3 4\n", " 0 1 2 2 1 2 3 4\n"));
-  EXPECT_THROW(make(), Invalid_tetrahedra_error);
+  EXPECT_THROW(make(), Invalid_cells_error);
 }
 
 } // namespace test_volume_io

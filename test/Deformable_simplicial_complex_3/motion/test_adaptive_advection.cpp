@@ -1,8 +1,8 @@
 #include "../mesh_helpers.h"
 
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/advect_adaptively_3.h>
-#include <CGAL/deform_interface_3.h>
+#include <CGAL/Interface_flows/advect_adaptively.h>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,8 @@
 #include <cmath>
 #include <cstddef>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_adaptive_advection {
 
@@ -47,7 +49,7 @@ template <class NamedParameters>
 Outcome flow(Complex& dsc, double strength, const NamedParameters& np) {
   Outcome outcome;
   for (int i = 0; i < steps; ++i) {
-    const auto report = CGAL::advect_adaptively(dsc, Saddle{strength}, i * dt, dt, np);
+    const auto report = DSC::advect_adaptively(dsc, Saddle{strength}, i * dt, dt, np);
     EXPECT_TRUE(report.complete) << i;
     outcome.most_vertices = (std::max)(outcome.most_vertices, dsc.interface_vertices().size());
     if (2 * (i + 1) == steps)
@@ -59,7 +61,7 @@ Outcome flow(Complex& dsc, double strength, const NamedParameters& np) {
 
 Complex ball(std::size_t n) {
   Complex dsc = mesh_helpers::sphere(n, 2 * radius);
-  CGAL::deform_interface(dsc, [&](Complex::Vertex_handle v) {
+  DSC::deform_interface(dsc, [&](Complex::Vertex_handle v) {
     return mesh_helpers::exact_point(dsc, CGAL::ORIGIN + (dsc.position(v) - CGAL::ORIGIN) / 2);
   });
   dsc.measure_interface_edges();
@@ -111,7 +113,7 @@ TEST(Adaptive_advection, leaves_what_turns_rigidly) {
   const double volume = dsc.volume(1);
   const auto turn = [](const Position& p, double) { return 2 * pi * Vector(-p.y(), p.x(), 0); };
   for (int i = 0; i < 100; ++i)
-    CGAL::advect_adaptively(dsc, turn, i * .01, .01);
+    DSC::advect_adaptively(dsc, turn, i * .01, .01);
   EXPECT_EQ(dsc.interface_vertices(), vertices);
   EXPECT_LT(largest_distance(interface_positions(dsc), positions), 1e-6);
   EXPECT_NEAR(dsc.volume(1), volume, 1e-6 * volume);
@@ -143,8 +145,8 @@ TEST(Adaptive_advection, keeps_sharp_edges) {
 TEST(Adaptive_advection, adapts_by_the_number_of_the_step) {
   const auto vertices_after_step = [](int step, unsigned interval) {
     Complex dsc = ball(4);
-    CGAL::advect_adaptively(dsc, Saddle{mild}, step * dt, dt,
-                            parameters::adaptation_interval(interval));
+    DSC::advect_adaptively(dsc, Saddle{mild}, step * dt, dt,
+                           parameters::adaptation_interval(interval));
     return dsc.interface_vertices().size();
   };
   const std::size_t before = ball(4).interface_vertices().size();
@@ -158,9 +160,7 @@ TEST(Adaptive_advection, refuses_wrong_parameters) {
   using CGAL::Deformable_simplicial_complexes::Error;
   Complex dsc = ball(4);
   const auto positions = interface_positions(dsc);
-  const auto step = [&](const auto& np) {
-    CGAL::advect_adaptively(dsc, Saddle{strong}, 0, dt, np);
-  };
+  const auto step = [&](const auto& np) { DSC::advect_adaptively(dsc, Saddle{strong}, 0, dt, np); };
   EXPECT_THROW(step(parameters::interface_tolerance(-1.)), Error);
   EXPECT_THROW(step(parameters::adaptation_interval(0)), Error);
   EXPECT_THROW(step(parameters::feature_angle(181.)), Error);

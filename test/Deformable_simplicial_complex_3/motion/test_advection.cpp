@@ -1,12 +1,12 @@
 #include "../mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Integration_scheme.h>
-#include <CGAL/Deformable_simplicial_complex_3/Interface_snapshot_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/interface_flows_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/quality_measures_3.h>
+#include <CGAL/Interface_flows/Integration_scheme.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 
 #include <gtest/gtest.h>
 
@@ -16,6 +16,8 @@
 #include <set>
 #include <stdexcept>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_advection {
 
@@ -48,9 +50,9 @@ double error(Integration_scheme scheme, int steps) {
   for (Vertex_handle v : vertices)
     expected.push_back(after_spiral(dsc.position(v), end));
   for (int i = 0; i < steps; ++i)
-    EXPECT_TRUE(CGAL::advect_interface(dsc, spiral, i * end / steps, end / steps,
-                                       parameters::scheme(scheme))
-                    .complete);
+    EXPECT_TRUE(
+        DSC::advect_interface(dsc, spiral, i * end / steps, end / steps, parameters::scheme(scheme))
+            .complete);
   EXPECT_EQ(dsc.interface_vertices(), vertices);
   double squared = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -78,7 +80,7 @@ TEST(Advection, adaptive_steps_keep_a_tolerance) {
     for (Vertex_handle v : vertices)
       expected.push_back(after_spiral(dsc.position(v), .4));
     EXPECT_TRUE(
-        CGAL::advect_interface(
+        DSC::advect_interface(
             dsc, spiral, 0, .4,
             parameters::scheme(Integration_scheme::adaptive).integration_tolerance(tolerance))
             .complete);
@@ -95,12 +97,12 @@ TEST(Advection, refuses_tolerances_that_cannot_be_kept) {
   const auto adaptive = parameters::scheme(Integration_scheme::adaptive);
   for (double tolerance : {0., -1., std::nan("")})
     EXPECT_THROW(
-        CGAL::advect_interface(dsc, spiral, 0, .1, adaptive.integration_tolerance(tolerance)),
+        DSC::advect_interface(dsc, spiral, 0, .1, adaptive.integration_tolerance(tolerance)),
         CGAL::Deformable_simplicial_complexes::Error);
   const auto rough = [](const Position& p, double t) {
     return Vector(1e6 * std::sin(1e12 * t * p.x()), 0, 0);
   };
-  EXPECT_THROW(CGAL::advect_interface(dsc, rough, 0, .1, adaptive.integration_tolerance(1e-300)),
+  EXPECT_THROW(DSC::advect_interface(dsc, rough, 0, .1, adaptive.integration_tolerance(1e-300)),
                CGAL::Deformable_simplicial_complexes::Error);
   EXPECT_TRUE(dsc.state() == before);
 }
@@ -112,7 +114,7 @@ TEST(Advection, refuses_steps_in_which_time_stands_still) {
   const auto before = dsc.state();
   const auto adaptive = parameters::scheme(Integration_scheme::adaptive);
   const auto uniform = [](const Position&, double) { return Vector(.1, 0, 0); };
-  EXPECT_THROW(CGAL::advect_interface(dsc, uniform, 1e16, 1, adaptive),
+  EXPECT_THROW(DSC::advect_interface(dsc, uniform, 1e16, 1, adaptive),
                CGAL::Deformable_simplicial_complexes::Error);
   unsigned calls = 0;
   const auto rough = [&](const Position& p, double) {
@@ -120,10 +122,10 @@ TEST(Advection, refuses_steps_in_which_time_stands_still) {
       throw std::runtime_error("there is no end");
     return Vector(.1 * std::sin(1e4 * p.x()), 0, 0);
   };
-  EXPECT_THROW(CGAL::advect_interface(dsc, rough, 1e14, 1, adaptive.integration_tolerance(1e-9)),
+  EXPECT_THROW(DSC::advect_interface(dsc, rough, 1e14, 1, adaptive.integration_tolerance(1e-9)),
                CGAL::Deformable_simplicial_complexes::Error);
   EXPECT_TRUE(dsc.state() == before);
-  EXPECT_TRUE(CGAL::advect_interface(dsc, uniform, 1e16, 0, adaptive).complete);
+  EXPECT_TRUE(DSC::advect_interface(dsc, uniform, 1e16, 0, adaptive).complete);
 }
 
 // Steps that are too long lead out of the domain of the field, the path itself does not.
@@ -133,7 +135,7 @@ TEST(Advection, adaptive_steps_stay_where_the_field_is) {
     return Vector(p.x() < -1 ? std::nan("") : -k * (p.x() + 1), 0, 0);
   };
   const Complex dsc = make_complex(grid(4, small_meshes::cube));
-  const CGAL::Interface_snapshot_3<Complex> snapshot(dsc);
+  const DSC::Interface_snapshot<Complex> snapshot(dsc);
   const auto start = snapshot.positions(dsc);
   namespace internal = CGAL::Deformable_simplicial_complexes::internal;
   const auto end = internal::integrate_adaptively(snapshot, start, decay, 0, 1, 1e-6);
@@ -152,7 +154,7 @@ TEST(Advection, steps_of_the_whole_interface) {
   for (Vertex_handle v : vertices)
     expected.push_back(after_spiral(dsc.position(v), .2));
   int calls = 0;
-  const auto step = [&](const CGAL::Interface_snapshot_3<Complex>& snapshot,
+  const auto step = [&](const DSC::Interface_snapshot<Complex>& snapshot,
                         const std::vector<Position>& positions, double t, double dt,
                         std::vector<Position>& destinations) {
     EXPECT_EQ(snapshot.vertices, vertices);
@@ -161,23 +163,23 @@ TEST(Advection, steps_of_the_whole_interface) {
       destinations.push_back(after_spiral(p, dt));
     ++calls;
   };
-  EXPECT_TRUE(CGAL::advect_interface(dsc, step, 3, .2).complete);
+  EXPECT_TRUE(DSC::advect_interface(dsc, step, 3, .2).complete);
   EXPECT_EQ(calls, 1);
   for (std::size_t i = 0; i < vertices.size(); ++i)
     EXPECT_EQ(dsc.position(vertices[i]), expected[i]);
 
-  const auto nothing = [](const CGAL::Interface_snapshot_3<Complex>&, const std::vector<Position>&,
+  const auto nothing = [](const DSC::Interface_snapshot<Complex>&, const std::vector<Position>&,
                           double, double, std::vector<Position>&) {};
   const auto before = dsc.state();
-  EXPECT_THROW(CGAL::advect_interface(dsc, nothing, 0, .1),
+  EXPECT_THROW(DSC::advect_interface(dsc, nothing, 0, .1),
                CGAL::Deformable_simplicial_complexes::Invalid_destination_error);
   EXPECT_TRUE(dsc.state() == before);
 }
 
 TEST(Advection, second_order_is_the_default) {
   Complex a = make_complex(grid(4, small_meshes::cube)), b = a;
-  CGAL::advect_interface(a, spiral, 0, .1);
-  CGAL::advect_interface(b, spiral, 0, .1, parameters::scheme(Integration_scheme::rk2));
+  DSC::advect_interface(a, spiral, 0, .1);
+  DSC::advect_interface(b, spiral, 0, .1, parameters::scheme(Integration_scheme::rk2));
   EXPECT_TRUE(a.state() == b.state());
 }
 
@@ -188,8 +190,8 @@ TEST(Advection, negative_steps_go_back) {
   for (Vertex_handle v : vertices)
     before.push_back(dsc.position(v));
   const auto rk4 = parameters::scheme(Integration_scheme::rk4);
-  EXPECT_TRUE(CGAL::advect_interface(dsc, spiral, 0, .1, rk4).complete);
-  EXPECT_TRUE(CGAL::advect_interface(dsc, spiral, .1, -.1, rk4).complete);
+  EXPECT_TRUE(DSC::advect_interface(dsc, spiral, 0, .1, rk4).complete);
+  EXPECT_TRUE(DSC::advect_interface(dsc, spiral, .1, -.1, rk4).complete);
   for (std::size_t i = 0; i < vertices.size(); ++i)
     EXPECT_LT((dsc.position(vertices[i]) - before[i]).squared_length(), 1e-12);
 }
@@ -204,7 +206,7 @@ TEST(Advection, flow_maps_are_taken_as_they_are) {
     EXPECT_EQ(t, 3);
     return after_spiral(p, dt);
   };
-  EXPECT_TRUE(CGAL::advect_interface(dsc, map, 3, .2).complete);
+  EXPECT_TRUE(DSC::advect_interface(dsc, map, 3, .2).complete);
   for (std::size_t i = 0; i < vertices.size(); ++i)
     EXPECT_EQ(dsc.position(vertices[i]), expected[i]);
 }
@@ -213,7 +215,7 @@ TEST(Advection, flow_maps_are_taken_as_they_are) {
 TEST(Advection, velocities_of_the_whole_interface) {
   Complex dsc = make_complex(grid(4, small_meshes::cube));
   std::vector<double> times;
-  const auto velocity = [&](const CGAL::Interface_snapshot_3<Complex>& interface_,
+  const auto velocity = [&](const DSC::Interface_snapshot<Complex>& interface_,
                             const std::vector<Position>& positions, double t,
                             std::vector<Vector>& velocities) {
     times.push_back(t);
@@ -232,15 +234,15 @@ TEST(Advection, velocities_of_the_whole_interface) {
   };
   Complex reference = dsc;
   const auto rk4 = parameters::scheme(Integration_scheme::rk4);
-  CGAL::advect_interface(dsc, velocity, 1, .25, rk4);
+  DSC::advect_interface(dsc, velocity, 1, .25, rk4);
   EXPECT_EQ(times, (std::vector<double>{1, 1.125, 1.125, 1.25}));
-  CGAL::advect_interface(reference, spiral, 1, .25, rk4);
+  DSC::advect_interface(reference, spiral, 1, .25, rk4);
   EXPECT_TRUE(mesh_helpers::interface_triangles(dsc) ==
               mesh_helpers::interface_triangles(reference));
 }
 
 TEST(Flows, rotation_keeps_its_axis_and_distances) {
-  const CGAL::Rigid_rotation_3 rotation({1, 0, 0}, {0, 0, 5}, CGAL_PI / 2);
+  const DSC::Rigid_rotation_3 rotation({1, 0, 0}, {0, 0, 5}, CGAL_PI / 2);
   EXPECT_LT((rotation({2, 0, 7}, 0, 1) - Position(1, 1, 7)).squared_length(), 1e-30);
   EXPECT_LT((rotation({2, 0, 7}, 9, -1) - Position(1, -1, 7)).squared_length(), 1e-30);
   EXPECT_LT((rotation({2, 0, 7}, 0, 4) - Position(2, 0, 7)).squared_length(), 1e-30);
@@ -249,16 +251,16 @@ TEST(Flows, rotation_keeps_its_axis_and_distances) {
 
 TEST(Flows, offset_moves_planes_by_speed_times_time) {
   Complex dsc = make_complex(grid(4, [](const auto& p) { return p.x() < 0 ? 1 : 0; }));
-  EXPECT_TRUE(CGAL::advect_interface(dsc, CGAL::Normal_offset_3{.2}, 0, .5).complete);
+  EXPECT_TRUE(DSC::advect_interface(dsc, DSC::Normal_offset{.2}, 0, .5).complete);
   EXPECT_NEAR(dsc.volume(1), 4.4, 1e-12);
-  EXPECT_TRUE(CGAL::advect_interface(dsc, CGAL::Normal_offset_3{-.2}, 0, 1).complete);
+  EXPECT_TRUE(DSC::advect_interface(dsc, DSC::Normal_offset{-.2}, 0, 1).complete);
   EXPECT_NEAR(dsc.volume(1), 3.6, 1e-12);
 }
 
 TEST(Flows, offset_acts_where_phases_face_the_outside) {
   Complex dsc = make_complex(grid(4, small_meshes::two_boxes));
   const double area = dsc.area(1, 2);
-  EXPECT_TRUE(CGAL::advect_interface(dsc, CGAL::Normal_offset_3{.1}, 0, .5).complete);
+  EXPECT_TRUE(DSC::advect_interface(dsc, DSC::Normal_offset{.1}, 0, .5).complete);
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_GT(dsc.volume(1), .55);
   EXPECT_NEAR(dsc.volume(1), dsc.volume(2), .02);
@@ -267,7 +269,7 @@ TEST(Flows, offset_acts_where_phases_face_the_outside) {
 
 TEST(Flows, rotation_takes_axes_of_any_length) {
   for (double length : {1e-200, 1e200}) {
-    const CGAL::Rigid_rotation_3 rotation({0, 0, 0}, {0, 0, length}, CGAL_PI / 2);
+    const DSC::Rigid_rotation_3 rotation({0, 0, 0}, {0, 0, length}, CGAL_PI / 2);
     EXPECT_LT((rotation({1, 0, 0}, 0, 1) - Position(0, 1, 0)).squared_length(), 1e-30) << length;
   }
 }
@@ -276,11 +278,11 @@ TEST(Flows, offset_refuses_speeds_that_are_not_finite) {
   Complex dsc = make_complex(grid(4, small_meshes::ball));
   const auto state = dsc.state();
   for (double speed : {std::nan(""), HUGE_VAL, -HUGE_VAL})
-    EXPECT_THROW(CGAL::advect_interface(dsc, CGAL::Normal_offset_3{speed}, 0, 1),
+    EXPECT_THROW(DSC::advect_interface(dsc, DSC::Normal_offset{speed}, 0, 1),
                  CGAL::Deformable_simplicial_complexes::Invalid_destination_error)
         << speed;
   EXPECT_TRUE(dsc.state() == state);
-  EXPECT_FALSE(CGAL::advect_interface(dsc, CGAL::Normal_offset_3{1e78}, 0, 1).complete);
+  EXPECT_FALSE(DSC::advect_interface(dsc, DSC::Normal_offset{1e78}, 0, 1).complete);
   EXPECT_TRUE(dsc.is_valid());
 }
 
@@ -291,7 +293,7 @@ TEST(Advection, refuses_velocities_of_another_number_of_vertices) {
                           std::vector<Vector>& velocities) {
     velocities.assign(positions.size() - 1, Vector(0, 0, 0));
   };
-  EXPECT_THROW(CGAL::advect_interface(dsc, too_few, 0, .1),
+  EXPECT_THROW(DSC::advect_interface(dsc, too_few, 0, .1),
                CGAL::Deformable_simplicial_complexes::Invalid_destination_error);
   EXPECT_TRUE(dsc.state() == state);
 }
@@ -304,7 +306,7 @@ double extreme_angle(const Complex& dsc) {
   double smallest = 1;
   for (auto c : dsc.triangulation().finite_cell_handles()) {
     const auto p = [&](int i) { return dsc.position(c->vertex(i)); };
-    smallest = (std::min)(smallest, CGAL::Minimum_sine_3()(p(0), p(1), p(2), p(3)));
+    smallest = (std::min)(smallest, DSC::Minimum_sine_3()(p(0), p(1), p(2), p(3)));
   }
   return std::asin(of_regular * smallest) * 180 / CGAL_PI;
 }
@@ -315,8 +317,8 @@ Vector folding(const Position& p) {
 }
 
 // The same, known on the interface only, so that the space around is not taken along.
-void fold(const CGAL::Interface_snapshot_3<Complex>&, const std::vector<Position>& positions,
-          double, std::vector<Vector>& velocities) {
+void fold(const DSC::Interface_snapshot<Complex>&, const std::vector<Position>& positions, double,
+          std::vector<Vector>& velocities) {
   for (const Position& p : positions)
     velocities.push_back(folding(p));
 }
@@ -336,11 +338,11 @@ TEST(Small_angles, are_removed_in_the_end) {
   const double volume = with.volume(1);
   std::size_t number_of_bad_steps = 0, changes = 0;
   for (int i = 0; i < 8; ++i) {
-    const auto report = CGAL::advect_interface(with, fold, i, .1);
+    const auto report = DSC::advect_interface(with, fold, i, .1);
     ASSERT_TRUE(with.is_valid());
     EXPECT_GE(extreme_angle(with), 5 - 1e-9) << i;
     changes += report.relocated + report.inserted;
-    CGAL::advect_interface(without, fold, i, .1, parameters::minimum_angle(0));
+    DSC::advect_interface(without, fold, i, .1, parameters::minimum_angle(0));
     number_of_bad_steps += extreme_angle(without) < 5;
   }
   EXPECT_GT(number_of_bad_steps, 2u);
@@ -364,7 +366,7 @@ TEST(Small_angles, of_what_moves_as_a_whole_stay) {
   const auto before = triangles(rotating);
   for (int i = 0; i < 3; ++i)
     EXPECT_TRUE(
-        CGAL::advect_interface(rotating, CGAL::Rigid_rotation_3({0, 0, 0}, {1, 2, 3}, .2), i, 1)
+        DSC::advect_interface(rotating, DSC::Rigid_rotation_3({0, 0, 0}, {1, 2, 3}, .2), i, 1)
             .complete);
   EXPECT_EQ(rotating.interface_vertices(), vertices);
   EXPECT_EQ(triangles(rotating), before);
@@ -393,7 +395,7 @@ TEST(Small_angles, do_not_move_what_stays) {
       still.push_back({v, v->time_stamp(), dsc.position(v)});
   std::size_t relocated = 0;
   for (int i = 0; i < 8; ++i)
-    relocated += CGAL::advect_interface(dsc, fold_left, i, .1).relocated;
+    relocated += DSC::advect_interface(dsc, fold_left, i, .1).relocated;
   ASSERT_TRUE(dsc.is_valid());
   EXPECT_GT(relocated, 0u);
   std::size_t kept = 0;
@@ -409,7 +411,7 @@ TEST(Small_angles, refuses_bounds_out_of_range) {
   Complex dsc = make_complex(grid(4, small_meshes::ball));
   const auto state = dsc.state();
   for (double angle : {-1., 31., std::nan("")})
-    EXPECT_THROW(CGAL::advect_interface(dsc, fold, 0, .1, parameters::minimum_angle(angle)),
+    EXPECT_THROW(DSC::advect_interface(dsc, fold, 0, .1, parameters::minimum_angle(angle)),
                  CGAL::Deformable_simplicial_complexes::Error);
   EXPECT_TRUE(dsc.state() == state);
 }
@@ -443,7 +445,7 @@ double part_that_follows(const Velocity& velocity, const NamedParameters& np) {
   std::vector<Position> expected;
   for (Vertex_handle v : vertices)
     expected.push_back(Eddy_map()(dsc.position(v), 0, dt));
-  EXPECT_TRUE(CGAL::advect_interface(dsc, velocity, 0, dt, np).complete);
+  EXPECT_TRUE(DSC::advect_interface(dsc, velocity, 0, dt, np).complete);
   EXPECT_TRUE(dsc.is_valid());
   double all = 0, following = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -479,7 +481,7 @@ TEST(Advection, takes_the_space_around_along) {
 // A rotation would turn the box, too: it fades from half-way between interface and box on outwards.
 TEST(Advection, flows_fade_towards_a_boundary_that_they_would_move) {
   Complex dsc = mesh_helpers::sphere(8, .6);
-  const CGAL::Rigid_rotation_3 rotation({0, 0, 0}, {0, 0, 1}, 1);
+  const DSC::Rigid_rotation_3 rotation({0, 0, 0}, {0, 0, 1}, 1);
   static constexpr double dt = .02;
   const auto distance = [](const Position& p) {
     return 1 - (std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
@@ -494,7 +496,7 @@ TEST(Advection, flows_fade_towards_a_boundary_that_they_would_move) {
     const Position p = dsc.position(v);
     expected.push_back(p + (std::min)(1., 2 * distance(p) / room) * (rotation(p, 0, dt) - p));
   }
-  const auto report = CGAL::advect_interface(dsc, rotation, 0, dt);
+  const auto report = DSC::advect_interface(dsc, rotation, 0, dt);
   EXPECT_TRUE(report.complete);
   EXPECT_EQ(report.smoothed, 0u);
   for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -508,7 +510,7 @@ TEST(Advection, keeps_facets_if_told_to) {
     Complex dsc = mesh_helpers::sphere(8, .5);
     EXPECT_EQ(dsc.interface_facets().size(), 192u);
     for (int i = 0; i < 8; ++i)
-      EXPECT_TRUE(CGAL::advect_interface(
+      EXPECT_TRUE(DSC::advect_interface(
                       dsc, velocity, i, .1,
                       parameters::minimum_facet_angle(minimum_facet_angle).minimum_angle(0.))
                       .complete);
@@ -519,7 +521,7 @@ TEST(Advection, keeps_facets_if_told_to) {
   EXPECT_LT(facets_in_the_end(30), 192u);
   Complex dsc = mesh_helpers::sphere(4, .5);
   for (double bad : {-1., 31., std::nan("")})
-    EXPECT_THROW(CGAL::advect_interface(dsc, velocity, 0, .1, parameters::minimum_facet_angle(bad)),
+    EXPECT_THROW(DSC::advect_interface(dsc, velocity, 0, .1, parameters::minimum_facet_angle(bad)),
                  CGAL::Deformable_simplicial_complexes::Error);
 }
 

@@ -1,12 +1,12 @@
 #include "../mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Deformation_visitor_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/deform_interface_3.h>
-#include <CGAL/improve_mesh_3.h>
-#include <CGAL/interface_flows_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 
 #include <gtest/gtest.h>
 
@@ -18,6 +18,8 @@
 #include <stdexcept>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_deformation {
 
 using CGAL::Deformable_simplicial_complexes::Invalid_destination_error;
@@ -28,7 +30,7 @@ using small_meshes::make_complex;
 using small_meshes::Point;
 using Position = Complex::Approximate_point_3;
 using Vector = Complex::Approximate_vector_3;
-using Report = CGAL::Deformation_report<Complex>;
+using Report = DSC::Deformation_report<Complex>;
 using Vertex_handle = Complex::Vertex_handle;
 using Cell_handle = Complex::Cell_handle;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
@@ -64,7 +66,7 @@ void expect_true(const Report& report, const Complex& dsc) {
 // Deforms by displacements that depend on the position.
 template <class Displacement, class... NamedParameters>
 Report deform(Complex& dsc, const Displacement& displacement, const NamedParameters&... np) {
-  const auto report = CGAL::deform_interface(
+  const auto report = DSC::deform_interface(
       dsc,
       [&](Vertex_handle v) {
         return mesh_helpers::exact_point(dsc, dsc.position(v) + displacement(dsc.position(v)));
@@ -97,9 +99,9 @@ TEST(Deformation, ball_rotates_without_remeshing) {
   const auto before = positions(dsc, vertices);
   const double volume = dsc.volume(1), area = dsc.area(1);
   const std::size_t triangles = dsc.interface_facets().size();
-  const CGAL::Rigid_rotation_3 rotation({0, 0, 0}, {1, 2, 3}, CGAL_PI / 180);
+  const DSC::Rigid_rotation_3 rotation({0, 0, 0}, {1, 2, 3}, CGAL_PI / 180);
   for (int angle = 0; angle < 360; angle += 20) {
-    const Report report = CGAL::advect_interface(dsc, rotation, angle, 20);
+    const Report report = DSC::advect_interface(dsc, rotation, angle, 20);
     expect_true(report, dsc);
     EXPECT_TRUE(report.complete);
     EXPECT_EQ(report.relabeled, 0u);
@@ -127,9 +129,9 @@ TEST(Deformation, cube_moves_to_the_side_and_back) {
 TEST(Deformation, four_phases_rotate) {
   Complex dsc = make_complex(grid(4, four_phases_in_cube));
   const auto labels = dsc.labels();
-  const CGAL::Rigid_rotation_3 rotation({0, 0, 0}, {0, 0, 1}, CGAL_PI / 180);
+  const DSC::Rigid_rotation_3 rotation({0, 0, 0}, {0, 0, 1}, CGAL_PI / 180);
   for (int step = 0; step < 6; ++step) {
-    const Report report = CGAL::advect_interface(dsc, rotation, 15 * step, 15);
+    const Report report = DSC::advect_interface(dsc, rotation, 15 * step, 15);
     expect_true(report, dsc);
     EXPECT_TRUE(report.complete);
     ASSERT_EQ(dsc.labels(), labels);
@@ -165,7 +167,7 @@ TEST(Deformation, destinations_that_are_no_points_are_refused) {
   for (double bad : {nan, infinity, -infinity})
     for (int axis = 0; axis < 3; ++axis)
       try {
-        CGAL::deform_interface(dsc, [&](Vertex_handle v) {
+        DSC::deform_interface(dsc, [&](Vertex_handle v) {
           const bool is_good = v != vertices[3] && v != vertices[20];
           return is_good ? Point(.1, .2, .3)
                          : Point(axis == 0 ? bad : 0, axis == 1 ? bad : 0, axis == 2 ? bad : 0);
@@ -175,7 +177,7 @@ TEST(Deformation, destinations_that_are_no_points_are_refused) {
         EXPECT_EQ(e.vertices(), (std::vector<std::size_t>{3, 20}));
         EXPECT_TRUE(dsc.state() == state);
       }
-  EXPECT_THROW(CGAL::advect_interface(
+  EXPECT_THROW(DSC::advect_interface(
                    dsc, [&](const Position&, double) { return Vector(nan, 0, 0); }, 0, 1),
                Invalid_destination_error);
   EXPECT_TRUE(dsc.state() == state);
@@ -187,11 +189,10 @@ TEST(Deformation, refuses_thresholds_that_are_no_qualities) {
   const auto stay = [](Vertex_handle v) { return v->point(); };
   using CGAL::Deformable_simplicial_complexes::Error;
   for (double threshold : {-.1, 1.1, std::nan("")}) {
-    EXPECT_THROW(CGAL::deform_interface(dsc, stay, parameters::quality_threshold(threshold)),
+    EXPECT_THROW(DSC::deform_interface(dsc, stay, parameters::quality_threshold(threshold)), Error);
+    EXPECT_THROW(DSC::deform_interface(dsc, stay, parameters::relabeling_threshold(threshold)),
                  Error);
-    EXPECT_THROW(CGAL::deform_interface(dsc, stay, parameters::relabeling_threshold(threshold)),
-                 Error);
-    EXPECT_THROW(CGAL::improve_mesh(dsc, parameters::quality_threshold(threshold)), Error);
+    EXPECT_THROW(DSC::improve_mesh(dsc, parameters::quality_threshold(threshold)), Error);
   }
   EXPECT_TRUE(dsc.state() == state);
 }
@@ -202,9 +203,9 @@ TEST(Deformation, refuses_negative_numbers) {
   const auto state = dsc.state();
   const auto stay = [](Vertex_handle v) { return v->point(); };
   using CGAL::Deformable_simplicial_complexes::Error;
-  EXPECT_THROW(CGAL::deform_interface(dsc, stay, parameters::maximum_number_of_passes(-1)), Error);
-  EXPECT_THROW(CGAL::deform_interface(dsc, stay, parameters::number_of_threads(-1)), Error);
-  EXPECT_THROW(CGAL::improve_mesh(dsc, parameters::number_of_iterations(-1)), Error);
+  EXPECT_THROW(DSC::deform_interface(dsc, stay, parameters::maximum_number_of_passes(-1)), Error);
+  EXPECT_THROW(DSC::deform_interface(dsc, stay, parameters::number_of_threads(-1)), Error);
+  EXPECT_THROW(DSC::improve_mesh(dsc, parameters::number_of_iterations(-1)), Error);
   EXPECT_TRUE(dsc.state() == state);
 }
 
@@ -258,7 +259,7 @@ TEST(Deformation, stays_in_the_box) {
   for (Vertex_handle v : dsc.vertices())
     for (int axis = 0; axis < 3; ++axis) {
       EXPECT_LE(std::abs(dsc.position(v)[axis]), 1);
-      if (CGAL::Boundary_class::fixes(v->boundary_class(), axis)) {
+      if (DSC::Boundary_class::fixes(v->boundary_class(), axis)) {
         EXPECT_EQ(std::abs(dsc.position(v)[axis]), 1);
       }
     }
@@ -327,7 +328,7 @@ TEST(Deformation, of_labels_that_came_later) {
                                             c->vertex(2)->point(), c->vertex(3)->point())));
   const auto stay = [&](Vertex_handle v) { return v->point(); };
   const auto before = dsc.state();
-  EXPECT_THROW(CGAL::deform_interface(dsc, stay), CGAL::Deformable_simplicial_complexes::Error);
+  EXPECT_THROW(DSC::deform_interface(dsc, stay), CGAL::Deformable_simplicial_complexes::Error);
   EXPECT_TRUE(dsc.state() == before);
   dsc.measure_interface_edges();
   EXPECT_EQ(collide(dsc, 4, .08).merged, 1u);
@@ -344,7 +345,7 @@ TEST(Deformation, limits_follow_the_mesh) {
     dsc.restore(state);
     std::size_t changes = 0;
     for (double distance : {.1, .1, .1, -.1, -.1, -.1, -.1}) {
-      const Report report = CGAL::advect_interface(dsc, CGAL::Normal_offset_3{distance}, 0, 1);
+      const Report report = DSC::advect_interface(dsc, DSC::Normal_offset{distance}, 0, 1);
       changes += report.relabeled + report.collapsed;
     }
     EXPECT_GT(changes, 0u);
@@ -374,7 +375,7 @@ TEST(Deformation, in_the_order_of_collisions) {
 
 // Visitors
 
-struct Counting_visitor : public CGAL::Deformation_visitor_3
+struct Counting_visitor : public DSC::Deformation_visitor
 {
   void after_split(Vertex_handle, Vertex_handle, Vertex_handle) { ++split; }
   void before_collapse(Vertex_handle removed, Vertex_handle kept) {
@@ -433,13 +434,13 @@ TEST(Deformation, visitor_can_end_it) {
 }
 
 TEST(Deformation, exception_of_the_visitor_leaves_a_valid_complex) {
-  struct Throwing_visitor : public CGAL::Deformation_visitor_3
+  struct Throwing_visitor : public DSC::Deformation_visitor
   {
     void after_flip(const std::vector<Cell_handle>&) { throw std::runtime_error("no"); }
   };
   Complex dsc = mesh_helpers::jittered_grid(6, small_meshes::two_boxes, .3, 2);
   Throwing_visitor visitor;
-  EXPECT_THROW(CGAL::deform_interface(
+  EXPECT_THROW(DSC::deform_interface(
                    dsc,
                    [&](Vertex_handle v) {
                      return mesh_helpers::exact_point(dsc,
@@ -490,10 +491,10 @@ TEST(Deformation, visitor_may_be_given_by_value) {
   visitor.maximum_number_of_passes = 0;
   const Report report = deform(dsc, swirl, parameters::visitor(visitor));
   EXPECT_EQ(report.passes, 0u);
-  EXPECT_EQ(CGAL::improve_mesh(dsc, parameters::visitor(visitor)).split, 0u);
+  EXPECT_EQ(DSC::improve_mesh(dsc, parameters::visitor(visitor)).split, 0u);
 }
 
-struct Throwing_visitor : public CGAL::Deformation_visitor_3
+struct Throwing_visitor : public DSC::Deformation_visitor
 {
   bool go_further(unsigned pass) { return pass < 2 ? true : throw pass; }
 };

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_motion {
 
 using mesh_helpers::jittered_grid;
@@ -229,7 +231,7 @@ TEST(Move_vertex, keeps_vertices_of_a_box_on_their_sides) {
       dsc.move_vertex(v, q);
       const auto after = dsc.position(v);
       for (int axis = 0; axis < 3; ++axis)
-        if (CGAL::Boundary_class::fixes(v->boundary_class(), axis)) {
+        if (DSC::Boundary_class::fixes(v->boundary_class(), axis)) {
           EXPECT_EQ(after[axis], before[axis]);
           EXPECT_EQ(admissible[axis], before[axis]);
         } else {

@@ -1,8 +1,8 @@
 #include "../mesh_helpers.h"
 
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Conjugate_gradients.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Harmonic_extension.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Row_blocks.h>
 
 #include <Eigen/SparseCholesky>

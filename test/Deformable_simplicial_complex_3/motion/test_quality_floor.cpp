@@ -1,7 +1,7 @@
 #include "../mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/deform_interface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Which cells are below the floor of quality, and that deformations leave none.
 
@@ -53,7 +55,7 @@ TEST(Quality_floor, cells_below_it_are_known_whatever_changes_the_complex) {
 
   const auto before = dsc.flat_cells();
   const auto stay = [](auto v) { return v->point(); };
-  const auto report = CGAL::deform_interface(dsc, stay);
+  const auto report = DSC::deform_interface(dsc, stay);
   ASSERT_EQ(report.flat.size(), dsc.flat_cells().size());
   for (std::size_t i = 0; i < report.flat.size(); ++i) {
     EXPECT_EQ(report.flat[i].cell, dsc.flat_cells()[i]);
@@ -75,7 +77,7 @@ TEST(Quality_floor, rough_motions_leave_no_cell_below_it) {
     const auto anywhere = [&](auto v) {
       return mesh_helpers::exact_point(dsc, dsc.position(v) + random.vector<Complex>(length));
     };
-    EXPECT_TRUE(CGAL::deform_interface(dsc, anywhere).flat.empty()) << step;
+    EXPECT_TRUE(DSC::deform_interface(dsc, anywhere).flat.empty()) << step;
     EXPECT_TRUE(cells_below_floor(dsc).empty()) << step;
   }
 }

@@ -1,12 +1,14 @@
 #include "../mesh_helpers.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/restore_volumes_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_restore_volumes {
 
@@ -19,7 +21,7 @@ void expect_restored(Complex dsc, const std::map<int, double>& factors) {
   std::map<int, double> volumes;
   for (const auto& [label, factor] : factors)
     volumes[label] = factor * dsc.volume(label);
-  EXPECT_TRUE(CGAL::restore_volumes(dsc, volumes).complete);
+  EXPECT_TRUE(DSC::restore_volumes(dsc, volumes).complete);
   EXPECT_TRUE(dsc.is_valid());
   for (const auto& [label, volume] : volumes)
     EXPECT_NEAR(dsc.volume(label), volume, 1e-10 * volume);
@@ -46,8 +48,8 @@ TEST(Restore_volumes, of_labels_on_the_boundary) {
 TEST(Restore_volumes, does_nothing_where_nothing_is_wrong) {
   Complex dsc = mesh_helpers::sphere(4, .6);
   const auto before = dsc.state();
-  EXPECT_TRUE(CGAL::restore_volumes(dsc, {{1, dsc.volume(1)}}).complete);
-  EXPECT_TRUE(CGAL::restore_volumes(dsc, {}).deformations.empty());
+  EXPECT_TRUE(DSC::restore_volumes(dsc, {{1, dsc.volume(1)}}).complete);
+  EXPECT_TRUE(DSC::restore_volumes(dsc, {}).deformations.empty());
   EXPECT_TRUE(dsc.state() == before);
 }
 
@@ -55,9 +57,9 @@ TEST(Restore_volumes, tells_what_cannot_be_reached) {
   Complex dsc = mesh_helpers::sphere(4, .6);
   const double half = .5 * dsc.volume(1), nearly_all = .99 * (dsc.volume(0) + dsc.volume(1));
   EXPECT_FALSE(
-      CGAL::restore_volumes(dsc, {{1, half}}, parameters::number_of_iterations(0u)).complete);
+      DSC::restore_volumes(dsc, {{1, half}}, parameters::number_of_iterations(0u)).complete);
   const auto report =
-      CGAL::restore_volumes(dsc, {{1, nearly_all}}, parameters::number_of_iterations(1u));
+      DSC::restore_volumes(dsc, {{1, nearly_all}}, parameters::number_of_iterations(1u));
   EXPECT_FALSE(report.complete);
   ASSERT_EQ(report.deformations.size(), 1u);
   EXPECT_EQ(report.deformations[0].labels[1].volume_after, dsc.volume(1));
@@ -66,13 +68,13 @@ TEST(Restore_volumes, tells_what_cannot_be_reached) {
 
 // Even if it has let a deformation go on for a pass.
 TEST(Restore_volumes, a_visitor_can_end_it) {
-  struct Visitor : CGAL::Deformation_visitor_3
+  struct Visitor : DSC::Deformation_visitor
   {
     bool go_further(unsigned pass) { return pass < 2; }
   };
   Complex dsc = make_complex(grid(8, small_meshes::two_boxes));
   const auto report =
-      CGAL::restore_volumes(dsc, {{1, 1e-3 * dsc.volume(1)}}, parameters::visitor(Visitor()));
+      DSC::restore_volumes(dsc, {{1, 1e-3 * dsc.volume(1)}}, parameters::visitor(Visitor()));
   EXPECT_FALSE(report.complete);
   ASSERT_EQ(report.deformations.size(), 1u);
   EXPECT_TRUE(report.deformations[0].stopped);
@@ -82,14 +84,14 @@ TEST(Restore_volumes, refuses_nonsense) {
   Complex dsc = mesh_helpers::sphere(4, .6);
   const auto before = dsc.state();
   using CGAL::Deformable_simplicial_complexes::Error;
-  EXPECT_THROW(CGAL::restore_volumes(dsc, {{7, 1.}}), Error);
-  EXPECT_THROW(CGAL::restore_volumes(dsc, {{0, dsc.volume(0)}, {1, .9 * dsc.volume(1)}}), Error);
+  EXPECT_THROW(DSC::restore_volumes(dsc, {{7, 1.}}), Error);
+  EXPECT_THROW(DSC::restore_volumes(dsc, {{0, dsc.volume(0)}, {1, .9 * dsc.volume(1)}}), Error);
   const double all = dsc.volume(0) + dsc.volume(1);
   for (double bad : {0., -1., std::nan(""), HUGE_VAL, all})
-    EXPECT_THROW(CGAL::restore_volumes(dsc, {{1, bad}}), Error);
+    EXPECT_THROW(DSC::restore_volumes(dsc, {{1, bad}}), Error);
   for (double bad : {0., -1., std::nan("")})
-    EXPECT_THROW(CGAL::restore_volumes(dsc, {{1, 1.}}, parameters::volume_tolerance(bad)), Error);
-  EXPECT_THROW(CGAL::restore_volumes(dsc, {{1, 1.}}, parameters::number_of_iterations(-1)), Error);
+    EXPECT_THROW(DSC::restore_volumes(dsc, {{1, 1.}}, parameters::volume_tolerance(bad)), Error);
+  EXPECT_THROW(DSC::restore_volumes(dsc, {{1, 1.}}, parameters::number_of_iterations(-1)), Error);
   EXPECT_TRUE(dsc.state() == before);
 }
 

@@ -2,11 +2,11 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/improve_interface_3.h>
-#include <CGAL/improve_mesh_3.h>
-#include <CGAL/interface_flows_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 
 #include <gtest/gtest.h>
 
@@ -15,6 +15,8 @@
 #include <functional>
 #include <set>
 #include <string>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_stopping {
 
@@ -63,14 +65,14 @@ template <class F> void expect_valid_wherever_stopped(const Complex& start, cons
 
 TEST(Stopping, a_motion_leaves_a_valid_complex) {
   expect_valid_wherever_stopped(mesh_helpers::sphere(8, .6), [](Complex& dsc) {
-    CGAL::advect_interface(dsc, CGAL::Normal_offset_3{-.3}, 0., 1.);
+    DSC::advect_interface(dsc, DSC::Normal_offset{-.3}, 0., 1.);
   });
 }
 
 TEST(Stopping, improvement_leaves_a_valid_complex) {
   const Complex start = mesh_helpers::jittered_grid(4, small_meshes::cube, .3, 1);
-  expect_valid_wherever_stopped(start, [](Complex& dsc) { CGAL::improve_mesh(dsc); });
-  expect_valid_wherever_stopped(start, [](Complex& dsc) { CGAL::improve_interface(dsc); });
+  expect_valid_wherever_stopped(start, [](Complex& dsc) { DSC::improve_mesh(dsc); });
+  expect_valid_wherever_stopped(start, [](Complex& dsc) { DSC::improve_interface(dsc); });
 }
 
 TEST(Stopping, restoring_leaves_a_valid_complex) {
@@ -81,7 +83,7 @@ TEST(Stopping, restoring_leaves_a_valid_complex) {
 
 TEST(Stopping, building_makes_nothing) {
   const auto build = [] {
-    CGAL::make_deformable_simplicial_complex_3<Complex>(
+    DSC::make_deformable_simplicial_complex_3<Complex>(
         CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), .25,
         [](const auto& p) { return (p - CGAL::ORIGIN).squared_length() < .5; });
   };
@@ -102,8 +104,8 @@ TEST(Stopping, phases_have_names) {
       },
       at_each_check);
   Complex dsc = mesh_helpers::sphere(8, .6);
-  CGAL::advect_interface(dsc, CGAL::Normal_offset_3{.1}, 0., 1.);
-  CGAL::improve_mesh(dsc);
+  DSC::advect_interface(dsc, DSC::Normal_offset{.1}, 0., 1.);
+  DSC::improve_mesh(dsc);
   for (const char* phase : {"assembling the mesh", "moving the interface", "improving the mesh"})
     EXPECT_EQ(phases.count(phase), 1u) << phase;
 }

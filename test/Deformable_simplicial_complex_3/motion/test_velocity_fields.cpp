@@ -1,10 +1,12 @@
 #include "../mesh_helpers.h"
 
-#include <CGAL/velocity_fields_3.h>
+#include <CGAL/Interface_flows/velocity_fields_3.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_velocity_fields {
 
@@ -48,26 +50,26 @@ template <class Field> void expect_closed_and_reversed(const Field& field, doubl
 }
 
 TEST(Velocity_fields, enright) {
-  const CGAL::Enright_velocity_3 field(2);
+  const DSC::Enright_velocity_3 field(2);
   // sin^2 = 1/2, sin(2 pi x) = 1 at a quarter
   EXPECT_LT((field({.25, .25, .25}, 0) - Vector(1, -.5, -.5)).squared_length(), 1e-28);
   EXPECT_LT(field({.25, .25, .25}, 1).squared_length(), 1e-28);
-  EXPECT_NEAR(CGAL::Enright_velocity_3()({.25, .25, .25}, 1).x(), .5, 1e-14); // cos(pi / 3)
+  EXPECT_NEAR(DSC::Enright_velocity_3()({.25, .25, .25}, 1).x(), .5, 1e-14); // cos(pi / 3)
   expect_no_divergence(field);
   expect_closed_and_reversed(field, 2);
 }
 
 TEST(Velocity_fields, single_vortex) {
-  const CGAL::Single_vortex_velocity_3 field(2);
+  const DSC::Single_vortex_velocity_3 field(2);
   EXPECT_LT((field({.5, .25, .9}, 0) - Vector(-1, 0, 0)).squared_length(), 1e-28);
-  EXPECT_NEAR(CGAL::Single_vortex_velocity_3()({.5, .25, .9}, 4).x(), 0, 1e-15); // half of 8
+  EXPECT_NEAR(DSC::Single_vortex_velocity_3()({.5, .25, .9}, 4).x(), 0, 1e-15); // half of 8
   expect_no_divergence(field);
   expect_closed_and_reversed(field, 2);
 }
 
 TEST(Velocity_fields, curl_noise) {
   static constexpr double speed = 2;
-  const CGAL::Curl_noise_velocity_3 field(.5, speed, 7);
+  const DSC::Curl_noise_velocity_3 field(.5, speed, 7);
   expect_no_divergence(field);
 
   mesh_helpers::Random random(3);
@@ -77,8 +79,8 @@ TEST(Velocity_fields, curl_noise) {
   for (int i = 0; i < samples; ++i) {
     const Position p(random(-50, 50), random(-50, 50), random(-50, 50));
     squares += field(p, 0).squared_length();
-    EXPECT_EQ(field(p, 0), CGAL::Curl_noise_velocity_3(.5, speed, 7)(p, 1));
-    differs = differs || field(p, 0) != CGAL::Curl_noise_velocity_3(.5, speed, 8)(p, 0);
+    EXPECT_EQ(field(p, 0), DSC::Curl_noise_velocity_3(.5, speed, 7)(p, 1));
+    differs = differs || field(p, 0) != DSC::Curl_noise_velocity_3(.5, speed, 8)(p, 0);
   }
   EXPECT_TRUE(differs);
   EXPECT_NEAR(std::sqrt(squares / samples), speed, .05 * speed);
@@ -88,7 +90,7 @@ TEST(Velocity_fields, in_user_coordinates) {
   Complex dsc;
   dsc.set_normalization({{1, 2, 3}, 4});
   const auto field = [](const Position& p, double t) { return t * (p - CGAL::ORIGIN); };
-  const CGAL::Velocity_in_user_coordinates_3<Complex, decltype(field)> scaled(dsc, field);
+  const DSC::Velocity_in_user_coordinates_3<Complex, decltype(field)> scaled(dsc, field);
   // (1, 1, 1) is (5, 6, 7) to the user.
   EXPECT_EQ(scaled({1, 1, 1}, 2), Vector(2.5, 3, 3.5));
 }

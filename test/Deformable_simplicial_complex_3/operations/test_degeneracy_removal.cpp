@@ -2,11 +2,11 @@
 #include "../short_edge.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/degeneracy_removal_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
-#include <CGAL/remove_degeneracies_3.h>
+#include <CGAL/Deformable_simplicial_complexes/degeneracy_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/remove_degeneracies.h>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +17,8 @@
 #include <limits>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Removal of degenerate tetrahedra, facets and edges.
 
@@ -367,7 +369,7 @@ TEST(Degenerate_edge, between_two_sheets_stays) {
 
 TEST(Remove_degeneracies, removes_what_the_paper_calls_degenerate) {
   Grid_with_short_edge mesh(half_space);
-  const auto report = CGAL::remove_degeneracies(mesh.dsc);
+  const auto report = DSC::remove_degeneracies(mesh.dsc);
   EXPECT_EQ(report.collapsed, 1u);
   EXPECT_EQ(number_of_changes(report), 1u);
   EXPECT_TRUE(mesh.dsc.is_valid());
@@ -377,7 +379,7 @@ TEST(Remove_degeneracies, removes_what_the_paper_calls_degenerate) {
 
   Complex dsc;
   assign(dsc, flat_square(1, -2));
-  EXPECT_EQ(CGAL::remove_degeneracies(dsc).flipped, 1u);
+  EXPECT_EQ(DSC::remove_degeneracies(dsc).flipped, 1u);
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_EQ(dsc.number_of_cells(), 4u);
 }
@@ -385,10 +387,10 @@ TEST(Remove_degeneracies, removes_what_the_paper_calls_degenerate) {
 TEST(Remove_degeneracies, leaves_a_good_mesh_alone) {
   Complex dsc = make_complex(grid(4, small_meshes::two_boxes));
   const auto state = dsc.state();
-  EXPECT_EQ(number_of_changes(CGAL::remove_degeneracies(dsc)), 0u);
+  EXPECT_EQ(number_of_changes(DSC::remove_degeneracies(dsc)), 0u);
   EXPECT_TRUE(dsc.state() == state);
   Complex empty;
-  EXPECT_EQ(number_of_changes(CGAL::remove_degeneracies(empty)), 0u);
+  EXPECT_EQ(number_of_changes(DSC::remove_degeneracies(empty)), 0u);
 }
 
 TEST(Remove_degeneracies, measures_edges_by_the_size_field) {
@@ -396,20 +398,20 @@ TEST(Remove_degeneracies, measures_edges_by_the_size_field) {
   const auto with_length = [&](double length) {
     Complex dsc = Grid_with_short_edge(small_meshes::uniform).dsc;
     const auto size = [length](const Approximate_point& p) { return p.y() > .4 ? length : 1e-9; };
-    return CGAL::remove_degeneracies(dsc, edges_only.size_field(size)).collapsed;
+    return DSC::remove_degeneracies(dsc, edges_only.sizing_field(size)).collapsed;
   };
   EXPECT_EQ(with_length(1.9e-4), 0u);
   EXPECT_EQ(with_length(2.1e-4), 1u);
   // Without interface there is no length that an edge could be short by.
   Complex dsc = Grid_with_short_edge(small_meshes::uniform).dsc;
-  EXPECT_EQ(number_of_changes(CGAL::remove_degeneracies(dsc, edges_only)), 0u);
+  EXPECT_EQ(number_of_changes(DSC::remove_degeneracies(dsc, edges_only)), 0u);
 }
 
 TEST(Remove_degeneracies, keeps_labels_valid_in_a_random_mesh) {
   for (unsigned seed = 0; seed < 3; ++seed) {
     Complex dsc = jittered_grid(4, small_meshes::two_boxes, .45, seed);
     const Complex before = dsc;
-    CGAL::remove_degeneracies(
+    DSC::remove_degeneracies(
         dsc, parameters::degenerate_quality(.1).degenerate_cosine(.95).degenerate_length(.7));
     EXPECT_TRUE(dsc.is_valid());
     EXPECT_GE(minimum_quality(dsc), minimum_quality(before));
@@ -425,7 +427,7 @@ TEST(Remove_degeneracies, keeps_labels_valid_in_a_random_mesh) {
 TEST(Remove_degeneracies, refuses_values_out_of_range) {
   const Complex dsc = make_complex(grid(2, small_meshes::four_phases));
   const auto refuses = [&](const auto& np) {
-    expect_error(dsc, [&](Complex& copy) { CGAL::remove_degeneracies(copy, np); });
+    expect_error(dsc, [&](Complex& copy) { DSC::remove_degeneracies(copy, np); });
   };
   for (double value : {-1., 2., not_a_number}) {
     refuses(parameters::degenerate_quality(value));
@@ -434,7 +436,7 @@ TEST(Remove_degeneracies, refuses_values_out_of_range) {
   refuses(parameters::degenerate_length(-1.));
   refuses(parameters::degenerate_length(not_a_number));
   refuses(parameters::number_of_iterations(-1));
-  refuses(parameters::size_field([](const Approximate_point&) { return 0.; }));
+  refuses(parameters::sizing_field([](const Approximate_point&) { return 0.; }));
 }
 
 } // namespace test_degeneracy_removal

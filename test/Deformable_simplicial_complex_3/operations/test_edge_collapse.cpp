@@ -2,11 +2,11 @@
 #include "../operation_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_split_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_split.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <gtest/gtest.h>
 
@@ -16,11 +16,13 @@
 #include <utility>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 // Splits and collapses of edges.
 
 namespace test_edge_collapse {
 
-using CGAL::Boundary_class;
+using DSC::Boundary_class;
 using mesh_helpers::Coordinates;
 using mesh_helpers::jittered_grid;
 using namespace operation_helpers;
@@ -85,7 +87,7 @@ Complex collapsed_from_scratch(const Complex& dsc, Vertex_handle v, Vertex_handl
   Complex result;
   try {
     result.assign(mesh.points, mesh.tetrahedra, mesh.labels);
-  } catch (const CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error&) {
+  } catch (const CGAL::Deformable_simplicial_complexes::Invalid_cells_error&) {
   }
   return result;
 }

@@ -1,9 +1,9 @@
 #include "../operation_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/vertex_insertion_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_insertion.h>
 #include <CGAL/Origin.h>
 #include <CGAL/enum.h>
 
@@ -14,6 +14,8 @@
 #include <cmath>
 #include <cstddef>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Insertion of vertices against brute force.
 
@@ -129,7 +131,7 @@ int compare_with_brute_force(const Complex& dsc) {
     expect_valid_commit(copy, of_copy, volume_of_domain(dsc));
     EXPECT_EQ(copy.number_of_vertices(), dsc.number_of_vertices() + 1);
     const Vertex_handle inserted = of_copy.vertices().back().handle;
-    EXPECT_EQ(inserted->boundary_class(), CGAL::Boundary_class::inside);
+    EXPECT_EQ(inserted->boundary_class(), DSC::Boundary_class::inside);
     EXPECT_FALSE(inserted->is_interface());
     for (Cell_handle c : of_copy.created()) {
       EXPECT_TRUE(c->has_vertex(inserted));

@@ -1,9 +1,9 @@
 #include "../operation_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/Cavity_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/multi_face_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
 
 #include <gtest/gtest.h>
 

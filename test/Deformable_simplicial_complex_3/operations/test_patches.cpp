@@ -1,6 +1,6 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 
 #include <gtest/gtest.h>
 
@@ -12,13 +12,15 @@
 #include <utility>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_patches {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
-using Patch = CGAL::Labelled_patch_3<Point>;
+using Patch = DSC::Labelled_patch_3<Point>;
+using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
-using CGAL::Deformable_simplicial_complexes::Invalid_tetrahedra_error;
 using Reason = Invalid_surface_error::Reason;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
@@ -65,7 +67,7 @@ std::vector<Patch> two_cubes() {
 }
 
 TEST(Patches, that_share_borders_separate_materials) {
-  const auto dsc = CGAL::make_deformable_simplicial_complex_3<Complex>(two_cubes(), tetgen);
+  const auto dsc = DSC::make_deformable_simplicial_complex_3<Complex>(two_cubes(), tetgen);
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_EQ(dsc.labels(), (std::vector<int>{0, 1, 2}));
   EXPECT_NEAR(dsc.volume(1), 1, 1e-12);
@@ -92,7 +94,7 @@ TEST(Patches, may_enclose_other_patches_and_be_open_within_a_label) {
   fin.triangles = {{0, 1, 2}};
   fin.label_behind = fin.label_in_front = 1;
   patches.push_back(fin);
-  const auto dsc = CGAL::make_deformable_simplicial_complex_3<Complex>(patches, tetgen);
+  const auto dsc = DSC::make_deformable_simplicial_complex_3<Complex>(patches, tetgen);
   EXPECT_NEAR(dsc.volume(1), 1, 1e-12);
   EXPECT_EQ(dsc.interface_facets().size(), 22u);
 }
@@ -101,7 +103,7 @@ TEST(Patches, that_leave_a_gap_are_refused) {
   auto patches = two_cubes();
   patches[4].triangles.pop_back();
   try {
-    CGAL::make_deformable_simplicial_complex_3<Complex>(patches, tetgen);
+    DSC::make_deformable_simplicial_complex_3<Complex>(patches, tetgen);
     FAIL() << "label 2 leaks out";
   } catch (const Invalid_surface_error& error) {
     EXPECT_EQ(error.reason(), Reason::contradicting_sides);
@@ -115,7 +117,7 @@ TEST(Patches, with_a_turned_triangle_are_refused) {
   auto patches = two_cubes();
   std::swap(patches[2].triangles[1][0], patches[2].triangles[1][1]);
   try {
-    CGAL::make_deformable_simplicial_complex_3<Complex>(patches, tetgen);
+    DSC::make_deformable_simplicial_complex_3<Complex>(patches, tetgen);
     FAIL() << "the wall tells both labels for both sides";
   } catch (const Invalid_surface_error& error) {
     EXPECT_EQ(error.reason(), Reason::contradicting_sides);
@@ -128,9 +130,9 @@ TEST(Patches, that_cross_are_refused) {
   append_wall(patches[2], .5);
   for (auto& p : patches[2].points)
     p = Point(p.x() + (p.x() < 1 ? .1 * p.y() : 0), p.y() * 1.5, p.z());
-  EXPECT_THROW(CGAL::make_deformable_simplicial_complex_3<Complex>(patches, tetgen),
+  EXPECT_THROW(DSC::make_deformable_simplicial_complex_3<Complex>(patches, tetgen),
                Invalid_surface_error);
-  EXPECT_THROW(CGAL::make_deformable_simplicial_complex_3<Complex>(std::vector<Patch>(), tetgen),
+  EXPECT_THROW(DSC::make_deformable_simplicial_complex_3<Complex>(std::vector<Patch>(), tetgen),
                Invalid_surface_error);
 }
 
@@ -157,8 +159,8 @@ struct Tetrahedra
     labels.resize(tetrahedra.size(), label);
   }
   Complex complex() const {
-    return CGAL::make_deformable_simplicial_complex_3<Complex>(points, tetrahedra, labels, tetgen,
-                                                               parameters::improve(false));
+    return DSC::make_deformable_simplicial_complex_3<Complex>(points, tetrahedra, labels, tetgen,
+                                                              parameters::improve(false));
   }
 };
 
@@ -195,36 +197,36 @@ TEST(Tetrahedra_in_a_box, that_overlap_are_refused) {
   try {
     crossing.complex();
     FAIL();
-  } catch (const Invalid_tetrahedra_error& error) {
+  } catch (const Invalid_cells_error& error) {
     EXPECT_FALSE(error.tetrahedra().empty());
     EXPECT_LT(error.tetrahedra().back(), 12u);
   }
   Tetrahedra twice;
   twice.append(0, 0, 0, 1);
   twice.append(0, 0, 0, 2);
-  EXPECT_THROW(twice.complex(), Invalid_tetrahedra_error);
+  EXPECT_THROW(twice.complex(), Invalid_cells_error);
   Tetrahedra nested;
   nested.append(0, 0, 0, 1);
   nested.append(.25, .25, .25, 2);
   for (std::size_t i = 8; i < 16; ++i)
     nested.points[i] = CGAL::midpoint(nested.points[i], Point(.5, .5, .5));
-  EXPECT_THROW(nested.complex(), Invalid_tetrahedra_error);
+  EXPECT_THROW(nested.complex(), Invalid_cells_error);
 }
 
 TEST(Tetrahedra_in_a_box, that_are_no_mesh_are_refused) {
-  EXPECT_THROW(Tetrahedra().complex(), Invalid_tetrahedra_error);
+  EXPECT_THROW(Tetrahedra().complex(), Invalid_cells_error);
   Tetrahedra mesh;
   mesh.append(0, 0, 0, 1);
   Tetrahedra unlabelled = mesh;
   unlabelled.labels.pop_back();
-  EXPECT_THROW(unlabelled.complex(), Invalid_tetrahedra_error);
+  EXPECT_THROW(unlabelled.complex(), Invalid_cells_error);
   Tetrahedra infinite = mesh;
   infinite.points[0] = Point(std::numeric_limits<double>::infinity(), 0, 0);
-  EXPECT_THROW(infinite.complex(), Invalid_tetrahedra_error);
+  EXPECT_THROW(infinite.complex(), Invalid_cells_error);
   Tetrahedra flat = mesh;
   flat.tetrahedra[0][3] = flat.tetrahedra[0][2];
-  EXPECT_THROW(flat.complex(), Invalid_tetrahedra_error);
-  EXPECT_THROW(CGAL::make_deformable_simplicial_complex_3<Complex>(
+  EXPECT_THROW(flat.complex(), Invalid_cells_error);
+  EXPECT_THROW(DSC::make_deformable_simplicial_complex_3<Complex>(
                    mesh.points, mesh.tetrahedra, mesh.labels, tetgen,
                    parameters::enclosing_box(CGAL::Bbox_3(0, 0, 0, 1, 1, 1))),
                Invalid_surface_error);

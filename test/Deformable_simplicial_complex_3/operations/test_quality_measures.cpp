@@ -1,6 +1,6 @@
 #include "../mesh_helpers.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/quality_measures_3.h>
+#include <CGAL/Deformable_simplicial_complexes/quality_measures_3.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
@@ -10,6 +10,8 @@
 #include <cmath>
 #include <numeric>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_quality_measures {
 
@@ -55,7 +57,7 @@ double circumradius(const Tetrahedron& t) {
 
 // The measures by their definitions.
 
-double slow(const CGAL::Volume_length_ratio_3&, const Tetrahedron& t) {
+double slow(const DSC::Volume_length_ratio_3&, const Tetrahedron& t) {
   double squared = 0;
   for (int i = 0; i < 4; ++i)
     for (int j = i + 1; j < 4; ++j)
@@ -63,7 +65,7 @@ double slow(const CGAL::Volume_length_ratio_3&, const Tetrahedron& t) {
   return 6 * std::sqrt(2.) * volume(t) / std::pow(std::sqrt(squared), 3);
 }
 
-double slow(const CGAL::Minimum_sine_3&, const Tetrahedron& t) {
+double slow(const DSC::Minimum_sine_3&, const Tetrahedron& t) {
   double minimum = 1;
   for (int i = 0; i < 4; ++i)
     for (int j = i + 1; j < 4; ++j)
@@ -71,7 +73,7 @@ double slow(const CGAL::Minimum_sine_3&, const Tetrahedron& t) {
   return minimum / (2 * std::sqrt(2.) / 3);
 }
 
-double slow(const CGAL::Biased_minimum_sine_3&, const Tetrahedron& t) {
+double slow(const DSC::Biased_minimum_sine_3&, const Tetrahedron& t) {
   double minimum = 1;
   for (int i = 0; i < 4; ++i)
     for (int j = i + 1; j < 4; ++j) {
@@ -81,17 +83,17 @@ double slow(const CGAL::Biased_minimum_sine_3&, const Tetrahedron& t) {
   return minimum / (2 * std::sqrt(2.) / 3);
 }
 
-double slow(const CGAL::Radius_ratio_3&, const Tetrahedron& t) {
+double slow(const DSC::Radius_ratio_3&, const Tetrahedron& t) {
   double area = 0;
   for (int i = 0; i < 4; ++i)
     area += facet_area(t, i);
   return 3 * (3 * volume(t) / area) / circumradius(t);
 }
 
-double of_corner(const CGAL::Volume_length_ratio_3&) { return 4 / (3 * std::sqrt(3.)); }
-double of_corner(const CGAL::Minimum_sine_3&) { return std::sqrt(3.) / 2; }
-double of_corner(const CGAL::Biased_minimum_sine_3&) { return std::sqrt(3.) / 2; }
-double of_corner(const CGAL::Radius_ratio_3&) { return std::sqrt(3.) - 1; }
+double of_corner(const DSC::Volume_length_ratio_3&) { return 4 / (3 * std::sqrt(3.)); }
+double of_corner(const DSC::Minimum_sine_3&) { return std::sqrt(3.) / 2; }
+double of_corner(const DSC::Biased_minimum_sine_3&) { return std::sqrt(3.) / 2; }
+double of_corner(const DSC::Radius_ratio_3&) { return std::sqrt(3.) - 1; }
 
 Tetrahedron regular() {
   return {Point(1, 1, 1), Point(1, -1, -1), Point(-1, -1, 1), Point(-1, 1, -1)};
@@ -119,8 +121,8 @@ protected:
   mesh_helpers::Random random{7};
 };
 
-using Measures = testing::Types<CGAL::Volume_length_ratio_3, CGAL::Minimum_sine_3,
-                                CGAL::Biased_minimum_sine_3, CGAL::Radius_ratio_3>;
+using Measures = testing::Types<DSC::Volume_length_ratio_3, DSC::Minimum_sine_3,
+                                DSC::Biased_minimum_sine_3, DSC::Radius_ratio_3>;
 TYPED_TEST_SUITE(Quality_measures, Measures);
 
 TYPED_TEST(Quality_measures, regular_tetrahedron_is_one) {
@@ -211,7 +213,7 @@ TYPED_TEST(Quality_measures, decreases_with_the_height_of_a_sliver) {
 
 // Against central differences, on thin tetrahedra too.
 TEST(Volume_length_ratio, gradient_agrees_with_differences) {
-  const CGAL::Volume_length_ratio_3 measure;
+  const DSC::Volume_length_ratio_3 measure;
   mesh_helpers::Random random(8);
   for (int i = 0; i < 500; ++i) {
     Tetrahedron t = random_tetrahedron(random);

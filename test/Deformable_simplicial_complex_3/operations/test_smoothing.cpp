@@ -1,8 +1,8 @@
 #include "../operation_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/vertex_optimization_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/vertex_smoothing_3.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_optimization_3.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,8 @@
 #include <cmath>
 #include <cstddef>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Smart Laplacian and optimisation-based smoothing of vertices.
 
@@ -163,7 +165,7 @@ TEST(Optimal_position, survives_cells_flat_up_to_rounding) {
     std::vector<Cell_handle> star;
     dsc.star(v[6], star);
     Point target;
-    ASSERT_TRUE(CGAL::propose_optimal_position(dsc, v[6], star, target));
+    ASSERT_TRUE(DSC::propose_optimal_position(dsc, v[6], star, target));
     dsc.set_point(v[6], star, target);
     EXPECT_TRUE(dsc.is_valid());
     EXPECT_GT(mesh_helpers::minimum_quality(dsc), 0);

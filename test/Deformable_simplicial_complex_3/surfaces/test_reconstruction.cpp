@@ -3,14 +3,14 @@
 #include "../temporary_folder.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/manifold_interface_3.h>
-#include <CGAL/IO/point_set_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/point_set_3.h>
+#include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/manifold_interface.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Random.h>
-#include <CGAL/extract_interface_3.h>
+#include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 #include <CGAL/point_generators_3.h>
 #include <CGAL/property_map.h>
-#include <CGAL/reconstruct_point_set_3.h>
 
 #include <gtest/gtest.h>
 
@@ -26,6 +26,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_reconstruction {
 
@@ -80,9 +82,9 @@ struct Result
   Report report;
 
   template <class Points> explicit Result(const Points& points) {
-    complex = CGAL::reconstruct_point_set_3<Complex>(points, parameters::report(std::ref(report)));
+    complex = DSC::reconstruct_point_set_3<Complex>(points, parameters::report(std::ref(report)));
     EXPECT_TRUE(complex.is_valid());
-    EXPECT_TRUE(CGAL::non_manifold_vertices(complex).empty());
+    EXPECT_TRUE(DSC::non_manifold_vertices(complex).empty());
     EXPECT_TRUE(report.is_complete);
   }
   int euler_characteristic() const { return complex.euler_characteristic(1); }
@@ -187,7 +189,7 @@ TEST(Reconstruction, takes_the_known_normal_of_equal_points) {
   }
   using Pair = std::pair<Point, Vector>;
   const auto reconstruct = [&] {
-    return positions(CGAL::reconstruct_point_set_3<Complex>(
+    return positions(DSC::reconstruct_point_set_3<Complex>(
         pairs, parameters::point_map(CGAL::First_of_pair_property_map<Pair>())
                    .normal_map(CGAL::Second_of_pair_property_map<Pair>())));
   };
@@ -227,7 +229,7 @@ TEST(Reconstruction, does_not_depend_on_threads) {
   std::vector<Point> points = box(4000, .4);
   points.emplace_back(0, 0, .6); // an outlier
   const auto reconstruct = [&](unsigned threads) {
-    return CGAL::reconstruct_point_set_3<Complex>(points, parameters::number_of_threads(threads));
+    return DSC::reconstruct_point_set_3<Complex>(points, parameters::number_of_threads(threads));
   };
   const Complex one = reconstruct(1), two = reconstruct(2);
   EXPECT_EQ(positions(one), positions(two));
@@ -256,10 +258,10 @@ TEST(Reconstruction, takes_maps_and_point_sets) {
     set.insert(p, inwards);
   }
   using Pair = std::pair<Point, Vector>;
-  const Complex of_pairs = CGAL::reconstruct_point_set_3<Complex>(
+  const Complex of_pairs = DSC::reconstruct_point_set_3<Complex>(
       pairs, parameters::point_map(CGAL::First_of_pair_property_map<Pair>())
                  .normal_map(CGAL::Second_of_pair_property_map<Pair>()));
-  const Complex of_set = CGAL::reconstruct_point_set_3<Complex>(set);
+  const Complex of_set = DSC::reconstruct_point_set_3<Complex>(set);
   EXPECT_EQ(of_pairs.euler_characteristic(1), 2);
   EXPECT_EQ(positions(of_pairs), positions(of_set));
 }
@@ -272,13 +274,13 @@ TEST(Reconstruction, can_be_watched_and_ended) {
     steps.push_back(step);
     return step < 3;
   };
-  const Complex complex = CGAL::reconstruct_point_set_3<Complex>(
+  const Complex complex = DSC::reconstruct_point_set_3<Complex>(
       sphere(500), parameters::observer(observer).report(std::ref(report)));
   EXPECT_EQ(steps, (std::vector<std::size_t>{0, 1, 2, 3}));
   EXPECT_FALSE(report.is_complete);
   EXPECT_EQ(report.number_of_steps, 3);
   EXPECT_TRUE(complex.is_valid());
-  CGAL::reconstruct_point_set_3<Complex>(
+  DSC::reconstruct_point_set_3<Complex>(
       sphere(500), parameters::number_of_iterations(2).report(std::ref(report)));
   EXPECT_EQ(report.number_of_steps, 2);
 }
@@ -288,7 +290,7 @@ TEST(Reconstruction, refuses_what_bounds_no_solid) {
   const auto expect = [](const std::vector<Point>& points, Reason reason,
                          const std::vector<std::size_t>& wrong = {}) {
     try {
-      CGAL::reconstruct_point_set_3<Complex>(points);
+      DSC::reconstruct_point_set_3<Complex>(points);
       ADD_FAILURE() << "not refused";
     } catch (const Invalid_points_error& error) {
       EXPECT_EQ(error.reason(), reason) << error.what();
@@ -313,7 +315,7 @@ TEST(Reconstruction, refuses_what_bounds_no_solid) {
   for (Point& p : huge)
     p = CGAL::ORIGIN + 1e200 * (p - CGAL::ORIGIN);
   expect(huge, Reason::out_of_range);
-  EXPECT_THROW(CGAL::reconstruct_point_set_3<Complex>(sphere(100), parameters::fit_tolerance(0.)),
+  EXPECT_THROW(DSC::reconstruct_point_set_3<Complex>(sphere(100), parameters::fit_tolerance(0.)),
                Error);
 }
 
@@ -392,11 +394,11 @@ TEST(Reconstruction, needs_no_more_than_concepts_require) {
   std::size_t steps = 0;
   archetypes::Observer observer(steps);
   Report report;
-  const Complex complex = CGAL::reconstruct_point_set_3<Complex>(archetypes::Keys(points.size()),
-                                                                 parameters::point_map(map)
-                                                                     .normal_map(map)
-                                                                     .observer(std::ref(observer))
-                                                                     .report(std::ref(report)));
+  const Complex complex = DSC::reconstruct_point_set_3<Complex>(archetypes::Keys(points.size()),
+                                                                parameters::point_map(map)
+                                                                    .normal_map(map)
+                                                                    .observer(std::ref(observer))
+                                                                    .report(std::ref(report)));
   EXPECT_EQ(complex.euler_characteristic(1), 2);
   EXPECT_EQ(steps, report.number_of_steps);
   EXPECT_GT(report.changes.smoothed, 0);
@@ -412,7 +414,7 @@ TEST(Reconstruction, survives_degenerate_clouds) {
         points.emplace_back(random.get_int(0, grid), random.get_int(0, grid),
                             random.get_int(0, grid));
       try {
-        const Complex complex = CGAL::reconstruct_point_set_3<Complex>(points);
+        const Complex complex = DSC::reconstruct_point_set_3<Complex>(points);
         EXPECT_TRUE(complex.is_valid());
       } catch (const Error&) {
       }

@@ -1,9 +1,9 @@
 // What a reconstruction is compared with: empty balls whose sides are known, and handles that are
 // too small to be true.
 
-#include <CGAL/Deformable_simplicial_complex_3/internal/clouds/Sampled_surface_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Misplaced_balls_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Small_handles_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/clouds/Sampled_surface_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/reconstruction/Misplaced_balls_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/reconstruction/Small_handles_3.h>
 #include <CGAL/number_utils.h>
 
 #include <gtest/gtest.h>

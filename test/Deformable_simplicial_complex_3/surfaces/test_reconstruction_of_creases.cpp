@@ -3,10 +3,10 @@
 #include "../../../benchmark/gear.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/internal/reconstruction/Crease_planes_3.h>
+#include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
 #include <CGAL/Random.h>
-#include <CGAL/extract_interface_3.h>
-#include <CGAL/reconstruct_point_set_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/reconstruction/Crease_planes_3.h>
+#include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 #include <CGAL/squared_distance_3.h>
 
 #include <gtest/gtest.h>
@@ -16,6 +16,8 @@
 #include <cstddef>
 #include <functional>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_reconstruction_of_creases {
 
@@ -29,7 +31,7 @@ namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 std::vector<Kernel::Triangle_3> triangles_of(const Complex& complex) {
   std::vector<Kernel::Triangle_3> result;
-  const auto surface = CGAL::extract_interface(complex);
+  const auto surface = DSC::extract_interface(complex);
   const auto point = [&](std::size_t i) {
     const auto& p = surface.points[i];
     return Point(p.x(), p.y(), p.z());
@@ -48,7 +50,7 @@ TEST(Reconstruction_of_creases, makes_a_gear_without_nicks) {
   const std::vector<Point> points = gear.sample(side, [&] { return random.get_double(); });
   Report report;
   const Complex complex =
-      CGAL::reconstruct_point_set_3<Complex>(points, parameters::report(std::ref(report)));
+      DSC::reconstruct_point_set_3<Complex>(points, parameters::report(std::ref(report)));
   EXPECT_TRUE(report.is_complete);
   EXPECT_EQ(complex.euler_characteristic(1), 0);
   EXPECT_NEAR(complex.volume(1), gear.volume(), .002 * gear.volume());

@@ -4,7 +4,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Random.h>
-#include <CGAL/reconstruct_point_set_3.h>
+#include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,8 @@
 #include <functional>
 #include <string>
 #include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_reconstruction_of_scans {
 
@@ -64,7 +66,7 @@ TEST(Reconstruction_of_scans, begins_with_cells_of_good_shape) {
     return false;
   };
   const std::vector<Point> points = house(12000);
-  CGAL::reconstruct_point_set_3<Complex>(points, parameters::keep_open(true).observer(observer));
+  DSC::reconstruct_point_set_3<Complex>(points, parameters::keep_open(true).observer(observer));
   std::size_t number_of_flat = 0;
   for (auto c : complex.cells())
     number_of_flat += c->quality() < flat;
@@ -83,7 +85,7 @@ TEST(Reconstruction_of_scans, leaves_clusters_of_outliers_out) {
   }
   Report report;
   const Complex complex =
-      CGAL::reconstruct_point_set_3<Complex>(points, parameters::report(std::ref(report)));
+      DSC::reconstruct_point_set_3<Complex>(points, parameters::report(std::ref(report)));
   EXPECT_EQ(report.number_of_outliers, outliers);
   EXPECT_EQ(report.number_of_points, 2000);
   EXPECT_EQ(complex.number_of_components(1), 1);
@@ -98,14 +100,14 @@ TEST(Reconstruction_of_scans, refuses_open_sheets_or_keeps_them_on_request) {
     hills.emplace_back(x, y, .1 * std::sin(6 * x) * std::cos(6 * y));
   }
   try {
-    CGAL::reconstruct_point_set_3<Complex>(hills);
+    DSC::reconstruct_point_set_3<Complex>(hills);
     ADD_FAILURE() << "accepted";
   } catch (const Invalid_points_error& error) {
     EXPECT_EQ(error.reason(), Invalid_points_error::Reason::sheet);
     EXPECT_NE(std::string(error.what()).find("open sheet"), std::string::npos) << error.what();
   }
   Report report;
-  const Complex complex = CGAL::reconstruct_point_set_3<Complex>(
+  const Complex complex = DSC::reconstruct_point_set_3<Complex>(
       hills, parameters::keep_open(true).report(std::ref(report)));
   EXPECT_TRUE(complex.is_valid());
   EXPECT_FALSE(report.facets_without_points.empty());
@@ -119,7 +121,7 @@ TEST(Reconstruction_of_scans, stops_at_any_moment) {
     report.number_of_points = 17;
     const Progress_scope scope([&](const char*) { return go_on(); }, std::chrono::milliseconds(0));
     try {
-      CGAL::reconstruct_point_set_3<Complex>(points, parameters::report(std::ref(report)));
+      DSC::reconstruct_point_set_3<Complex>(points, parameters::report(std::ref(report)));
     } catch (const Interrupted_error&) {
       EXPECT_EQ(report.number_of_points, 17); // it stays what it was
       return false;
@@ -137,7 +139,7 @@ TEST(Reconstruction_of_scans, stops_at_any_moment) {
 
 TEST(Reconstruction_of_scans, does_not_depend_on_the_unit) {
   const int n = 700;
-  const Complex one = CGAL::reconstruct_point_set_3<Complex>(ball(n, 1));
+  const Complex one = DSC::reconstruct_point_set_3<Complex>(ball(n, 1));
   const auto points = [](const Complex& complex, double scale) {
     std::vector<Point> result;
     for (auto v : complex.interface_vertices())
@@ -146,11 +148,11 @@ TEST(Reconstruction_of_scans, does_not_depend_on_the_unit) {
   };
   for (const int exponent : {-30, 30}) {
     const double unit = std::ldexp(1., exponent);
-    const Complex other = CGAL::reconstruct_point_set_3<Complex>(ball(n, unit));
+    const Complex other = DSC::reconstruct_point_set_3<Complex>(ball(n, unit));
     EXPECT_EQ(points(other, 1 / unit), points(one, 1)) << exponent;
   }
   for (const double unit : {1e-9, 1e-4, 1e4, 1e9}) {
-    const Complex other = CGAL::reconstruct_point_set_3<Complex>(ball(n, unit));
+    const Complex other = DSC::reconstruct_point_set_3<Complex>(ball(n, unit));
     EXPECT_EQ(other.euler_characteristic(1), 2) << unit;
     EXPECT_NEAR(other.volume(1) / (unit * unit * unit), one.volume(1), 1e-3 * one.volume(1))
         << unit;

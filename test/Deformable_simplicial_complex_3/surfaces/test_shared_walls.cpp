@@ -1,10 +1,10 @@
 // Surfaces that share walls.
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_patches_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
-#include <CGAL/make_patches_3.h>
 
 #include <gtest/gtest.h>
 
@@ -13,11 +13,13 @@
 #include <utility>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_shared_walls {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
-using Surface = CGAL::Labelled_surface_3<Point>;
+using Surface = DSC::Labelled_surface_3<Point>;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
 
@@ -41,8 +43,8 @@ Surface box(const std::array<double, 6>& b, int label, bool is_other = false) {
 }
 
 Complex complex_of(const std::vector<Surface>& surfaces) {
-  Complex dsc = CGAL::make_deformable_simplicial_complex_3<Complex>(
-      CGAL::make_patches_3(surfaces).patches, CGAL::Tetgen_tetrahedralizer_3());
+  Complex dsc = DSC::make_deformable_simplicial_complex_3<Complex>(
+      DSC::make_patches_3(surfaces).patches, CGAL::Tetgen_tetrahedralizer_3());
   EXPECT_TRUE(dsc.is_valid(true));
   return dsc;
 }
@@ -99,7 +101,7 @@ TEST(Shared_walls, of_one_surface_divide_it_into_labels) {
   twice.label = 3;
   once.label = 3;
   Surface other = box({5, 5, 5, 6, 6, 6}, 4);
-  const auto patches = CGAL::make_patches_3(std::vector<Surface>{twice, other});
+  const auto patches = DSC::make_patches_3(std::vector<Surface>{twice, other});
   EXPECT_EQ(patches.labels, (std::vector<std::vector<int>>{{3, 5}, {4}}));
   const Complex two = complex_of({twice, other});
   EXPECT_NEAR(two.volume(3), 1, 1e-12);
@@ -112,7 +114,7 @@ TEST(Shared_walls, of_one_surface_divide_it_into_labels) {
 
 void expect_refusal(const std::vector<Surface>& surfaces, Reason reason) {
   try {
-    CGAL::make_patches_3(surfaces);
+    DSC::make_patches_3(surfaces);
     FAIL() << "not refused";
   } catch (const Invalid_surface_error& error) {
     EXPECT_EQ(error.reason(), reason) << error.what();

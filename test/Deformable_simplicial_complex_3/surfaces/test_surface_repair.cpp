@@ -1,11 +1,11 @@
 // Surfaces that nearly bound a solid, and are made to.
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/repair_surface_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
-#include <CGAL/repair_surface_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -18,12 +18,14 @@
 #include <utility>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_surface_repair {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
 using Vector = CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3;
-using Surface = CGAL::Labelled_surface_3<Point>;
+using Surface = DSC::Labelled_surface_3<Point>;
 using CGAL::Deformable_simplicial_complexes::Error;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
@@ -59,7 +61,7 @@ Surface cube(double x = 0) {
 }
 
 double volume(const Surface& surface) {
-  const Complex dsc = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  const Complex dsc = DSC::make_deformable_simplicial_complex_3<Complex>(
       std::vector<Surface>{surface}, CGAL::Tetgen_tetrahedralizer_3());
   EXPECT_TRUE(dsc.is_valid(true));
   return dsc.volume(surface.label);
@@ -69,7 +71,7 @@ template <class NP = parameters::Default_named_parameters>
 void expect_refusal(const Surface& surface, Reason reason, const NP& np = NP()) {
   Surface repaired = surface;
   try {
-    CGAL::repair_surface_3(repaired, np);
+    DSC::repair_surface_3(repaired, np);
     FAIL() << "not refused";
   } catch (const Invalid_surface_error& error) {
     EXPECT_EQ(error.reason(), reason) << error.what();
@@ -82,7 +84,7 @@ TEST(Surface_repair, leaves_what_bounds_a_solid) {
   Surface surface = cube();
   surface.label = 7;
   const Surface before = surface;
-  const auto report = CGAL::repair_surface_3(surface);
+  const auto report = DSC::repair_surface_3(surface);
   EXPECT_TRUE(report.was_sound());
   EXPECT_EQ(report.distance(), 0);
   EXPECT_EQ(surface.points, before.points);
@@ -102,7 +104,7 @@ TEST(Surface_repair, removes_triangles_without_area) {
   add(surface, middle, b, c);
   add(surface, a, b, middle);
   add(surface, a, a, b);
-  const auto report = CGAL::repair_surface_3(surface);
+  const auto report = DSC::repair_surface_3(surface);
   EXPECT_EQ(report.degenerate_triangles, 2u);
   EXPECT_EQ(report.filled_holes, 0u);
   EXPECT_FALSE(report.is_wrapped);
@@ -116,7 +118,7 @@ TEST(Surface_repair, keeps_one_of_repeated_triangles) {
     const auto v = surface.triangles[t];
     add(surface, surface.points[v[1]], surface.points[v[2]], surface.points[v[0]]);
   }
-  const auto report = CGAL::repair_surface_3(surface);
+  const auto report = DSC::repair_surface_3(surface);
   EXPECT_EQ(report.repeated_triangles, 3u);
   EXPECT_EQ(surface.triangles.size(), 192u);
   EXPECT_EQ(report.distance(), 0);
@@ -128,7 +130,7 @@ TEST(Surface_repair, takes_walls_between_parts_away) {
   const Surface neighbor = cube(1);
   for (const auto& t : neighbor.triangles)
     add(surface, neighbor.points[t[0]], neighbor.points[t[1]], neighbor.points[t[2]]);
-  const auto report = CGAL::repair_surface_3(surface);
+  const auto report = DSC::repair_surface_3(surface);
   EXPECT_EQ(report.repeated_triangles, 64u);
   EXPECT_NEAR(volume(surface), 2, 1e-12);
 }
@@ -143,19 +145,19 @@ void add_all(Surface& surface, const Surface& other, bool turned) {
 TEST(Surface_repair, does_not_depend_on_orientation) {
   Surface stack = cube();
   add_all(stack, cube(1), true);
-  EXPECT_EQ(CGAL::repair_surface_3(stack).repeated_triangles, 64u);
+  EXPECT_EQ(DSC::repair_surface_3(stack).repeated_triangles, 64u);
   EXPECT_NEAR(volume(stack), 2, 1e-12);
 
   Surface turned = cube();
   add(turned, turned.points[1], turned.points[0], turned.points[2]);
-  EXPECT_EQ(CGAL::repair_surface_3(turned).repeated_triangles, 1u);
+  EXPECT_EQ(DSC::repair_surface_3(turned).repeated_triangles, 1u);
   EXPECT_NEAR(volume(turned), 1, 1e-12);
 }
 
 TEST(Surface_repair, keeps_one_side_of_surfaces_with_two) {
   Surface surface = cube();
   add_all(surface, cube(), true);
-  EXPECT_EQ(CGAL::repair_surface_3(surface).repeated_triangles, 192u);
+  EXPECT_EQ(DSC::repair_surface_3(surface).repeated_triangles, 192u);
   EXPECT_NEAR(volume(surface), 1, 1e-12);
 
   Surface sheet;
@@ -174,7 +176,7 @@ TEST(Surface_repair, keeps_small_parts) {
     p = p + Vector(2e4, 0, 0);
   small.triangles.pop_back();
   add_all(surface, small, false);
-  const auto report = CGAL::repair_surface_3(surface);
+  const auto report = DSC::repair_surface_3(surface);
   EXPECT_EQ(report.stitched_points, 0u);
   EXPECT_EQ(report.filled_holes, 1u);
   EXPECT_EQ(surface.triangles.size(), 384u);
@@ -196,7 +198,7 @@ TEST(Surface_repair, removes_walls_inside_solids) {
   add(surface, Point(0, 0, 0), Point(.5, .5, .5), Point(0, 0, .25)); // on an edge of two others
   add(surface, Point(0, 0, 0), Point(.5, .5, .5), Point(.25, 0, 0));
   add(surface, Point(0, 0, .25), Point(.5, .5, .5), Point(.25, 0, 0));
-  const auto report = CGAL::repair_surface_3(surface);
+  const auto report = DSC::repair_surface_3(surface);
   EXPECT_FALSE(report.is_wrapped);
   EXPECT_EQ(report.removed_triangles, 3u);
   EXPECT_NEAR(report.distance_to_input, 0, 1e-15);
@@ -208,7 +210,7 @@ TEST(Surface_repair, ends_soon_if_there_are_many_points_as_triangles) {
   add_all(surface, cube(.4), false);
   for (int i = 0; i < 20000; ++i)
     surface.triangles.push_back({0, 0, 0});
-  const auto report = CGAL::repair_surface_3(surface);
+  const auto report = DSC::repair_surface_3(surface);
   EXPECT_EQ(report.united_parts, 2u);
   EXPECT_GT(report.mean_edge, .25);
   EXPECT_NEAR(volume(surface), 1.4, 1e-12);
@@ -218,7 +220,7 @@ TEST(Surface_repair, stitches_borders_that_are_near) {
   Surface surface = cube();
   for (std::size_t i = 0; i < 3; ++i) // these are of the first triangle alone
     surface.points[i] = surface.points[i] + Vector(1e-5, -1e-5, 1e-5);
-  const auto report = CGAL::repair_surface_3(surface);
+  const auto report = DSC::repair_surface_3(surface);
   EXPECT_EQ(report.stitched_points, 3u);
   EXPECT_EQ(report.filled_holes, 0u);
   EXPECT_EQ(surface.triangles.size(), 192u);
@@ -230,7 +232,7 @@ TEST(Surface_repair, fills_holes) {
   Surface surface = cube();
   surface.triangles.erase(surface.triangles.begin() + 10, surface.triangles.begin() + 12);
   surface.triangles.erase(surface.triangles.begin() + 100);
-  const auto report = CGAL::repair_surface_3(surface);
+  const auto report = DSC::repair_surface_3(surface);
   EXPECT_EQ(report.filled_holes, 2u);
   EXPECT_EQ(surface.triangles.size(), 192u);
   EXPECT_NEAR(report.distance_from_input, 0, 1e-15);
@@ -244,7 +246,7 @@ TEST(Surface_repair, turns_triangles_alike_to_fill_holes) {
   for (std::size_t t = 0; t < surface.triangles.size(); t += 3)
     std::swap(surface.triangles[t][0], surface.triangles[t][1]);
   surface.triangles.pop_back();
-  EXPECT_EQ(CGAL::repair_surface_3(surface).filled_holes, 1u);
+  EXPECT_EQ(DSC::repair_surface_3(surface).filled_holes, 1u);
   EXPECT_NEAR(volume(surface), 1, 1e-12);
 }
 
@@ -254,7 +256,7 @@ TEST(Surface_repair, removes_crossings) {
   for (Point& p : surface.points)
     if (p == Point(.5, .5, 1))
       p = Point(.5, .5, -.1);
-  const auto report = CGAL::repair_surface_3(surface);
+  const auto report = DSC::repair_surface_3(surface);
   EXPECT_GT(report.crossing_pairs, 0u);
   EXPECT_EQ(report.united_parts, 1u);
   EXPECT_FALSE(report.is_wrapped);
@@ -270,10 +272,10 @@ TEST(Surface_repair, wraps_what_it_is_told_to) {
   const Surface other = cube(.4); // faces of both cover each other
   for (const auto& t : other.triangles)
     add(surface, other.points[t[0]], other.points[t[1]], other.points[t[2]]);
-  CGAL::Surface_repair_options_3 options;
+  DSC::Surface_repair_options_3 options;
   options.wrap_alpha = .5;
   options.wrap_offset = .05;
-  const auto report = CGAL::wrap_surface_3(surface, options);
+  const auto report = DSC::wrap_surface_3(surface, options);
   EXPECT_TRUE(report.is_wrapped);
   EXPECT_DOUBLE_EQ(report.alpha, .5 * report.mean_edge);
   EXPECT_DOUBLE_EQ(report.offset, .05 * report.mean_edge);
@@ -289,7 +291,7 @@ TEST(Surface_repair, refuses_sheets_and_leaves_them) {
   Surface box = cube();
   box.triangles.erase(box.triangles.begin(), box.triangles.begin() + 32);
   expect_refusal(box, Reason::open);
-  EXPECT_EQ(CGAL::repair_surface_3(box, parameters::largest_hole(3.)).filled_holes, 1u);
+  EXPECT_EQ(DSC::repair_surface_3(box, parameters::largest_hole(3.)).filled_holes, 1u);
   EXPECT_NEAR(volume(box), 1, 1e-12);
 }
 
@@ -304,30 +306,30 @@ TEST(Surface_repair, refuses_what_is_no_surface) {
   Surface line;
   add(line, Point(0, 0, 0), Point(1, 0, 0), Point(2, 0, 0));
   Surface repaired = line;
-  EXPECT_THROW(CGAL::repair_surface_3(repaired), Invalid_surface_error);
+  EXPECT_THROW(DSC::repair_surface_3(repaired), Invalid_surface_error);
   EXPECT_EQ(repaired.points, line.points);
 }
 
 TEST(Surface_repair, checks_its_parameters) {
   Surface surface = cube();
-  EXPECT_THROW(CGAL::repair_surface_3(surface, parameters::largest_hole(-1)), Error);
-  EXPECT_THROW(CGAL::repair_surface_3(surface, parameters::wrap_alpha(-1)), Error);
-  EXPECT_THROW(CGAL::repair_surface_3(surface, parameters::wrap_offset(0)), Error);
-  CGAL::Surface_repair_options_3 options;
+  EXPECT_THROW(DSC::repair_surface_3(surface, parameters::largest_hole(-1)), Error);
+  EXPECT_THROW(DSC::repair_surface_3(surface, parameters::wrap_alpha(-1)), Error);
+  EXPECT_THROW(DSC::repair_surface_3(surface, parameters::wrap_offset(0)), Error);
+  DSC::Surface_repair_options_3 options;
   options.wrap_offset = 1e308;
-  EXPECT_THROW(CGAL::wrap_surface_3(surface, options), Error);
+  EXPECT_THROW(DSC::wrap_surface_3(surface, options), Error);
   options = {};
   options.wrap_alpha = 0;
-  EXPECT_THROW(CGAL::wrap_surface_3(surface, options), Error);
+  EXPECT_THROW(DSC::wrap_surface_3(surface, options), Error);
   options = {};
   options.longest_border = -1;
-  EXPECT_THROW(CGAL::repair_surface_3(surface, options), Error);
+  EXPECT_THROW(DSC::repair_surface_3(surface, options), Error);
   for (double scale : {1e-170, 1e160}) {
     Surface extreme = cube();
     for (Point& p : extreme.points)
       p = Point(scale * p.x(), scale * p.y(), scale * p.z());
     extreme.triangles.pop_back();
-    EXPECT_THROW(CGAL::repair_surface_3(extreme), Error) << scale;
+    EXPECT_THROW(DSC::repair_surface_3(extreme), Error) << scale;
   }
 }
 
@@ -337,7 +339,7 @@ TEST(Surface_repair, works_at_any_scale) {
     for (Point& p : surface.points)
       p = Point(scale * p.x(), scale * p.y(), scale * p.z());
     surface.triangles.pop_back();
-    const auto report = CGAL::repair_surface_3(surface);
+    const auto report = DSC::repair_surface_3(surface);
     EXPECT_EQ(report.filled_holes, 1u);
     EXPECT_LT(report.distance_from_input, 1e-12 * scale);
   }
@@ -360,7 +362,7 @@ void expect_union(const std::vector<Surface>& parts, std::size_t crossing, doubl
   Surface surface;
   for (const Surface& part : parts)
     add_all(surface, part, false);
-  const auto report = CGAL::repair_surface_3(surface);
+  const auto report = DSC::repair_surface_3(surface);
   EXPECT_EQ(report.united_parts, crossing);
   EXPECT_FALSE(report.is_wrapped);
   EXPECT_NEAR(report.distance(), 0, 1e-15);
@@ -400,17 +402,17 @@ TEST(Surface_repair, unites_touching_parts_only_where_they_share_area) {
   // In vertices or edges they bound a solid as they are.
   Surface corner = cube();
   add_all(corner, box(Point(1, 1, 1), Point(2, 2, 2)), false);
-  EXPECT_TRUE(CGAL::repair_surface_3(corner).was_sound());
+  EXPECT_TRUE(DSC::repair_surface_3(corner).was_sound());
   Surface edge = cube();
   add_all(edge, box(Point(1, 1, 0), Point(2, 2, 1)), false);
-  EXPECT_TRUE(CGAL::repair_surface_3(edge).was_sound());
+  EXPECT_TRUE(DSC::repair_surface_3(edge).was_sound());
 }
 
 TEST(Surface_repair, removes_fins) {
   Surface surface = cube();
   add(surface, Point(0, 0, 0), Point(.25, 0, 0), Point(0, 0, -.2)); // outside
   add(surface, Point(.25, 0, 0), Point(0, 0, 0), Point(0, 0, -.2)); // its other side
-  const auto report = CGAL::repair_surface_3(surface);
+  const auto report = DSC::repair_surface_3(surface);
   EXPECT_FALSE(report.is_wrapped);
   EXPECT_NEAR(volume(surface), 1, 1e-12);
 }
@@ -430,40 +432,40 @@ Surface with_t_junction(double gap) {
 TEST(Surface_repair, closes_t_junctions) {
   for (double gap : {0., 1e-15, 1e-9, -1e-9, 1e-5}) {
     Surface surface = with_t_junction(gap);
-    const auto report = CGAL::repair_surface_3(surface);
+    const auto report = DSC::repair_surface_3(surface);
     EXPECT_EQ(report.split_edges, 1u) << gap;
     EXPECT_EQ(report.filled_holes, 0u) << gap;
     EXPECT_EQ(surface.triangles.size(), 194u) << gap;
     EXPECT_NEAR(volume(surface), 1, 1e-4) << gap;
   }
   Surface wide = with_t_junction(.01); // a hole that can be seen
-  EXPECT_EQ(CGAL::repair_surface_3(wide).filled_holes, 1u);
+  EXPECT_EQ(DSC::repair_surface_3(wide).filled_holes, 1u);
 }
 
 TEST(Surface_repair, fills_holes_up_to_a_length) {
   Surface surface = cube();
   surface.triangles.erase(surface.triangles.begin() + 10, surface.triangles.begin() + 12);
-  CGAL::Surface_repair_options_3 options;
+  DSC::Surface_repair_options_3 options;
   options.longest_border = .99;
   Surface repaired = surface;
-  EXPECT_THROW(CGAL::repair_surface_3(repaired, options), Invalid_surface_error);
+  EXPECT_THROW(DSC::repair_surface_3(repaired, options), Invalid_surface_error);
   options.longest_border = 1.01;
-  EXPECT_EQ(CGAL::repair_surface_3(repaired, options).filled_holes, 1u);
+  EXPECT_EQ(DSC::repair_surface_3(repaired, options).filled_holes, 1u);
 }
 
 TEST(Surface_repair, merges_vertices_that_nearly_coincide) {
   // An edge of one cube nearly on an edge of the other, which TetGen takes for one.
   Surface surface = cube();
   add_all(surface, box(Point(1 + 1e-15, 1, 0), Point(2, 2, 1)), false);
-  EXPECT_TRUE(CGAL::repair_surface_3(surface).was_sound());
-  CGAL::Surface_repair_options_3 options;
+  EXPECT_TRUE(DSC::repair_surface_3(surface).was_sound());
+  DSC::Surface_repair_options_3 options;
   options.merge_distance = 1e-6;
-  const auto report = CGAL::repair_surface_3(surface, options);
+  const auto report = DSC::repair_surface_3(surface, options);
   EXPECT_EQ(report.merged_points, std::size_t(n) + 1);
   EXPECT_LT(report.distance(), 2e-15);
   EXPECT_NEAR(volume(surface), 2, 1e-12);
   options.merge_distance = -1;
-  EXPECT_THROW(CGAL::repair_surface_3(surface, options), Error);
+  EXPECT_THROW(DSC::repair_surface_3(surface, options), Error);
 }
 
 TEST(Surface_repair, does_not_depend_on_units) {
@@ -475,13 +477,13 @@ TEST(Surface_repair, does_not_depend_on_units) {
       p = Point(.5, .5, -.1);
   for (const Surface& surface : broken) {
     Surface repaired = surface;
-    CGAL::repair_surface_3(repaired);
+    DSC::repair_surface_3(repaired);
     for (int exponent : {-30, 30}) {
       const double unit = std::ldexp(1., exponent);
       Surface scaled = surface;
       for (Point& p : scaled.points)
         p = Point(unit * p.x(), unit * p.y(), unit * p.z());
-      CGAL::repair_surface_3(scaled);
+      DSC::repair_surface_3(scaled);
       for (Point& p : scaled.points)
         p = Point(p.x() / unit, p.y() / unit, p.z() / unit);
       EXPECT_EQ(scaled.points, repaired.points);
@@ -497,8 +499,8 @@ TEST(Surface_repair, stops_when_asked) {
   add_all(surface, box(Point(.3, .2, .1), Point(2.1, 3.3, .7)), false);
   const Surface before = surface;
   const Progress_scope scope([](const char*) { return false; }, std::chrono::milliseconds(0));
-  EXPECT_THROW(CGAL::repair_surface_3(surface), Interrupted_error);
-  EXPECT_THROW(CGAL::wrap_surface_3(surface), Interrupted_error);
+  EXPECT_THROW(DSC::repair_surface_3(surface), Interrupted_error);
+  EXPECT_THROW(DSC::wrap_surface_3(surface), Interrupted_error);
   EXPECT_EQ(surface.points, before.points);
   EXPECT_EQ(surface.triangles, before.triangles);
 }

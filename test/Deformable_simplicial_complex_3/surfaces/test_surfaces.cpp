@@ -1,9 +1,9 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 
 #include <gtest/gtest.h>
 
@@ -18,12 +18,14 @@
 #include <utility>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_surfaces {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
 using Vector = Complex::Geom_traits::Kernel::Vector_3;
-using Surface = CGAL::Labelled_surface_3<Point>;
+using Surface = DSC::Labelled_surface_3<Point>;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
 using Indices = std::vector<std::size_t>;
@@ -35,8 +37,8 @@ struct Accepted
 };
 struct Accept_tetrahedralizer
 {
-  CGAL::Tetrahedralization_3 operator()(const std::vector<std::array<double, 3>>&,
-                                        const std::vector<std::array<std::size_t, 3>>&) const {
+  DSC::Tetrahedralization_3 operator()(const std::vector<std::array<double, 3>>&,
+                                       const std::vector<std::array<std::size_t, 3>>&) const {
     throw Accepted();
   }
 };
@@ -44,7 +46,7 @@ struct Accept_tetrahedralizer
 template <class Input, class NP = parameters::Default_named_parameters>
 std::optional<Invalid_surface_error> refusal(const Input& input, const NP& np = NP()) {
   try {
-    CGAL::make_deformable_simplicial_complex_3<Complex>(input, Accept_tetrahedralizer(), np);
+    DSC::make_deformable_simplicial_complex_3<Complex>(input, Accept_tetrahedralizer(), np);
   } catch (const Accepted&) {
   } catch (const Invalid_surface_error& e) {
     return e;

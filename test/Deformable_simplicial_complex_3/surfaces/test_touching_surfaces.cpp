@@ -3,10 +3,10 @@
 #include "../mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/interface_flows_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 
 #include <gtest/gtest.h>
 
@@ -17,17 +17,19 @@
 #include <utility>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_touching_surfaces {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
-using Surface = CGAL::Labelled_surface_3<Point>;
+using Surface = DSC::Labelled_surface_3<Point>;
 using Surfaces = std::vector<Surface>;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 template <class NP = parameters::Default_named_parameters>
 Complex build(const Surfaces& surfaces, const NP& np = NP()) {
-  Complex dsc = CGAL::make_deformable_simplicial_complex_3<Complex>(
+  Complex dsc = DSC::make_deformable_simplicial_complex_3<Complex>(
       surfaces, CGAL::Tetgen_tetrahedralizer_3(), np);
   EXPECT_TRUE(dsc.is_valid(true));
   return dsc;
@@ -111,7 +113,7 @@ void expect_growth(Complex& dsc) {
   const double speed = dsc.mean_interface_edge() / 4;
   for (int step = 0; step < 3; ++step) {
     const double outside = dsc.volume(0);
-    CGAL::advect_interface(dsc, CGAL::Normal_offset_3{speed}, step, 1.);
+    DSC::advect_interface(dsc, DSC::Normal_offset{speed}, step, 1.);
     EXPECT_TRUE(dsc.is_valid(true));
     EXPECT_LT(dsc.volume(0), outside);
   }

@@ -2,12 +2,12 @@
 #include "../mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_collapse_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/manifold_interface_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/topology_control.h>
-#include <CGAL/Deformable_simplicial_complex_3/topology_of_relabeling_3.h>
-#include <CGAL/deform_interface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/manifold_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/topology_control.h>
+#include <CGAL/Deformable_simplicial_complexes/topology_of_relabeling.h>
 
 #include <gtest/gtest.h>
 
@@ -19,13 +19,15 @@
 #include <utility>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 // Where the boundaries of phases are 2-manifolds, and deformations that keep them so.
 
 namespace test_manifold_interface {
 
-using CGAL::is_manifold_at;
-using CGAL::non_manifold_vertices;
-using CGAL::propose_manifold_relabeling;
+using DSC::is_manifold_at;
+using DSC::non_manifold_vertices;
+using DSC::propose_manifold_relabeling;
 using mesh_helpers::Coordinates;
 using mesh_helpers::Random;
 using small_meshes::Complex;
@@ -166,7 +168,7 @@ TEST(Manifold_relabeling, opens_a_tunnel_between_parts) {
     ASSERT_TRUE(propose_manifold_relabeling(dsc, c, 1, cells));
     ++proposals;
     EXPECT_EQ(cells.front(), c);
-    EXPECT_FALSE(CGAL::relabeling_keeps_topology(dsc, cells, 1));
+    EXPECT_FALSE(DSC::relabeling_keeps_topology(dsc, cells, 1));
     for (Cell_handle d : cells) {
       EXPECT_EQ(d->label(), 0);
       dsc.relabel(d, 1);
@@ -185,7 +187,7 @@ TEST(Manifold_relabeling, takes_more_than_to_keep_the_topology) {
   std::size_t kept = 0, pinched = 0;
   for (Cell_handle c : dsc.cells()) {
     const int label = c->label();
-    if (!CGAL::relabeling_keeps_topology(dsc, c, 1 - label))
+    if (!DSC::relabeling_keeps_topology(dsc, c, 1 - label))
       continue;
     dsc.relabel(c, 1 - label);
     const bool is_manifold = number_of_pinches(dsc) == 0;
@@ -217,7 +219,7 @@ TEST(Manifold_relabeling, keeps_its_promise_on_random_labels) {
         if (!is_proposed)
           continue;
         const auto pinches_before = non_manifold_vertices(dsc);
-        const bool keeps = CGAL::relabeling_keeps_topology(dsc, cells, label);
+        const bool keeps = DSC::relabeling_keeps_topology(dsc, cells, label);
         const auto topology = keeps ? betti_numbers::of_complex(dsc) : Topology();
         for (Cell_handle d : cells) {
           ASSERT_EQ(d->label(), before);
@@ -280,7 +282,7 @@ TEST(Manifold_interface, survives_collapses_and_flips) {
 }
 
 // Looks at the complex before each pass.
-struct Pinch_counter : public CGAL::Deformation_visitor_3
+struct Pinch_counter : public DSC::Deformation_visitor
 {
   explicit Pinch_counter(const Complex& complex) : dsc(complex) {}
 
@@ -307,8 +309,8 @@ std::size_t deform_at_random(Complex& dsc, unsigned field, const NamedParameters
     return mesh_helpers::exact_point(dsc, p + way);
   };
   Pinch_counter counter(dsc);
-  CGAL::deform_interface(dsc, destination,
-                         np.visitor(std::ref(counter)).maximum_number_of_passes(6));
+  DSC::deform_interface(dsc, destination,
+                        np.visitor(std::ref(counter)).maximum_number_of_passes(6));
   EXPECT_TRUE(dsc.is_valid());
   return counter.pinches + number_of_pinches(dsc);
 }
@@ -367,10 +369,10 @@ TEST(Manifold_interface, lets_cubes_merge) {
         const Position p = dsc.position(v);
         return mesh_helpers::exact_point(dsc, p + Vector(p.x() > 0 ? -.08 : .08, 0, 0));
       };
-      const auto report = CGAL::deform_interface(dsc, to_the_middle, np);
+      const auto report = DSC::deform_interface(dsc, to_the_middle, np);
       EXPECT_EQ(number_of_pinches(dsc), 0u);
       for (const auto& event : report.events)
-        if (event.label == 1 && event.kind == CGAL::Component_event::Kind::merged) {
+        if (event.label == 1 && event.kind == DSC::Component_event::Kind::merged) {
           ++merges;
           EXPECT_LT(std::abs(event.where.x()), .1);
         }

@@ -1,10 +1,10 @@
 // Surfaces of CAD, with triangles whose angles are small, in rigid motion.
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-#include <CGAL/advect_interface_3.h>
-#include <CGAL/interface_flows_3.h>
-#include <CGAL/make_deformable_simplicial_complex_3.h>
 
 #include <gtest/gtest.h>
 
@@ -14,12 +14,14 @@
 #include <cstddef>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_needles {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
-using Report = CGAL::Deformation_report<Complex>;
-using Surface = CGAL::Labelled_surface_3<Point>;
+using Report = DSC::Deformation_report<Complex>;
+using Surface = DSC::Labelled_surface_3<Point>;
 
 // A prism over a regular polygon, whose ends are fans about a vertex: all angles there are 180 / n
 // degrees or near 180.
@@ -40,8 +42,8 @@ Complex drum(std::size_t n, double height) {
     s.triangles.push_back({n, n + i, n + i + 1});
   }
   s.label = 1;
-  return CGAL::make_deformable_simplicial_complex_3<Complex>(std::vector<Surface>{s},
-                                                             CGAL::Tetgen_tetrahedralizer_3());
+  return DSC::make_deformable_simplicial_complex_3<Complex>(std::vector<Surface>{s},
+                                                            CGAL::Tetgen_tetrahedralizer_3());
 }
 
 // By vertices, which go where they go.
@@ -57,10 +59,10 @@ std::vector<std::array<std::size_t, 3>> interface_triangles(const Complex& dsc) 
 }
 
 std::vector<Report> turn(Complex& dsc, int steps) {
-  const CGAL::Rigid_rotation_3 rotation({0, 0, 0}, {0, 0, 1}, CGAL_PI / 90);
+  const DSC::Rigid_rotation_3 rotation({0, 0, 0}, {0, 0, 1}, CGAL_PI / 90);
   std::vector<Report> result;
   for (int step = 0; step < steps; ++step) {
-    result.push_back(CGAL::advect_interface(dsc, rotation, double(step), 1.));
+    result.push_back(DSC::advect_interface(dsc, rotation, double(step), 1.));
     EXPECT_TRUE(result.back().complete);
   }
   EXPECT_TRUE(dsc.is_valid(true));

@@ -2,9 +2,9 @@
 #include "../surface_measures.h"
 #include "../temporary_folder.h"
 
-#include <CGAL/Deformable_simplicial_complex_3/exceptions.h>
-#include <CGAL/IO/labelled_surface_3.h>
-#include <CGAL/subdivide_interface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/subdivide_interface_3.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/subdivision_method_3.h>
@@ -20,6 +20,8 @@
 #include <utility>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 // Loop subdivision of interfaces, manifold or not.
 
 namespace test_subdivision {
@@ -29,7 +31,7 @@ using mesh_helpers::jittered_grid;
 using small_meshes::grid;
 using small_meshes::make_complex;
 using small_meshes::Point;
-using Surface = CGAL::Interface_surface_3<Complex>;
+using Surface = DSC::Interface_surface_3<Complex>;
 
 // The numbers of triangles at edges, by the points of these.
 std::map<std::pair<std::size_t, std::size_t>, int> edges(const Surface& surface) {
@@ -140,37 +142,36 @@ int sectors_of_a_ball(const Point& p) {
 
 TEST(Subdivide_interface, zero_times_changes_nothing) {
   const Complex dsc = make_complex(grid(4, small_meshes::two_boxes));
-  const Surface surface = CGAL::extract_interface(dsc);
-  expect_equal(CGAL::subdivide_interface(surface, 0), surface);
-  EXPECT_THROW(CGAL::subdivide_interface(surface, -1),
-               CGAL::Deformable_simplicial_complexes::Error);
+  const Surface surface = DSC::extract_interface(dsc);
+  expect_equal(DSC::subdivide_interface(surface, 0), surface);
+  EXPECT_THROW(DSC::subdivide_interface(surface, -1), CGAL::Deformable_simplicial_complexes::Error);
 }
 
 TEST(Subdivide_interface, of_no_triangles_is_empty) {
   const Complex dsc = make_complex(grid(2, small_meshes::uniform));
-  const Surface surface = CGAL::subdivide_interface(CGAL::extract_interface(dsc), 3);
+  const Surface surface = DSC::subdivide_interface(DSC::extract_interface(dsc), 3);
   EXPECT_TRUE(surface.points.empty());
   EXPECT_TRUE(surface.triangles.empty());
 }
 
 TEST(Subdivide_interface, twice_is_the_same_as_two_at_once) {
   const Complex dsc = jittered_grid(4, small_meshes::eight_phases, .1, 1);
-  const Surface surface = CGAL::extract_interface(dsc);
-  expect_equal(CGAL::subdivide_interface(CGAL::subdivide_interface(surface)),
-               CGAL::subdivide_interface(surface, 2));
+  const Surface surface = DSC::extract_interface(dsc);
+  expect_equal(DSC::subdivide_interface(DSC::subdivide_interface(surface)),
+               DSC::subdivide_interface(surface, 2));
 }
 
 TEST(Subdivide_interface, of_a_manifold_is_that_of_the_mesh) {
   const Complex dsc = jittered_grid(8, small_meshes::ball, .1, 2);
-  const Surface surface = CGAL::extract_interface(dsc);
+  const Surface surface = DSC::extract_interface(dsc);
   CGAL::Surface_mesh<Point> mesh;
-  CGAL::interface_to_surface_mesh(surface, mesh);
+  DSC::interface_to_surface_mesh(surface, mesh);
   ASSERT_EQ(mesh.number_of_vertices(), surface.points.size());
   CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(2));
   std::vector<Point> expected, points;
   for (const auto v : mesh.vertices())
     expected.push_back(mesh.point(v));
-  for (const auto& p : CGAL::subdivide_interface(surface, 2).points)
+  for (const auto& p : DSC::subdivide_interface(surface, 2).points)
     points.emplace_back(p.x(), p.y(), p.z());
   ASSERT_EQ(points.size(), expected.size());
   // Sums may begin with another neighbor.
@@ -185,10 +186,10 @@ TEST(Subdivide_interface, of_a_manifold_is_that_of_the_mesh) {
 TEST(Subdivide_interface, of_a_ball_stays_a_ball) {
   constexpr double radius = .6;
   const double pi = std::acos(-1.);
-  Surface surface = CGAL::extract_interface(mesh_helpers::sphere(8, radius));
+  Surface surface = DSC::extract_interface(mesh_helpers::sphere(8, radius));
   double least = least_radius(surface);
   for (int i = 0; i < 4; ++i) {
-    const Surface next = CGAL::subdivide_interface(surface);
+    const Surface next = DSC::subdivide_interface(surface);
     check_step(surface, next);
     EXPECT_EQ(degrees(next), (std::map<int, std::size_t>{{2, 3 * next.triangles.size() / 2}}));
     EXPECT_EQ(measures(next).euler_characteristic, 2);
@@ -210,11 +211,11 @@ TEST(Subdivide_interface, of_a_ball_stays_a_ball) {
 TEST(Subdivide_interface, keeps_sheets_together_along_curves) {
   for (const auto label : {small_meshes::two_boxes, sectors_of_a_ball}) {
     const Complex dsc = jittered_grid(8, label, .1, 3);
-    Surface surface = CGAL::extract_interface(dsc);
+    Surface surface = DSC::extract_interface(dsc);
     const std::size_t junctions = degrees(surface)[3];
     ASSERT_GT(junctions, 0u);
     for (int i = 1; i <= 3; ++i) {
-      const Surface next = CGAL::subdivide_interface(surface);
+      const Surface next = DSC::subdivide_interface(surface);
       check_step(surface, next);
       surface = next;
       EXPECT_EQ(degrees(surface).count(1), 0u);
@@ -229,7 +230,7 @@ TEST(Subdivide_interface, keeps_sheets_together_along_curves) {
 
 TEST(Subdivide_interface, moves_curves_by_the_rule_for_borders) {
   const Complex dsc = jittered_grid(4, small_meshes::two_boxes, .1, 4);
-  const Surface surface = CGAL::extract_interface(dsc), next = CGAL::subdivide_interface(surface);
+  const Surface surface = DSC::extract_interface(dsc), next = DSC::subdivide_interface(surface);
   std::map<std::size_t, std::vector<std::size_t>> neighbors;
   for (const auto& [ends, degree] : edges(surface))
     if (degree == 3) {
@@ -248,14 +249,14 @@ TEST(Subdivide_interface, moves_curves_by_the_rule_for_borders) {
 
 TEST(Subdivide_interface, holds_points_where_curves_branch) {
   const Complex dsc = jittered_grid(8, small_meshes::eight_phases, .1, 5);
-  const Surface surface = CGAL::extract_interface(dsc);
+  const Surface surface = DSC::extract_interface(dsc);
   std::map<std::size_t, int> curves; // at points
   for (const auto& [ends, degree] : edges(surface))
     if (degree > 2) {
       ++curves[ends.first];
       ++curves[ends.second];
     }
-  const Surface next = CGAL::subdivide_interface(surface);
+  const Surface next = DSC::subdivide_interface(surface);
   check_step(surface, next);
   std::size_t branchings = 0;
   for (const auto& [p, number] : curves)
@@ -270,10 +271,10 @@ TEST(Subdivide_interface, holds_points_where_curves_branch) {
 TEST(Subdivide_interface, keeps_what_touches_together) {
   for (const std::size_t n : {std::size_t(4), std::size_t(8)})
     for (const auto label : {boxes_at_an_edge, boxes_at_a_point}) {
-      Surface surface = CGAL::extract_interface(make_complex(grid(n, label)));
+      Surface surface = DSC::extract_interface(make_complex(grid(n, label)));
       EXPECT_EQ(degrees(surface).count(4), label == boxes_at_an_edge ? 1u : 0u);
       for (int i = 0; i < 2; ++i) {
-        const Surface next = CGAL::subdivide_interface(surface);
+        const Surface next = DSC::subdivide_interface(surface);
         check_step(surface, next);
         surface = next;
       }
@@ -283,11 +284,11 @@ TEST(Subdivide_interface, keeps_what_touches_together) {
 
 TEST(Subdivide_interface, ends_in_the_boundary_as_before) {
   const Complex dsc = make_complex(grid(4, small_meshes::four_phases));
-  Surface surface = CGAL::extract_interface(dsc);
+  Surface surface = DSC::extract_interface(dsc);
   const std::size_t ends = degrees(surface)[1];
   ASSERT_GT(ends, 0u);
   for (int i = 0; i < 2; ++i) {
-    const Surface next = CGAL::subdivide_interface(surface);
+    const Surface next = DSC::subdivide_interface(surface);
     check_step(surface, next);
     surface = next;
   }
@@ -302,8 +303,8 @@ TEST(Subdivide_interface, ends_in_the_boundary_as_before) {
 
 TEST(Subdivide_interface, of_a_pair_of_labels_is_a_part_of_the_whole) {
   const Complex dsc = jittered_grid(8, small_meshes::two_boxes, .1, 7);
-  const Surface whole = CGAL::subdivide_interface(CGAL::extract_interface(dsc), 2),
-                pair = CGAL::subdivide_interface(CGAL::extract_interface(dsc, 1, 2), 2);
+  const Surface whole = DSC::subdivide_interface(DSC::extract_interface(dsc), 2),
+                pair = DSC::subdivide_interface(DSC::extract_interface(dsc, 1, 2), 2);
   std::set<Surface::Point_3> junction;
   double area = 0;
   for (const auto& [ends, degree] : edges(whole))
@@ -325,7 +326,7 @@ TEST(Subdivide_interface, of_a_pair_of_labels_is_a_part_of_the_whole) {
 TEST(Subdivide_interface, is_written) {
   const Temporary_folder folder;
   const Complex dsc = make_complex(grid(4, small_meshes::cube));
-  const Surface surface = CGAL::subdivide_interface(CGAL::extract_interface(dsc), 2);
+  const Surface surface = DSC::subdivide_interface(DSC::extract_interface(dsc), 2);
   CGAL::IO::write_interface(folder / "a.ply", surface);
   const auto read = CGAL::IO::read_labelled_surface(folder / "a.ply");
   EXPECT_EQ(read.triangles, surface.triangles);

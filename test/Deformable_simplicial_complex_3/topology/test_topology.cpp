@@ -2,9 +2,9 @@
 #include "../mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3/topology_control.h>
-#include <CGAL/Deformable_simplicial_complex_3/topology_of_relabeling_3.h>
-#include <CGAL/deform_interface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/topology_control.h>
+#include <CGAL/Deformable_simplicial_complexes/topology_of_relabeling.h>
 
 #include <gtest/gtest.h>
 
@@ -15,13 +15,15 @@
 #include <utility>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 // What a deformation may do to the topology of the labels and of their interface.
 
 namespace test_topology {
 
-using CGAL::relabeling_keeps_topology;
 using CGAL::Deformable_simplicial_complexes::Allow_topology_changes_between;
 using CGAL::Deformable_simplicial_complexes::Forbid_topology_changes;
+using DSC::relabeling_keeps_topology;
 using mesh_helpers::Random;
 using small_meshes::Complex;
 using small_meshes::grid;
@@ -39,13 +41,13 @@ const Betti_numbers ball = {1, 0, 0}, sphere = {1, 0, 1};
 bool has_label_1(Cell_handle c) { return c->label() == 1; }
 
 template <class NamedParameters>
-CGAL::Deformation_report<Complex> deform(Complex& dsc,
-                                         const std::function<Vector(Position)>& displacement,
-                                         const NamedParameters& np) {
+DSC::Deformation_report<Complex> deform(Complex& dsc,
+                                        const std::function<Vector(Position)>& displacement,
+                                        const NamedParameters& np) {
   const auto destination = [&](Vertex_handle v) {
     return mesh_helpers::exact_point(dsc, dsc.position(v) + displacement(dsc.position(v)));
   };
-  const auto report = CGAL::deform_interface(dsc, destination, np);
+  const auto report = DSC::deform_interface(dsc, destination, np);
   EXPECT_TRUE(dsc.is_valid());
   return report;
 }
@@ -184,7 +186,7 @@ TEST(Gaps, between_equal_triangulations_close_at_once_whatever_their_width) {
 TEST(Topology_control, forbidden_cubes_do_not_merge) {
   Complex dsc = make_complex(grid(8, two_cubes(1, 1)));
   const auto before = betti_numbers::of_complex(dsc);
-  CGAL::Deformation_report<Complex> report;
+  DSC::Deformation_report<Complex> report;
   for (int i = 0; i < 4; ++i)
     report = deform(dsc, to_the_middle, parameters::topology_control(Forbid_topology_changes()));
   EXPECT_EQ(betti_numbers::of_complex(dsc), before);
@@ -279,17 +281,17 @@ TEST(Topology_control, eight_labels_change_only_where_granted) {
   EXPECT_GT(granted_in_all, 0u);
 }
 
-struct Event_visitor : public CGAL::Deformation_visitor_3
+struct Event_visitor : public DSC::Deformation_visitor
 {
-  std::vector<CGAL::Topology_event<Complex>> events;
+  std::vector<DSC::Topology_event<Complex>> events;
 
-  void after_topology_event(const CGAL::Topology_event<Complex>& event) { events.push_back(event); }
+  void after_topology_event(const DSC::Topology_event<Complex>& event) { events.push_back(event); }
 };
 
 TEST(Topology_events, tell_of_a_merge_once_and_where) {
   Complex dsc = make_complex(grid(8, two_cubes(1, 1)));
   Event_visitor visitor;
-  std::vector<CGAL::Topology_event<Complex>> reported;
+  std::vector<DSC::Topology_event<Complex>> reported;
   for (int i = 0; i < 4; ++i) {
     const auto report = deform(dsc, to_the_middle, parameters::visitor(std::ref(visitor)));
     reported.insert(reported.end(), report.events.begin(), report.events.end());
@@ -297,7 +299,7 @@ TEST(Topology_events, tell_of_a_merge_once_and_where) {
   ASSERT_EQ(visitor.events.size(), 1u);
   ASSERT_EQ(reported.size(), 1u);
   const auto& event = reported.front();
-  EXPECT_EQ(event.kind, CGAL::Component_event::Kind::merged);
+  EXPECT_EQ(event.kind, DSC::Component_event::Kind::merged);
   EXPECT_EQ(event.label, 1);
   ASSERT_EQ(event.before.size(), 2u);
   ASSERT_EQ(event.after.size(), 1u);
@@ -315,7 +317,7 @@ TEST(Topology_events, tell_of_what_splits_and_vanishes) {
     return std::abs(p.x()) < .75 && std::abs(p.y()) < width && std::abs(p.z()) < width ? 1 : 0;
   };
   Complex dsc = make_complex(grid(8, dumbbell));
-  std::vector<CGAL::Topology_event<Complex>> events;
+  std::vector<DSC::Topology_event<Complex>> events;
   const auto run = [&](const std::function<Vector(Position)>& displacement) {
     const std::size_t components = dsc.number_of_components(1);
     for (int i = 0; i < 20 && dsc.number_of_components(1) == components; ++i) {
@@ -337,8 +339,8 @@ TEST(Topology_events, tell_of_what_splits_and_vanishes) {
   for (const auto& event : events) {
     EXPECT_EQ(event.before.size(), components);
     components = event.after.size();
-    EXPECT_EQ(event.kind, components == 2 ? CGAL::Component_event::Kind::split
-                                          : CGAL::Component_event::Kind::merged);
+    EXPECT_EQ(event.kind, components == 2 ? DSC::Component_event::Kind::split
+                                          : DSC::Component_event::Kind::merged);
     EXPECT_LT(std::abs(event.where.x()), .3);
   }
   EXPECT_EQ(components, 2u);
@@ -348,7 +350,7 @@ TEST(Topology_events, tell_of_what_splits_and_vanishes) {
     return p.x() < 0 ? shortened(Position(-.5, 0, 0) - p) : Vector(0, 0, 0);
   });
   ASSERT_EQ(events.size(), 1u);
-  EXPECT_EQ(events[0].kind, CGAL::Component_event::Kind::vanished);
+  EXPECT_EQ(events[0].kind, DSC::Component_event::Kind::vanished);
   EXPECT_EQ(events[0].before.size(), 1u);
   EXPECT_TRUE(events[0].after.empty());
   EXPECT_LT(events[0].where.x(), -.3);

@@ -86,7 +86,7 @@ sorted_facets(const std::vector<std::array<std::size_t, corners>>& cells) {
 }
 
 // Adds the infinite cells that close the boundary of finite, positively oriented ones. Throws
-// Invalid_tetrahedra_error where cells are no neighbors on different sides of the facet they share.
+// Invalid_cells_error where cells are no neighbors on different sides of the facet they share.
 template <std::size_t corners>
 void append_infinite_cells(std::vector<std::array<std::size_t, corners>>& cells) {
   const auto facets = sorted_facets(cells);
@@ -96,12 +96,12 @@ void append_infinite_cells(std::vector<std::array<std::size_t, corners>>& cells)
     while (j < facets.size() && facets[j].vertices == facets[i].vertices)
       ++j;
     if (j - i > 2)
-      throw Invalid_tetrahedra_error("more than two tetrahedra share a facet; give a mesh in which "
-                                     "each facet has one or two",
-                                     {facets[i].cell, facets[i + 1].cell, facets[i + 2].cell}, {});
+      throw Invalid_cells_error("more than two tetrahedra share a facet; give a mesh in which "
+                                "each facet has one or two",
+                                {facets[i].cell, facets[i + 1].cell, facets[i + 2].cell}, {});
     if (j - i == 2 && !facets[i].fits(facets[i + 1]))
-      throw Invalid_tetrahedra_error("two tetrahedra overlap: remesh where they are",
-                                     {facets[i].cell, facets[i + 1].cell});
+      throw Invalid_cells_error("two tetrahedra overlap: remesh where they are",
+                                {facets[i].cell, facets[i + 1].cell});
     if (j - i == 1) {
       // Replacing the opposite vertex mirrors the cell: swapping two vertices turns it back.
       auto infinite = cells[facets[i].cell];
@@ -144,10 +144,10 @@ create_cells(typename Space::Triangulation_data_structure& tds, Item_numbers& nu
     Progress_scope::check();
     if (i + 1 == facets.size() || !facets[i].fits(facets[i + 1]) ||
         (i + 2 < facets.size() && facets[i].vertices == facets[i + 2].vertices))
-      throw Invalid_tetrahedra_error(
-          "the boundary of the tetrahedra is no closed 2-manifold; give a "
-          "mesh whose domain is a ball",
-          {facets[i].cell}, {facets[i].vertices.begin(), facets[i].vertices.end()});
+      throw Invalid_cells_error("the boundary of the tetrahedra is no closed 2-manifold; give a "
+                                "mesh whose domain is a ball",
+                                {facets[i].cell},
+                                {facets[i].vertices.begin(), facets[i].vertices.end()});
     tds.set_adjacency(handles[facets[i].cell], facets[i].index, handles[facets[i + 1].cell],
                       facets[i + 1].index);
   }

@@ -8,7 +8,7 @@
 // Member functions of Labelled_complex: access, labels, interface, measures.
 
 #include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Marks.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 
 #include <algorithm>

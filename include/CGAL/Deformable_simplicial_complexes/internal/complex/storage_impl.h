@@ -9,13 +9,13 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Item_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>
 
 #include <CGAL/Origin.h>
@@ -104,26 +104,25 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
                             const std::vector<std::array<size_type, corners>>& tetrahedra,
                             const std::vector<Label>& labels) -> std::vector<Vertex_handle> {
   if (tetrahedra.empty())
-    throw Invalid_tetrahedra_error("there are no tetrahedra; give at least one");
+    throw Invalid_cells_error("there are no tetrahedra; give at least one");
   if (labels.size() != tetrahedra.size())
-    throw Invalid_tetrahedra_error("give exactly one label for each tetrahedron");
+    throw Invalid_cells_error("give exactly one label for each tetrahedron");
   static constexpr size_type maximum =
       std::uint32_t(-1) / 8; // numbers of cells and facets have 32 bits
   if (tetrahedra.size() > maximum)
-    throw Invalid_tetrahedra_error("there are more than 2^29 tetrahedra");
+    throw Invalid_cells_error("there are more than 2^29 tetrahedra");
 
   Labelled_complex result(geom_traits(), m_quality_measure, m_domain);
   std::vector<Approximate_point> positions;
   for (const Point& p : points) {
     positions.push_back(m_domain.canonical(approximate(p)));
     if (!internal::has_finite_coordinates(positions.back()))
-      throw Invalid_tetrahedra_error(
-          "coordinates are no finite numbers: correct or remove the point", {},
-          {positions.size() - 1});
+      throw Invalid_cells_error("coordinates are no finite numbers: correct or remove the point",
+                                {}, {positions.size() - 1});
   }
   if (!internal::extent_of<dimension>(positions).is_measurable())
-    throw Invalid_tetrahedra_error("the extent of the domain is not between 1e-30 and 1e30; scale "
-                                   "the points, so that volumes and qualities can be computed");
+    throw Invalid_cells_error("the extent of the domain is not between 1e-30 and 1e30; scale "
+                              "the points, so that volumes and qualities can be computed");
   std::vector<bool> is_used(points.size(), false);
   std::vector<Approximate_point> barycenters;
   const Progress_phase phase("assembling the mesh");
@@ -133,23 +132,23 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
     Approximate_vector sum(CGAL::NULL_VECTOR);
     for (size_type i : v) {
       if (i >= points.size())
-        throw Invalid_tetrahedra_error("a tetrahedron names a point that does not exist", {t}, {i});
+        throw Invalid_cells_error("a tetrahedron names a point that does not exist", {t}, {i});
       is_used[i] = true;
       sum = sum + (m_domain.near(positions[v[0]], positions[i]) - CGAL::ORIGIN);
     }
     barycenters.push_back(CGAL::ORIGIN + sum / corners);
     if (m_domain.orientation(*this, [&](int i) { return exact(positions[v[i]]); }) != POSITIVE)
-      throw Invalid_tetrahedra_error(dimension == 2
-                                         ? "a triangle is flat or clockwise, as it is or rounded; "
-                                           "give its vertices in positive order"
-                                         : "a tetrahedron is flat or negatively oriented; give its "
-                                           "vertices in positive order",
-                                     {t}, {v.begin(), v.end()});
+      throw Invalid_cells_error(dimension == 2
+                                    ? "a triangle is flat or clockwise, as it is or rounded; "
+                                      "give its vertices in positive order"
+                                    : "a tetrahedron is flat or negatively oriented; give its "
+                                      "vertices in positive order",
+                                {t}, {v.begin(), v.end()});
   }
   const auto unused = std::find(is_used.begin(), is_used.end(), false);
   if (unused != is_used.end())
-    throw Invalid_tetrahedra_error("a point belongs to no tetrahedron; leave it out", {},
-                                   {size_type(unused - is_used.begin())});
+    throw Invalid_cells_error("a point belongs to no tetrahedron; leave it out", {},
+                              {size_type(unused - is_used.begin())});
 
   const std::vector<size_type> vertex_order = internal::hilbert_order<Space>(positions);
   const std::vector<size_type> cell_order = internal::hilbert_order<Space>(barycenters);
@@ -177,7 +176,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
       cell_handles[i]->set_label(labels[cell_order[i]]);
     result.check_stars(handles);
     result.check_boundary();
-  } catch (const Invalid_tetrahedra_error& e) {
+  } catch (const Invalid_cells_error& e) {
     // Translate indices along the curve to those of the caller.
     std::vector<size_type> where, who;
     for (size_type t : e.tetrahedra())
@@ -187,7 +186,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
       if (v != 0)
         who.push_back(vertex_order[v - 1]);
     std::sort(where.begin(), where.end());
-    throw Invalid_tetrahedra_error(e.what(), where, who);
+    throw Invalid_cells_error(e.what(), where, who);
   }
   if constexpr (Domain::has_outside)
     result.m_domain.classify_boundary(result);
@@ -298,7 +297,7 @@ auto CGAL_DSC_CLASS::state() const -> State {
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::restore(const State& state) {
   if (!internal::is_consistent(state))
-    throw Invalid_tetrahedra_error("the arrays of the state do not fit together");
+    throw Invalid_cells_error("the arrays of the state do not fit together");
   rebuild(state);
 }
 
@@ -312,7 +311,7 @@ void CGAL_DSC_CLASS::rebuild(const State& state) {
   if (!state.cells.empty())
     result.create_items(state);
   if (!result.is_valid())
-    throw Invalid_tetrahedra_error("the state is none of a valid complex");
+    throw Invalid_cells_error("the state is none of a valid complex");
   swap(result);
 }
 
@@ -346,7 +345,7 @@ void CGAL_DSC_CLASS::create_items(const State& state) {
   for (size_type i = 0; i < cells.size(); ++i)
     cells[i]->set_noted_quality(state.noted_qualities[i]);
   if (!m_components.renumber(*this, cells, state.cell_components))
-    throw Invalid_tetrahedra_error("the numbers of components are none of these tetrahedra");
+    throw Invalid_cells_error("the numbers of components are none of these tetrahedra");
 }
 
 // A vertex whose cells are not all connected through facets would pinch the domain.
@@ -365,13 +364,13 @@ void CGAL_DSC_CLASS::check_stars(const std::vector<Vertex_handle>& vertices) con
   for (size_type i = 1; i < vertices.size(); ++i) {
     Progress_scope::check();
     if (degrees[i] == 0 || !is_connected(i))
-      throw Invalid_tetrahedra_error(
+      throw Invalid_cells_error(
           "the tetrahedra around a vertex are not connected through facets; give a mesh whose "
           "domain is a ball",
           {}, {i});
   }
   if (Domain::has_outside && !is_connected(0))
-    throw Invalid_tetrahedra_error(
+    throw Invalid_cells_error(
         "the boundary of the tetrahedra is not connected; give a mesh whose domain is a ball");
 }
 
@@ -384,7 +383,7 @@ void CGAL_DSC_CLASS::check_boundary() const {
     for (Cell_handle c : finite_cells())
       sum += measure(c);
     if (!(sum < 1.5 * m_domain.measure()))
-      throw Invalid_tetrahedra_error("the cells cover the torus more than once");
+      throw Invalid_cells_error("the cells cover the torus more than once");
     return;
   }
   std::vector<Cell_handle> outside;
@@ -397,8 +396,8 @@ void CGAL_DSC_CLASS::check_boundary() const {
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   if (!Space::is_sphere(vertices.size(), outside.size()))
-    throw Invalid_tetrahedra_error("the boundary of the tetrahedra is no sphere: give a mesh whose "
-                                   "domain is a ball");
+    throw Invalid_cells_error("the boundary of the tetrahedra is no sphere: give a mesh whose "
+                              "domain is a ball");
 }
 
 // Everything that follows from points, cells and labels.

@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_BOX_LAYER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_BOX_LAYER_H
 
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
 
 #include <CGAL/enum.h>
 

@@ -5,24 +5,24 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_INTERFACE_DEFORMER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_INTERFACE_DEFORMER_H
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Stopwatch.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Stopwatch.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_care.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_remesher.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Domain_box.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_parts.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/collision_order.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/displacement_extension.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/free_vertices_near.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/motion/motion_of_space.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/simultaneous_motion.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Trapped_cells.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 
 #include <algorithm>
@@ -113,7 +113,7 @@ public:
     };
     lap(&Report::Seconds::motion);
     const std::vector<Vector> ways =
-        motion_of_space(m_complex, free, way, flow, longest, m_for_each_index);
+        displacement_extension(m_complex, free, way, flow, longest, m_for_each_index);
     lap(&Report::Seconds::extension);
     std::vector<Point> targets;
     for (std::size_t k = 0; k < vertices.size(); ++k)
@@ -296,8 +296,8 @@ private:
   Any_visitor<Complex>& m_visitor;
   Deformation_options<Complex> m_options;
   Destinations<Complex> m_destinations;
-  Rigid_parts<Complex> m_rigid_parts;
-  Mesh_care<Complex> m_mesh;
+  Rigid_components<Complex> m_rigid_parts;
+  Deformation_remesher<Complex> m_mesh;
   Trapped_cells<Complex> m_trapped_cells;
   const For_each_index& m_for_each_index;
   Work_list<Cell_handle> m_touched;

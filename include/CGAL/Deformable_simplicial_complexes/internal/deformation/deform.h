@@ -5,12 +5,12 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_DEFORM_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_DEFORM_H
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Interface_deformer.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 
 #include <functional>
 #include <vector>

@@ -5,19 +5,19 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_MESH_IMPROVER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_MESH_IMPROVER_H
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Failure_memory.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Own_operations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
+#include <CGAL/Deformable_simplicial_complexes/star_union.h>
 #include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 
 #include <algorithm>
@@ -49,7 +49,7 @@ public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
   using Cells = Work_list<Cell_handle>;
-  using Own = Own_operations<Complex>;
+  using Own = Mesh_operations<Complex>;
 
   // Where nothing else helps, one that is thorough triangulates sets of facets anew and inserts
   // vertices. Vertices of the interface may be smoothed within their plane or line.

@@ -5,11 +5,11 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_IMPROVE_NEW_MESH_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_IMPROVE_NEW_MESH_H
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
+#include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {

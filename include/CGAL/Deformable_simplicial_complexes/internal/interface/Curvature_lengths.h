@@ -7,7 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_bends.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/vertices_on_junctions.h>
+#include <CGAL/Deformable_simplicial_complexes/vertices_on_junctions.h>
 
 #include <CGAL/number_utils.h>
 

@@ -5,6 +5,11 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_BENDS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_BENDS_H
 
+#include <CGAL/Deformable_simplicial_complexes/interface_triangles_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_bends_2.h>
+
+#include <type_traits>
+
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
@@ -17,7 +22,9 @@ How the interface of a snapshot bends at its vertices. In each dimension:
 - `on_features(snapshot, positions, angle)`: for each vertex, whether facets that meet there differ
   by more than an angle, in radians
 */
-template <class Complex, int dimension = Complex::dimension> struct Interface_bends;
+template <class Complex>
+using Interface_bends = std::conditional_t<Complex::dimension == 2, Interface_bends_2<Complex>,
+                                           Interface_bends_3<Complex>>;
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes

@@ -5,6 +5,11 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_FAN_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_FAN_H
 
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan_3.h>
+
+#include <type_traits>
+
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
@@ -22,7 +27,9 @@ The facets of the interface at a vertex, its center. In each dimension:
 - `keeps_features(angle, w)`: whether no feature goes with the center if it goes to the neighbor w.
   \pre is_disk()
 */
-template <class Complex, int dimension = Complex::dimension> class Interface_fan;
+template <class Complex>
+using Interface_fan =
+    std::conditional_t<Complex::dimension == 2, Interface_fan_2<Complex>, Interface_fan_3<Complex>>;
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes

@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_LOCAL_EDGE_LENGTH_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_LOCAL_EDGE_LENGTH_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
+#include <CGAL/Deformable_simplicial_complexes/star_union.h>
 
 #include <cstddef>
 #include <vector>

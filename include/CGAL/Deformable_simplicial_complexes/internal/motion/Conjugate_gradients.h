@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_CONJUGATE_GRADIENTS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_CONJUGATE_GRADIENTS_H
 
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Row_blocks.h>
 
 #include <Eigen/Core>

@@ -6,12 +6,12 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_HARMONIC_EXTENSION_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Vertex_numbers.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/geometry/Linear_element.h>
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
+#include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
+#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Affine_phases.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Conjugate_gradients.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Row_blocks.h>
 
 #include <Eigen/Core>

@@ -6,7 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_FREE_VERTICES_NEAR_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/accounts/Marks.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 
 #include <algorithm>

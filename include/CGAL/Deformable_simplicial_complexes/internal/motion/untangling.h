@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_UNTANGLING_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_UNTANGLING_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Proposed_motion.h>
 
 #include <CGAL/Origin.h>

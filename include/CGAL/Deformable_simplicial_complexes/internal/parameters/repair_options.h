@@ -5,9 +5,9 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PARAMETERS_REPAIR_OPTIONS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PARAMETERS_REPAIR_OPTIONS_H
 
-#include <CGAL/Deformable_simplicial_complex_3/Surface_repair_options_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Surface_repair_options_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/improvement_options.h>
+#include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 
 #include <cmath>
 

@@ -5,15 +5,15 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_DETAIL_CONTROLLER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_DETAIL_CONTROLLER_H
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Own_operations.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 
 #include <algorithm>
@@ -108,7 +108,7 @@ private:
   double length_by_split_threshold(Cell_handle c, int i, int j) const {
     const Vertex_handle v = c->vertex(i), w = c->vertex(j);
     const bool is_interface = v->is_interface() && w->is_interface() &&
-                              Own_operations<Complex>::is_interface_edge(m_complex, c, i, j);
+                              Mesh_operations<Complex>::is_interface_edge(m_complex, c, i, j);
     return length_by_split_threshold(v, w, is_interface);
   }
 
@@ -117,7 +117,7 @@ private:
       return m_thresholds.change_interface ? length(v, w, m_unit) / m_thresholds.interface_split
                                            : 0;
     // Far from the interface, the input has no length that an edge could be long by.
-    const bool is_wanted = m_unit.is_size_field() || (v->is_interface() && is_tied(w)) ||
+    const bool is_wanted = m_unit.is_sizing_field() || (v->is_interface() && is_tied(w)) ||
                            (w->is_interface() && is_tied(v));
     return is_wanted ? length(v, w, m_unit) / m_thresholds.split : 0;
   }
@@ -128,7 +128,7 @@ private:
       return length(v, w, m_unit) < m_thresholds.collapse;
     return m_thresholds.change_interface && v->is_interface() && w->is_interface() &&
            length(v, w, m_short_unit) < m_thresholds.interface_collapse &&
-           Own_operations<Complex>::is_interface_edge(m_complex, c, i, j);
+           Mesh_operations<Complex>::is_interface_edge(m_complex, c, i, j);
   }
 
   // All vertices around the vanishing vertex become neighbors of the other one. Between vertices of

@@ -5,18 +5,18 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_INTERFACE_REMESHER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_INTERFACE_REMESHER_H
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Changed_facets.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/edge_unit.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/operations/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
@@ -257,30 +257,6 @@ protected:
   Work_list<Cell_handle> m_touched;
   Improvement_report m_report;
 };
-
-// That of a dimension, which adds
-// - `reconnect()`: joins the vertices of the interface by other facets
-// - `split_junctions()`: splits vertices where too many phases meet
-template <class Complex, int dimension = Complex::dimension> class Interface_improver;
-
-// `improve_interface()` with the parameters that it has read.
-template <class Complex>
-Improvement_report remesh_interface(Complex& dsc, const Interface_thresholds& thresholds,
-                                    const Edge_unit<Complex>& unit, unsigned iterations,
-                                    Any_visitor<Complex>& visitor) {
-  const Progress_phase phase("improving the interface");
-  Interface_improver<Complex> improver(dsc, visitor, thresholds, unit);
-  for (unsigned i = 0; i < iterations; ++i) {
-    if (thresholds.splits_junctions)
-      improver.split_junctions();
-    improver.split_long_edges();
-    improver.collapse_short_edges();
-    improver.reconnect();
-    improver.smooth_vertices();
-    improver.improve_cells();
-  }
-  return improver.report();
-}
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes

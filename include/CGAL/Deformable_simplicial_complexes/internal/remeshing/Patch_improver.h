@@ -5,13 +5,20 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_PATCH_IMPROVER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_PATCH_IMPROVER_H
 
+#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Patch_improver_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Patch_improver_3.h>
+
+#include <type_traits>
+
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // Improves cells where no single operation helps any more: `run()`, then `report()` of what was
 // done.
-template <class Complex, int dimension = Complex::dimension> class Patch_improver;
+template <class Complex>
+using Patch_improver = std::conditional_t<Complex::dimension == 2, Patch_improver_2<Complex>,
+                                          Patch_improver_3<Complex>>;
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes

@@ -5,13 +5,13 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_IMPROVE_WHOLE_MESH_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_IMPROVE_WHOLE_MESH_H
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Patch_improver.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {

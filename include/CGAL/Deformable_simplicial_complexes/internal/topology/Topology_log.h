@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TOPOLOGY_LOG_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TOPOLOGY_LOG_H
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 
 #include <CGAL/Origin.h>
 

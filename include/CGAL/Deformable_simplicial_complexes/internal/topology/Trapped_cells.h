@@ -5,9 +5,9 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TRAPPED_CELLS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TRAPPED_CELLS_H
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/operations/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Manifold_relabeling.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Topology_log.h>
 #include <CGAL/Deformable_simplicial_complexes/relabeling.h>

@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_ROW_BLOCKS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_ROW_BLOCKS_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/For_each_index.h>
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 
 #include <CGAL/Iterator_range.h>
 

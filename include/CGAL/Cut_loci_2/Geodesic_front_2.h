@@ -1,0 +1,319 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CUT_LOCI_2_GEODESIC_FRONT_2_H
+#define CGAL_CUT_LOCI_2_GEODESIC_FRONT_2_H
+
+#include <CGAL/Cut_loci_2/Sphere_like_surface_2.h>
+#include <CGAL/Cut_loci_2/internal/geodesics/Geodesics_2.h>
+#include <CGAL/Deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
+#include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_split.h>
+#include <CGAL/Deformable_simplicial_complexes/fill_torus.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgCutLoci2Ref
+
+The front of all geodesics from a point of a Riemannian 2-manifold, in its chart, a flat torus: it
+goes at unit speed, and stops where it meets itself (section 4.2 of the paper). The phase 1 of its
+complex is what it has swept, the distance ball of its radius; phase 0 is left.
+
+Each vertex of the front rides a geodesic, by its angle at the point, and is integrated to rounding.
+Where the front gets long, a new vertex is shot from the point at the angle between its neighbors.
+
+\tparam Metric model of `RiemannianMetric_2`
+*/
+template <class Metric> class Geodesic_front_2
+{
+public:
+  /// The torus of the chart.
+  using Domain = Torus_domain<2>;
+  /// Of the chart.
+  using Complex =
+      Deformable_simplicial_complex_2<Deformable_simplicial_complex_traits_2<>, Default, Domain>;
+  using Point_2 = typename Complex::Approximate_point_2; ///< of the chart
+  using Vertex_handle = typename Complex::Vertex_handle; ///< of the complex
+  using State = internal::Geodesic_state;                ///< u, v, u', v'
+
+  /// The geodesic that a vertex of the front rides.
+  struct Ray
+  {
+    double angle;          ///< at the point, from the direction along u, in radians
+    double length;         ///< of the geodesic to `state`
+    State state;           ///< where it is: on the vertex, or ahead of it if that is held back
+    bool is_stopped;       ///< whether the front has met itself here
+    unsigned steps_behind; ///< since the vertex was last where the geodesic is
+  };
+
+  /*!
+  The front at a small radius.
+
+  \param metric of the manifold; it repeats itself with the torus
+  \param domain the chart
+  \param point in the chart
+  \param spacing about how long the edges of the mesh and the front are in the chart; at most a
+         twentieth of the periods
+  \throws Error if the metric is not positive at the point, the
+         spacing is out of range, or three spacings go around the torus
+  */
+  Geodesic_front_2(const Metric& metric, const Domain& domain, const Point_2& point, double spacing)
+      : Geodesic_front_2(Geodesics(metric, domain, point), domain, spacing) {}
+
+  /*!
+  The front at a small radius, for a metric that knows its chart and the point.
+
+  \tparam Surface an instance of `Sphere_like_surface_2`, the `Metric`
+  \param surface and its source
+  \param spacing about how long the edges of the mesh and the front are in the chart; at most a
+         twentieth of its width
+  \throws Error if the metric is not positive at the point, or the
+         spacing is out of range
+  */
+  template <class Surface>
+  Geodesic_front_2(const Surface& surface, double spacing)
+      : Geodesic_front_2(Geodesics(surface), surface.domain(), spacing) {}
+
+  /*!
+  Goes on by a length, in equal steps of `longest_step()` at the most. Returns whether some of the
+  front has not stopped.
+
+  \throws Error if the length is not positive, or is lost beside the
+         radius, or is more than a million steps; or if a geodesic cannot be followed, the front
+  then being as after the last step that could be done
+  */
+  bool advance(double length) {
+    static constexpr double most = 1e6;
+    if (!(length > 0 && m_radius + length > m_radius && length <= most * longest_step()))
+      throw Error(
+          "the step of the front is out of range: use more than 0, and about half the spacing");
+    const int number = int(std::ceil(length / longest_step()));
+    for (int i = 0; i < number && is_going(); ++i)
+      step_by(length / number);
+    return is_going();
+  }
+
+  /// The spacing, where the metric is shortest for it: at the source, or opposite to it on a
+  /// `Sphere_like_surface_2`.
+  double longest_step() const { return m_geodesics.shortest(m_spacing); }
+
+  /// The length of the geodesics that have not stopped.
+  double radius() const { return m_radius; }
+  /// The chart: label 1 is what was swept.
+  const Complex& complex() const { return m_complex; }
+  /// The geodesic of a vertex of the front. \pre it is on the interface
+  const Ray& ray(Vertex_handle v) const { return m_rays.at(v->time_stamp()); }
+  /// The largest step that it has gone.
+  double step() const { return m_step; }
+  /// About how long a vector is that is as long as the spacing in the chart.
+  double length_of_spacing() const { return m_geodesics.longest(m_spacing); }
+  /// About how long edges are.
+  double spacing() const { return m_spacing; }
+  /// Where the geodesic at an angle is after a length. \pre on a `Sphere_like_surface_2` it is not
+  /// 0
+  State shoot(double angle, double length) const { return m_geodesics.shoot(angle, length); }
+  /// Where a geodesic is after another length.
+  State continue_ray(const State& state, double length) const {
+    return m_geodesics.advance(state, length);
+  }
+  /// The angle and the length of the geodesic to a point, if the metric were that of the source
+  /// everywhere.
+  auto departure(const Point_2& p) const { return m_geodesics.departure(p); }
+  /// Whether the chart reaches as far.
+  bool is_in_chart(const State& state) const { return m_geodesics.is_in_chart(state); }
+
+private:
+  using Cell_handle = typename Complex::Cell_handle;
+  using Geodesics = internal::Geodesics_2<Metric>;
+
+  Geodesic_front_2(const Geodesics& geodesics, const Domain& domain, double spacing)
+      : m_geodesics(geodesics), m_spacing(spacing), m_complex(domain) {
+    static constexpr double coarsest = 1. / 20; // period
+    const double period = (std::min)(domain.periods()[0], domain.periods()[1]);
+    if (!(spacing > 0 && spacing <= coarsest * period))
+      throw Error(
+          "the spacing of the front is out of range: use at most a twentieth of the periods");
+    m_radius = m_geodesics.first_radius(spacing);
+    m_complex = internal::fill_torus<Complex>(
+        domain, spacing,
+        [&](const Point_2& q) { return m_geodesics.departure(q).length < m_radius ? 1 : 0; },
+        parameters::default_values());
+    for (Vertex_handle v : m_complex.interface_vertices()) {
+      const double angle = m_geodesics.departure(m_complex.position(v)).angle;
+      m_rays[v->time_stamp()] = {angle, m_radius, m_geodesics.shoot(angle, m_radius), false, 0};
+    }
+    move();
+  }
+
+  bool is_going() const {
+    return std::any_of(m_rays.begin(), m_rays.end(),
+                       [](const auto& item) { return !item.second.is_stopped; });
+  }
+
+  void step_by(double length) {
+    std::vector<State> states;
+    for (const auto& [time_stamp, ray] : m_rays)
+      states.push_back(ray.is_stopped ? ray.state : m_geodesics.advance(ray.state, length));
+    m_radius += length;
+    m_step = (std::max)(m_step, length);
+    auto state = states.begin();
+    for (auto& [time_stamp, ray] : m_rays) {
+      ray.state = *state++;
+      if (!ray.is_stopped)
+        ray.length = m_radius;
+    }
+    move();
+    refine();
+  }
+
+  static Point_2 point(const State& state) { return Point_2(state[0], state[1]); }
+
+  // Brings the vertices to where their geodesics are, as far as they can go.
+  void move() {
+    const auto destination = [&](Vertex_handle v) {
+      const Ray& ray = m_rays.at(v->time_stamp());
+      return ray.is_stopped ? v->point() : m_complex.exact(point(ray.state));
+    };
+    // Relabeled, the folds of the front would close like zips. It keeps its edges in two passes.
+    static constexpr unsigned passes = 2;
+    const auto report = deform_interface(
+        m_complex, destination,
+        parameters::relabeling_threshold(0.).minimum_facet_angle(0.).maximum_number_of_passes(
+            passes));
+    // What is left between parts of the front must give way to all of it.
+    static constexpr double shortest = .5; // spacings
+    control_detail(m_complex, parameters::sizing_field([this](const Point_2&) { return m_spacing; })
+                                  .split_length(2.)
+                                  .collapse_length(shortest));
+    adopt();
+    for (auto& [time_stamp, ray] : m_rays)
+      ray.steps_behind = ray.is_stopped ? 0 : ray.steps_behind + 1;
+    std::map<std::size_t, bool> is_behind;
+    for (const auto& item : report.unfinished)
+      is_behind[item.vertex->time_stamp()] = true;
+    static constexpr unsigned patience = 10; // steps
+    for (Vertex_handle v : m_complex.interface_vertices()) {
+      Ray& ray = m_rays.at(v->time_stamp());
+      if (is_behind.count(v->time_stamp()) == 0)
+        ray.steps_behind = 0;
+      else if (!ray.is_stopped && (touches_front(v) || ray.steps_behind > patience))
+        ray.is_stopped = true;
+    }
+  }
+
+  // Forgets the rays of vertices that are gone; one that came to the interface by itself stops with
+  // the ray of a neighbor.
+  void adopt() {
+    std::map<std::size_t, Ray> rays;
+    std::vector<Cell_handle> star;
+    std::vector<Vertex_handle> strangers;
+    for (Vertex_handle v : m_complex.interface_vertices())
+      if (const auto known = m_rays.find(v->time_stamp()); known != m_rays.end())
+        rays.insert(*known);
+      else
+        strangers.push_back(v);
+    for (Vertex_handle v : strangers) {
+      Ray ray = {
+          0, m_radius, {m_complex.position(v).x(), m_complex.position(v).y(), 0, 0}, true, 0};
+      m_complex.star(v, star);
+      for (Cell_handle c : star)
+        for (int i = 0; i < 3; ++i)
+          if (const auto known = m_rays.find(c->vertex(i)->time_stamp()); known != m_rays.end())
+            ray = known->second;
+      ray.is_stopped = true;
+      rays.insert({v->time_stamp(), ray});
+    }
+    m_rays.swap(rays);
+  }
+
+  // Whether a vertex sees another part of the front across a cell that is left, and that two steps
+  // would close.
+  bool touches_front(Vertex_handle v) const {
+    std::vector<Cell_handle> star;
+    m_complex.star(v, star);
+    const State& state = m_rays.at(v->time_stamp()).state;
+    const double step = m_step * std::hypot(state[2], state[3]);
+    return std::any_of(star.begin(), star.end(), [&](Cell_handle c) {
+      int sides = 0, corners = 0;
+      double longest = 0;
+      for (int i = 0; i < 3; ++i) {
+        longest = (std::max)(longest, m_complex.measure(typename Complex::Facet(c, i)));
+        sides += m_complex.is_interface(typename Complex::Facet(c, i));
+        corners += c->vertex(i)->is_interface();
+      }
+      return c->label() == 0 && corners == 3 && sides < 2 &&
+             2 * m_complex.measure(c) / longest < 2 * step;
+    });
+  }
+
+  // Splits long edges of the front that go on.
+  void refine() {
+    static constexpr double longest = 1.5; // spacings
+    static constexpr int rounds = 4;
+    for (int round = 0; round < rounds; ++round) {
+      bool has_changed = false;
+      std::vector<std::pair<typename Complex::Facet, std::size_t>> facets; // and their time stamps
+      for (const auto& facet : m_complex.interface_facets())
+        facets.emplace_back(facet, facet.first->time_stamp());
+      for (const auto& [facet, time_stamp] : facets)
+        if (m_complex.is_alive(facet.first, time_stamp))
+          has_changed = refine(facet, longest * m_spacing) || has_changed;
+      if (!has_changed)
+        return;
+    }
+  }
+
+  bool refine(const typename Complex::Facet& facet, double longest) {
+    const auto [c, k] = facet;
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const Vertex_handle a = c->vertex(i), b = c->vertex(j);
+    const auto edge = m_complex.displacement(a, b);
+    const Ray &from = m_rays.at(a->time_stamp()), &to = m_rays.at(b->time_stamp());
+    if (edge.squared_length() < longest * longest || (from.is_stopped && to.is_stopped))
+      return false;
+    const double pi = std::acos(-1.);
+    const double angle = from.angle + std::remainder(to.angle - from.angle, 2 * pi) / 2;
+    const Point_2 middle = m_complex.position(a) + edge / 2;
+    Deformable_simplicial_complexes::Cavity<Complex> cavity(m_complex);
+    // Next to what has stopped, it may be the same here.
+    for (double part : {1., .5, 0.}) {
+      const double length = part * (std::max)(from.length, to.length) +
+                            (1 - part) * (std::min)(from.length, to.length);
+      const State state = m_geodesics.shoot(angle, length);
+      const Point_2 p = m_complex.domain().near(middle, point(state));
+      if (!((p - middle).squared_length() < edge.squared_length()) ||
+          !propose_edge_split(m_complex, c, i, j, p, cavity))
+        continue;
+      Improvement_report report;
+      internal::Any_visitor<Complex> nobody;
+      internal::commit_split(m_complex, cavity, a, b, nobody, report);
+      m_rays[cavity.vertices().back().handle->time_stamp()] = {angle, length, state,
+                                                               length < m_radius, 0};
+      return true;
+    }
+    return false;
+  }
+
+  Geodesics m_geodesics;
+  double m_spacing, m_radius = 0, m_step = 0;
+  Complex m_complex;
+  std::map<std::size_t, Ray> m_rays; // by the time stamps of vertices
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_2_GEODESIC_FRONT_2_H

@@ -1,0 +1,236 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_GEODESIC_EQUATIONS_2_H
+#define CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_GEODESIC_EQUATIONS_2_H
+
+#include <CGAL/Cut_loci_2/internal/geodesics/Geodesics_2.h>
+#include <CGAL/Cut_loci_2/internal/geodesics/directions.h>
+
+#include <Eigen/Dense>
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// A geodesic from the source.
+struct Geodesic_2
+{
+  double angle, length;
+};
+
+// Equations of geodesics from the source, solved by Newton's method: which one leads to a point,
+// where two or three of equal length meet, and where one is conjugate to the source.
+template <class Metric> class Geodesic_equations_2
+{
+public:
+  using Geodesics = Geodesics_2<Metric>;
+  using Domain = Torus_domain<2>;
+  using Point = Simple_cartesian<double>::Point_2;
+  using State = Geodesic_state;
+  using Pair = Eigen::Vector2d;
+
+  // A point of equally long geodesics: their angles and their length.
+  struct Meeting
+  {
+    std::vector<double> angles;
+    double length;
+    Point point;
+  };
+
+  // The spacing is the unit of lengths in the chart, the step that of lengths of geodesics.
+  Geodesic_equations_2(const Geodesics& geodesics, const Domain& domain, double spacing,
+                       double step)
+      : m_geodesics(geodesics), m_domain(domain), m_spacing(spacing), m_step(step),
+        m_orientation(area(0, before_conjugate * step) > 0 ? 1 : -1) {}
+
+  const Geodesics& geodesics() const { return m_geodesics; }
+  const Domain& domain() const { return m_domain; }
+  double spacing() const { return m_spacing; }
+  double step() const { return m_step; }
+
+  static Point point(const State& s) { return Point(s[0], s[1]); }
+
+  // Returns the geodesic to a point that is found from another one.
+  std::optional<Geodesic_2> geodesic_to(const Point& p, const Geodesic_2& start) const {
+    Geodesic_2 g = start;
+    for (int i = 0; i < iterations; ++i) {
+      const Arrival a = arrival(g);
+      const Pair miss = difference(p, a.state);
+      Eigen::Matrix2d jacobian;
+      jacobian << a.by_angle, a.by_length;
+      const Pair by = solve<2>(jacobian, miss);
+      g.angle -= by[0];
+      g.length -= m_step * by[1];
+      if (is_far(start, g))
+        return std::nullopt;
+      if (miss.norm() < precision && by.norm() < precision)
+        return m_geodesics.is_in_chart(a.state) ? std::optional(g) : std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  // Returns where geodesics of equal length meet: two, the first at a given angle, or three at any
+  // angles.
+  std::optional<Meeting> meeting(const std::vector<double>& angles, double length) const {
+    return angles.size() == 2 ? meeting_of<2>(angles, length) : meeting_of<3>(angles, length);
+  }
+
+  // Returns the direction between two others whose conjugate point is nearest, and its length.
+  std::optional<Geodesic_2> nearest_conjugate(double right, double left, double near) const {
+    static constexpr int bits = 26; // half of those of a number: it is a minimum
+    std::uintmax_t calls = most_calls;
+    const double nowhere = near + 2 * widest * m_step;
+    const auto found = boost::math::tools::brent_find_minima(
+        [&](double angle) { return conjugate_length(angle, near).value_or(nowhere); }, right, left,
+        bits, calls);
+    if (!(found.second < nowhere))
+      return std::nullopt;
+    return Geodesic_2{found.first, found.second};
+  }
+
+private:
+  static constexpr int iterations = 30;
+  static constexpr double before_conjugate = .1; // steps: no point is conjugate so early
+  static constexpr std::uintmax_t most_calls = 100;
+  static constexpr double widest = 8; // steps around a length, where conjugate points are sought
+  static constexpr double precision = 1e-8; // spacings, steps, and radians
+
+  // Returns the first length near a given one at which a geodesic is conjugate to the source.
+  std::optional<double> conjugate_length(double angle, double near) const {
+    double low = near, high = near;
+    const auto diverges = [&](double length) { return spread(angle, length) > 0; };
+    while (diverges(high) && high < near + widest * m_step)
+      high += m_step / 2;
+    while (!diverges(low) && low > m_step && low > near - widest * m_step)
+      low -= m_step / 2;
+    if (low == high || !diverges(low) || diverges(high))
+      return std::nullopt;
+    std::uintmax_t calls = most_calls;
+    const auto found = boost::math::tools::toms748_solve(
+        [&](double length) { return spread(angle, length); }, low, high,
+        [this](double a, double b) { return b - a < precision * m_step; }, calls);
+    return (found.first + found.second) / 2;
+  }
+
+  // The end of a geodesic with its derivatives, in spacings by radians and by steps.
+  struct Arrival
+  {
+    State state;
+    Pair by_angle, by_length;
+  };
+
+  Arrival arrival(const Geodesic_2& g) const {
+    static constexpr double widest_angle = 1e-5, narrowest_angle = 1e-9; // radians
+    static constexpr double farthest = 3e-3; // spacings, in which a geodesic is nearly linear
+    const State state = m_geodesics.shoot(g.angle, g.length);
+    const Point p = point(state);
+    const auto left = [&](double width) {
+      return difference(p, m_geodesics.shoot(g.angle + width, g.length));
+    };
+    double width = widest_angle;
+    Pair by = left(width);
+    while (by.norm() > farthest && width > narrowest_angle)
+      by = left(width /= 10);
+    return {state, by / width, Pair(state[2], state[3]) * (m_step / m_spacing)};
+  }
+
+  // Returns by how much a geodesic misses a point, in spacings.
+  Pair difference(const Point& p, const State& state) const {
+    const Point q = m_domain.near(p, point(state));
+    return Pair(q.x() - p.x(), q.y() - p.y()) / m_spacing;
+  }
+
+  // Returns how fast geodesics diverge at a length; negative from the conjugate point on.
+  double spread(double angle, double length) const { return m_orientation * area(angle, length); }
+
+  double area(double angle, double length) const {
+    const Arrival a = arrival({angle, length});
+    return a.by_length[0] * a.by_angle[1] - a.by_length[1] * a.by_angle[0];
+  }
+
+  // Returns a step of Newton's method, bounded. Where geodesics are conjugate, the matrix has no
+  // inverse: what it hardly depends on stays.
+  template <int n>
+  static Eigen::Matrix<double, n, 1> solve(const Eigen::Matrix<double, n, n>& matrix,
+                                           const Eigen::Matrix<double, n, 1>& right) {
+    static constexpr double longest = .5;     // radians or steps
+    static constexpr double singular = 1e-12; // of the largest pivot
+    Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, n, n>> decomposition(n, n);
+    decomposition.setThreshold(singular);
+    const Eigen::Matrix<double, n, 1> x = decomposition.compute(matrix).solve(right);
+    const double length = x.norm();
+    return length > longest ? Eigen::Matrix<double, n, 1>(x * (longest / length)) : x;
+  }
+
+  bool is_far(const Geodesic_2& from, const Geodesic_2& to) const {
+    static constexpr double angle = 1, steps = 8;
+    return !(std::abs(to.angle - from.angle) < angle && to.length > 0 &&
+             std::abs(to.length - from.length) < steps * m_step);
+  }
+
+  // Unknown are the length and the angles, but for the first of two. Each geodesic meets itself
+  // everywhere: the distance of two is divided by the chord of the angle between them.
+  template <int n>
+  std::optional<Meeting> meeting_of(const std::vector<double>& start, double length) const {
+    static constexpr int unknowns = 2 * (n - 1), first = n == 2 ? 1 : 0;
+    std::vector<double> angles = start;
+    double r = length;
+    for (int i = 0; i < iterations; ++i) {
+      std::array<Arrival, n> a;
+      for (int k = 0; k < n; ++k)
+        a[k] = arrival({angles[k], r});
+      const Point p = point(a[0].state);
+      Eigen::Matrix<double, unknowns, unknowns> matrix;
+      Eigen::Matrix<double, unknowns, 1> miss;
+      matrix.setZero();
+      double farthest = 0;
+      for (int k = 1; k < n; ++k) {
+        const int row = 2 * (k - 1);
+        const double half = turn(angles[0], angles[k]) / 2, chord = 2 * std::abs(std::sin(half));
+        farthest = (std::max)(farthest, difference(p, a[k].state).norm());
+        const Pair distance = difference(p, a[k].state) / chord,
+                   by_chord = distance / chord * std::copysign(std::cos(half), half);
+        miss.template segment<2>(row) = distance;
+        matrix.template block<2, 1>(row, 0) = (a[k].by_length - a[0].by_length) / chord;
+        matrix.template block<2, 1>(row, 1 + k - first) = a[k].by_angle / chord - by_chord;
+        if (first == 0)
+          matrix.template block<2, 1>(row, 1) = by_chord - a[0].by_angle / chord;
+      }
+      const auto by = solve<unknowns>(matrix, miss);
+      if (farthest < precision && m_step * std::abs(by[0]) < precision * r) {
+        if (!m_geodesics.is_in_chart(a[0].state))
+          return std::nullopt;
+        return Meeting{angles, r, m_domain.canonical(p)};
+      }
+      r -= m_step * by[0];
+      for (int k = first; k < n; ++k)
+        angles[k] -= by[1 + k - first];
+      for (int k = 0; k < n; ++k)
+        if (is_far({start[k], length}, {angles[k], r}))
+          return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  const Geodesics& m_geodesics;
+  Domain m_domain;
+  double m_spacing, m_step;
+  double m_orientation; // of the chart, as seen from the source
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_GEODESIC_EQUATIONS_2_H

@@ -1,0 +1,305 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_GEODESIC_FAN_2_H
+#define CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_GEODESIC_FAN_2_H
+
+#include <CGAL/Cut_loci_2/internal/geodesics/Geodesic_equations_2.h>
+#include <CGAL/Cut_loci_2/internal/geodesics/directions.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+/*
+All directions from the source at once: rays that go in equal steps, each until shorter geodesics
+lead to where it is. New rays come between those that get far from each other. Two neighbors bound a
+cell in each step; the cells cover the surface once, and a little more where they end. So a point is
+in cells of all shortest geodesics to it.
+*/
+template <class Metric> class Geodesic_fan_2
+{
+public:
+  using Equations = Geodesic_equations_2<Metric>;
+  using Point = typename Equations::Point;
+
+  // A direction, and the shorter geodesic to a point of its ray that was found first. None, if the
+  // ray is as long as it may be, leaves the chart, or was left alone by its neighbors.
+  struct Direction
+  {
+    double angle;
+    double length; // of the ray to that point
+    std::optional<Geodesic_2> shorter;
+  };
+
+  // Goes until all rays have ended, or to the longest distance.
+  Geodesic_fan_2(const Equations& equations, double longest_distance)
+      : m_equations(equations), m_step(equations.step()),
+        m_first_length(equations.geodesics().shortest_length(equations.step())) {
+    const auto& periods = equations.domain().periods();
+    for (int axis = 0; axis < 2; ++axis)
+      m_numbers[axis] = (std::max)(
+          1, (std::min)(most_squares, int(periods[axis] / (square_size * equations.spacing()))));
+    begin();
+    for (; is_going() && length(m_level) < longest_distance; ++m_level) {
+      refine();
+      advance();
+    }
+    m_is_complete = !is_going();
+  }
+
+  // Returns whether all rays have ended before the longest distance.
+  bool is_complete() const { return m_is_complete; }
+
+  // By increasing angles.
+  std::vector<Direction> directions() const {
+    std::vector<Direction> result;
+    for (const auto& [angle, ray] : m_rays)
+      result.push_back({angle, ray.cut_length, ray.shorter});
+    return result;
+  }
+
+  // Returns about which geodesics lead to a point, among them all shortest ones.
+  std::vector<Geodesic_2> candidates(const Point& p) const {
+    std::vector<Geodesic_2> result;
+    const auto it = m_squares.find(square(p));
+    if (it != m_squares.end())
+      for (std::uint32_t i : it->second)
+        if (const auto g = locate(m_cells[i], p))
+          result.push_back(*g);
+    return result;
+  }
+
+private:
+  using State = Geodesic_state;
+  using Square = std::array<int, 2>;
+
+  static constexpr int first_rays = 32;       // directions
+  static constexpr double farthest = 2;       // steps from a ray to the next one
+  static constexpr double narrowest = 1e-10;  // radians between rays
+  static constexpr unsigned overlap = 3;      // steps of a ray beyond its end
+  static constexpr double square_size = 2;    // spacings, of the squares by which cells are found
+  static constexpr int most_squares = 1 << 9; // along an axis
+  static constexpr std::size_t most_cells = 1 << 23;
+
+  struct Ray
+  {
+    State state;                       // at the current level, or where it ended
+    unsigned left = overlap;           // steps that are left to a ray that ends
+    double cut_length = 0;             // see Direction
+    std::optional<Geodesic_2> shorter; // see Direction
+  };
+
+  // Between two rays, from one level to the next.
+  struct Cell
+  {
+    std::array<Point, 4> corners; // near, and near each other: right, left, far left, far right
+    double right, angle;          // of the right ray, and by which the left one is left of it
+    std::uint32_t level;
+  };
+
+  double length(unsigned level) const { return m_first_length + level * m_step; }
+
+  void begin() {
+    const int number =
+        (std::max)(first_rays, int(std::ceil(full_turn() * m_first_length / m_step)));
+    static constexpr double first = .6180339887498949; // angles between: none is special
+    for (int i = 0; i < number; ++i)
+      add_ray(full_turn() * (i + first) / number);
+  }
+
+  void add_ray(double angle) {
+    m_rays[angle].state = m_equations.geodesics().shoot(angle, length(m_level));
+  }
+
+  bool is_going() const {
+    return std::any_of(m_rays.begin(), m_rays.end(),
+                       [](const auto& item) { return item.second.left > 0; });
+  }
+
+  using Ray_iterator = typename std::map<double, Ray>::iterator;
+
+  Ray_iterator next(Ray_iterator it) { return ++it == m_rays.end() ? m_rays.begin() : it; }
+  Ray_iterator previous(Ray_iterator it) {
+    return --(it == m_rays.begin() ? it = m_rays.end() : it);
+  }
+
+  // Puts rays between those that are far from each other and both go on.
+  void refine() {
+    for (bool has_changed = true; has_changed;) {
+      has_changed = false;
+      std::vector<double> angles;
+      for (auto it = m_rays.begin(); it != m_rays.end(); ++it) {
+        const auto left = next(it);
+        const double angle = gap_between(it->first, left->first);
+        if (it->second.left > 0 && left->second.left > 0 && angle > narrowest &&
+            distance(it->second.state, left->second.state) > farthest * m_step)
+          angles.push_back(canonical_angle(it->first + angle / 2));
+      }
+      for (double angle : angles)
+        if (m_rays.count(angle) == 0) {
+          add_ray(angle);
+          has_changed = true;
+        }
+    }
+  }
+
+  double distance(const State& a, const State& b) const {
+    const Point p = Equations::point(a), q = m_equations.domain().near(p, Equations::point(b));
+    return m_equations.geodesics().length(p, q.x() - p.x(), q.y() - p.y());
+  }
+
+  // Takes all rays one step further.
+  void advance() {
+    std::vector<Ray_iterator> going;
+    std::vector<State> before;
+    for (auto it = m_rays.begin(); it != m_rays.end(); ++it)
+      if (it->second.left > 0) {
+        going.push_back(it);
+        before.push_back(it->second.state);
+        it->second.state = m_equations.geodesics().advance(it->second.state, m_step);
+      }
+    for (std::size_t i = 0; i < going.size(); ++i) {
+      const std::size_t j = (i + 1) % going.size();
+      if (next(going[i]) == going[j] && i != j)
+        add_cell(*going[i], before[i], *going[j], before[j]);
+    }
+    for (Ray_iterator it : going)
+      if (!it->second.shorter)
+        look_for_shorter(it->first, it->second);
+    // A ray accompanies its neighbors, so that there are cells where they end.
+    for (Ray_iterator it : going) {
+      Ray& ray = it->second;
+      const Ray &left = next(it)->second, &right = previous(it)->second;
+      const bool is_alone = !ray.shorter && left.left == 0 && right.left == 0;
+      if (is_alone || !m_equations.geodesics().is_in_chart(ray.state))
+        ray.left = 0;
+      else if (ray.shorter && left.shorter && right.shorter)
+        --ray.left;
+    }
+  }
+
+  void add_cell(const std::pair<const double, Ray>& right, const State& right_before,
+                const std::pair<const double, Ray>& left, const State& left_before) {
+    if (m_cells.size() >= most_cells)
+      throw Error("the cut locus needs too many geodesics: use a larger spacing and step");
+    Cell cell;
+    const Point origin = m_equations.domain().canonical(Equations::point(right_before));
+    const auto put = [&](int i, const State& s) {
+      cell.corners[i] =
+          m_equations.domain().near(i == 0 ? origin : cell.corners[0], Equations::point(s));
+    };
+    put(0, right_before);
+    put(1, left_before);
+    put(2, left.second.state);
+    put(3, right.second.state);
+    cell.right = right.first;
+    cell.angle = gap_between(right.first, left.first);
+    cell.level = m_level;
+    std::array<double, 2> low = {cell.corners[0].x(), cell.corners[0].y()}, high = low;
+    for (const Point& p : cell.corners)
+      for (int axis = 0; axis < 2; ++axis) {
+        low[axis] = (std::min)(low[axis], p[axis]);
+        high[axis] = (std::max)(high[axis], p[axis]);
+      }
+    std::array<int, 2> first, last;
+    for (int axis = 0; axis < 2; ++axis) {
+      const double size = m_equations.domain().periods()[axis] / m_numbers[axis];
+      const double margin = outside * (high[axis] - low[axis]);
+      first[axis] = int(std::floor((low[axis] - margin) / size));
+      last[axis] = (std::min)(int(std::floor((high[axis] + margin) / size)),
+                              first[axis] + m_numbers[axis] - 1);
+    }
+    for (int i = first[0]; i <= last[0]; ++i)
+      for (int j = first[1]; j <= last[1]; ++j)
+        m_squares[{wrapped(i, 0), wrapped(j, 1)}].push_back(std::uint32_t(m_cells.size()));
+    m_cells.push_back(cell);
+  }
+
+  int wrapped(int i, int axis) const {
+    const int n = m_numbers[axis];
+    return ((i % n) + n) % n;
+  }
+
+  Square square(const Point& p) const {
+    const Point q = m_equations.domain().canonical(p);
+    Square result;
+    for (int axis = 0; axis < 2; ++axis)
+      result[axis] = wrapped(
+          int(std::floor(q[axis] / m_equations.domain().periods()[axis] * m_numbers[axis])), axis);
+    return result;
+  }
+
+  static constexpr double outside = .25; // of a cell, by which a point may be so: it is bilinear
+
+  // Returns the geodesic of a cell to a point, about, if the point is in the cell.
+  std::optional<Geodesic_2> locate(const Cell& cell, const Point& point) const {
+    static constexpr int iterations = 8;
+    const auto& c = cell.corners;
+    const Point p = m_equations.domain().near(c[0], point);
+    double s = .5, t = .5; // across, and along
+    for (int i = 0; i < iterations; ++i) {
+      const auto across = (1 - t) * (c[1] - c[0]) + t * (c[2] - c[3]),
+                 along = (1 - s) * (c[3] - c[0]) + s * (c[2] - c[1]);
+      const auto miss = p - (c[0] + s * (1 - t) * (c[1] - c[0]) + s * t * (c[2] - c[0]) +
+                             (1 - s) * t * (c[3] - c[0]));
+      const double determinant = across.x() * along.y() - across.y() * along.x();
+      if (determinant == 0)
+        return std::nullopt;
+      s += (miss.x() * along.y() - miss.y() * along.x()) / determinant;
+      t += (across.x() * miss.y() - across.y() * miss.x()) / determinant;
+      static constexpr double far = 3; // widths of the cell
+      if (!(std::abs(s) < far && std::abs(t) < far))
+        return std::nullopt;
+    }
+    if (!(s >= -outside && s <= 1 + outside && t >= -outside && t <= 1 + outside))
+      return std::nullopt;
+    return Geodesic_2{cell.right + s * cell.angle, length(cell.level) + t * m_step};
+  }
+
+  // Whether another geodesic to where a ray is now is shorter.
+  void look_for_shorter(double angle, Ray& ray) {
+    static constexpr double similar = 1e-6; // radians
+    static constexpr double shorter = 1e-6; // steps
+    Progress_scope::check();
+    const double here = length(m_level + 1);
+    const Point p = Equations::point(ray.state);
+    for (const Geodesic_2& c : candidates(p)) {
+      if (std::abs(turn(c.angle, angle)) < 1e-9 || c.length > here + m_step / 2)
+        continue;
+      const auto g = m_equations.geodesic_to(p, c);
+      if (g && std::abs(turn(g->angle, angle)) > similar && g->length < here - shorter * m_step &&
+          (!ray.shorter || g->length < ray.shorter->length))
+        ray.shorter = g;
+    }
+    ray.cut_length = here;
+  }
+
+  const Equations& m_equations;
+  double m_step, m_first_length;
+  unsigned m_level = 0;
+  bool m_is_complete;
+  std::map<double, Ray> m_rays; // by their angles, in [0, 2 pi)
+  std::vector<Cell> m_cells;
+  std::array<int, 2> m_numbers; // of squares along the axes
+  std::map<Square, std::vector<std::uint32_t>> m_squares;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_GEODESIC_FAN_2_H

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_DIRECTIONS_H
+#define CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_DIRECTIONS_H
+
+#include <cmath>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Directions at a point are angles in radians; to the left, they increase.
+
+inline double full_turn() { return 2 * std::acos(-1.); }
+
+// Returns the angle by which one direction is to the left of another, in [-pi, pi].
+inline double turn(double from, double to) { return std::remainder(to - from, full_turn()); }
+
+// Returns the angle from one direction to the left to another, in (0, 2 pi].
+inline double gap_between(double right, double left) {
+  const double gap = std::fmod(left - right, full_turn());
+  return gap > 0 ? gap : gap + full_turn();
+}
+
+// Returns a direction as an angle in [0, 2 pi).
+inline double canonical_angle(double angle) {
+  const double a = std::fmod(angle, full_turn());
+  return a < 0 ? a + full_turn() : a;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_DIRECTIONS_H

@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CURVATURE_SIZING_FIELD_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CURVATURE_SIZING_FIELD_H
+
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Curvature_lengths.h>
+
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_2.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Search_traits_adapter.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+template <class Complex> class Interface_adaptation;
+
+} // namespace internal
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Lengths of edges by the curvature of an interface, as it is when the field is made: an edge of
+length h lies up to about \f$\kappa h^2 / 8\f$ below a surface that bends with the curvature
+\f$\kappa\f$ along it, and that is to be a given tolerance. Between vertices, the length of the
+nearest one holds. For `improve_interface()` and `control_detail()`.
+
+\tparam d the dimension
+*/
+template <int d> class Curvature_sizing_field
+{
+public:
+  /// A point in the coordinates of the complex.
+  using Point = std::conditional_t<d == 2, Simple_cartesian<double>::Point_2,
+                                   Simple_cartesian<double>::Point_3>;
+
+  /*!
+  Estimates the curvatures from the normals of the vertices, but for those on sharp edges and on
+  lines where more than two labels meet, which have none.
+
+  \param dsc the complex.
+  \param tolerance distance between edges and surface, positive.
+  \param shortest, longest bounds on the lengths, positive. Far from the interface, too.
+  \param gradation by how much lengths may differ from vertex to vertex along an edge of the
+         interface, by the length of that edge, positive.
+  \param feature_angle edges are sharp where the normals of their facets differ by more, in degrees,
+         in [0, 180]; with 180, none is.
+  \throws Error if a parameter is out of its range, or `shortest`
+          is more than `longest`.
+
+  n log n in the size of the interface.
+  */
+  template <class Complex>
+  Curvature_sizing_field(const Complex& dsc, double tolerance, double shortest, double longest,
+                         double gradation = .5, double feature_angle = 180) {
+    if (!(tolerance > 0 && shortest > 0 && shortest <= longest && gradation > 0))
+      throw Error(
+          "a size field by curvature needs a tolerance, a gradation and lengths that are positive, "
+          "the shortest one up to the longest one");
+    if (!(feature_angle >= 0 && feature_angle <= 180))
+      throw Error("the angle of features is out of range: use 0 to 180 degrees");
+    const Interface_snapshot<Complex> interface_(dsc);
+    const auto positions = interface_.positions(dsc);
+    const internal::Curvature_lengths<Complex> lengths(interface_, positions, tolerance, shortest,
+                                                       feature_angle);
+    *this =
+        Curvature_sizing_field(interface_, positions, lengths.graded(longest, gradation), longest);
+  }
+
+  /// The wanted length of an edge at p: that of the nearest vertex, or the shorter one of the
+  /// nearest two if they are equally near, as the ends of the edge are. Logarithmic in the size of
+  /// the interface.
+  double operator()(const Point& p) const {
+    static constexpr double same = 1 + 1e-6; // ratio of squared distances that rounding may change
+    double result = m_longest, nearest = std::numeric_limits<double>::infinity();
+    for (const Point& image : images(p)) {
+      if (m_tree->empty())
+        break;
+      const Search search(*m_tree, image, 2);
+      for (auto found = search.begin(); found != search.end(); ++found) {
+        const auto& [point, squared_distance] = *found;
+        if (squared_distance * same < nearest)
+          result = point.second;
+        else if (squared_distance <= same * nearest)
+          result = (std::min)(result, point.second);
+        nearest = (std::min)(nearest, double(squared_distance));
+      }
+    }
+    return result;
+  }
+
+private:
+  template <class> friend class internal::Interface_adaptation;
+
+  // Of known lengths of the vertices of an interface.
+  template <class Snapshot>
+  Curvature_sizing_field(const Snapshot& interface_, const std::vector<Point>& positions,
+                         const std::vector<double>& lengths, double longest)
+      : m_longest(longest), m_periods(interface_.domain.template periods<d>()) {
+    std::vector<Sized_point> points;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      points.emplace_back(positions[i], lengths[i]);
+    m_tree = std::make_shared<Tree>(points.begin(), points.end());
+    if (!points.empty())
+      m_tree->build();
+  }
+
+  using Sized_point = std::pair<Point, double>;
+  using Point_traits = std::conditional_t<d == 2, Search_traits_2<Simple_cartesian<double>>,
+                                          Search_traits_3<Simple_cartesian<double>>>;
+  using Tree_traits =
+      Search_traits_adapter<Sized_point, First_of_pair_property_map<Sized_point>, Point_traits>;
+  using Search = Orthogonal_k_neighbor_search<Tree_traits>;
+  using Tree = typename Search::Tree;
+
+  // On a torus, the image of a point in the box and those that may be nearer to a point of the box.
+  std::vector<Point> images(const Point& p) const {
+    auto inside = internal::coordinates_of<d>(p);
+    for (int i = 0; i < d; ++i)
+      if (m_periods[i] > 0)
+        inside[i] -= m_periods[i] * std::floor(inside[i] / m_periods[i]);
+    std::vector<Point> result = {internal::point_of<Point>(inside)};
+    for (int i = 0; i < d; ++i)
+      if (m_periods[i] > 0)
+        for (std::size_t k = result.size(); k-- > 0;) {
+          auto image = internal::coordinates_of<d>(result[k]);
+          image[i] += image[i] < m_periods[i] / 2 ? m_periods[i] : -m_periods[i];
+          result.push_back(internal::point_of<Point>(image));
+        }
+    return result;
+  }
+
+  std::shared_ptr<Tree> m_tree; // shared by copies, and never changed
+  double m_longest = 0;
+  std::array<double, d> m_periods = {}; // of a torus
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CURVATURE_SIZING_FIELD_H

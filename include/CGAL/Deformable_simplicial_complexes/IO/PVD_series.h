@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_PVD_SERIES_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_PVD_SERIES_H
+
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace IO {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+is a ParaView collection: a file that says which data file shows which moment, to be opened as one
+animation.
+
+\sa `write_VTU()`
+\sa `write_interface_VTU()`
+*/
+class PVD_series
+{
+public:
+  /// starts an empty series. Nothing is written yet.
+  ///
+  /// \param path is the name of the collection, usually with the extension `.pvd`.
+  explicit PVD_series(std::string path) : m_path(std::move(path)) {}
+
+  /// \brief adds a data file and writes the collection, which is complete and valid after each
+  /// call.
+  ///
+  /// \param time should be larger than those added before.
+  /// \param file is the name of the data file, as a program in the same working directory would
+  /// open it. The collection refers to it relative to its own folder, so that both can move
+  /// together.
+  ///
+  /// \throws Deformable_simplicial_complexes::File_error if the time is not finite or the collection
+  /// cannot be written; an older one, as well as the series itself, is unchanged then.
+  ///
+  /// Linear in the number of data files.
+  void append(double time, const std::string& file) { append({{time, file}}); }
+
+  /// adds several data files, each a time and a name, and writes the collection once; otherwise the
+  /// same.
+  void append(const std::vector<std::pair<double, std::string>>& files) {
+    std::vector<Entry> entries = m_entries;
+    for (const auto& [time, file] : files) {
+      if (!std::isfinite(time))
+        throw Deformable_simplicial_complexes::File_error(
+            "the time of " + file + " is not a finite number and cannot be written to " + m_path +
+                ": correct it",
+            m_path);
+      entries.push_back({time, relative_to_collection(file)});
+    }
+    Deformable_simplicial_complexes::internal::replace_file_by_stream(
+        m_path, [&](std::ostream& out) { write(out, entries); });
+    m_entries.swap(entries);
+  }
+
+  /// returns the name of the collection.
+  const std::string& path() const { return m_path; }
+
+private:
+  struct Entry
+  {
+    double time;
+    std::string file;
+  };
+
+  std::string relative_to_collection(const std::string& file) const {
+    namespace fs = std::filesystem;
+    const auto normal = [](const std::string& path) {
+      return fs::absolute(path).lexically_normal();
+    };
+    return normal(file).lexically_proximate(normal(m_path).parent_path()).generic_string();
+  }
+
+  static std::string escaped(const std::string& text) {
+    std::string result;
+    for (char c : text)
+      switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+      }
+    return result;
+  }
+
+  static void write(std::ostream& out, const std::vector<Entry>& entries) {
+    out.precision(std::numeric_limits<double>::max_digits10);
+    out << "<?xml version=\"1.0\"?>\n"
+           "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
+           "  <Collection>\n";
+    for (const Entry& entry : entries)
+      out << "    <DataSet timestep=\"" << entry.time << "\" group=\"\" part=\"0\" file=\""
+          << escaped(entry.file) << "\"/>\n";
+    out << "  </Collection>\n"
+           "</VTKFile>\n";
+  }
+
+  std::string m_path;
+  std::vector<Entry> m_entries;
+};
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_PVD_SERIES_H

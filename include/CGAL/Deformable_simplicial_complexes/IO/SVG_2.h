@@ -1,0 +1,225 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_SVG_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_SVG_2_H
+
+#include <CGAL/Deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/extract_interface_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
+
+#include <CGAL/Bbox_2.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace IO {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+is how `write_SVG()` draws.
+*/
+struct SVG_options
+{
+  double width = 800;       ///< of the picture in pixels; its height follows from the domain
+  bool draws_edges = false; ///< whether the edges of all triangles are drawn
+  double line_width = 1.5;  ///< of the interface in pixels; 0 leaves it out
+  Bbox_2 window; ///< what is seen, in user coordinates; the whole domain if it is `Bbox_2()`
+};
+
+} // namespace IO
+
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Colors for labels: white for 0, then hues by the golden angle, light enough for black lines.
+inline std::string color_of_label(int label) {
+  if (label == 0)
+    return "#ffffff";
+  static constexpr double golden_angle = 137.50776405, first_hue = 210, saturation = .55,
+                          lightness = .66;
+  const double hue = std::fmod(first_hue + golden_angle * double(std::int64_t(label) - 1), 360.);
+  const auto channel = [&](double shift) {
+    const double k = std::fmod(shift + (hue < 0 ? hue + 360 : hue) / 30, 12.);
+    const double a = saturation * (std::min)(lightness, 1 - lightness);
+    return int(
+        std::lround(255 * (lightness - a * (std::max)(-1., (std::min)({k - 3, 9 - k, 1.})))));
+  };
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", channel(0), channel(8), channel(4));
+  return text;
+}
+
+// Draws triangles and segments of the plane, each at all images of a period that are in sight.
+class Svg_canvas
+{
+public:
+  // Sees a window, or all if that is empty. Throws Error if the window or the width, in pixels, are
+  // no sizes of a picture.
+  Svg_canvas(const Bbox_2& window, const Bbox_2& all, double width,
+             const std::array<double, 2>& periods)
+      : m_window(window == Bbox_2() ? all : window), m_width(width), m_periods(periods) {
+    static constexpr double most_periods = 100, widest = 1e6;
+    if (!(width > 0 && width <= widest))
+      throw Error("the width of a picture is not between 0 and a million pixels");
+    const double size[2] = {m_window.xmax() - m_window.xmin(), m_window.ymax() - m_window.ymin()};
+    m_scale = width / size[0];
+    for (int axis = 0; axis < 2; ++axis)
+      if (!(size[axis] > 0 && size[axis] * m_scale <= widest) ||
+          (periods[axis] > 0 && size[axis] > most_periods * periods[axis]))
+        throw Error(
+            "the window of a picture is empty, not finite, very long, or more than a hundred "
+            "periods");
+  }
+
+  void begin(std::ostream& out) const {
+    const double height = m_scale * (m_window.ymax() - m_window.ymin());
+    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << m_width << "\" height=\""
+        << height << "\" viewBox=\"0 0 " << m_width << ' ' << height
+        << "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n"
+        << "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+  }
+
+  template <class Point, std::size_t n>
+  void add(const std::array<Point, n>& corners, std::string& path) const {
+    std::array<int, 2> first, last;
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto [low, high] =
+          std::minmax_element(corners.begin(), corners.end(),
+                              [&](const Point& p, const Point& q) { return p[axis] < q[axis]; });
+      const double begin = axis == 0 ? m_window.xmin() : m_window.ymin(),
+                   end = axis == 0 ? m_window.xmax() : m_window.ymax(), period = m_periods[axis];
+      if (period <= 0 && ((*high)[axis] < begin || (*low)[axis] > end))
+        return; // out of sight
+      first[axis] = period > 0 ? int(std::ceil((begin - (*high)[axis]) / period)) : 0;
+      last[axis] = period > 0 ? int(std::floor((end - (*low)[axis]) / period)) : 0;
+    }
+    for (int i = first[0]; i <= last[0]; ++i)
+      for (int j = first[1]; j <= last[1]; ++j) {
+        for (std::size_t k = 0; k < n; ++k)
+          append(k == 0 ? 'M' : 'L', corners[k].x() + i * m_periods[0],
+                 corners[k].y() + j * m_periods[1], path);
+        if (n > 2)
+          path += 'Z';
+      }
+  }
+
+private:
+  void append(char command, double x, double y, std::string& path) const {
+    path += command;
+    append(m_scale * (x - m_window.xmin()), path);
+    path += ',';
+    append(m_scale * (m_window.ymax() - y), path);
+  }
+
+  // In hundredths of a pixel, in the same way in every locale; far out of sight, anything will do.
+  static void append(double x, std::string& path) {
+    static constexpr double farthest = 1e7;
+    char text[32];
+    const auto end =
+        std::to_chars(text, text + sizeof text, (std::max)(-farthest, (std::min)(farthest, x)),
+                      std::chars_format::fixed, 2);
+    path.append(text, end.ptr);
+  }
+
+  Bbox_2 m_window;
+  double m_width, m_scale;
+  std::array<double, 2> m_periods;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
+namespace IO {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+draws a planar complex as a picture: scalable vector graphics (`.svg`), with a color for each label,
+white for 0, and the interface as black lines. A torus is shown as its box, with what is across its
+seam on both sides.
+
+\param path is the name of the file; its folder must exist.
+\param dsc is the complex.
+\param options tell how.
+
+\throws Deformable_simplicial_complexes::Error if the width or the window are out of range, or the
+complex is empty.
+\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file
+of that name is unchanged then.
+
+n log n in the number of triangles.
+*/
+template <class Traits, class Tds, class Domain>
+void write_SVG(const std::string& path,
+               const Deformable_simplicial_complex_2<Traits, Tds, Domain>& dsc,
+               const SVG_options& options = SVG_options()) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  using Complex = Deformable_simplicial_complex_2<Traits, Tds, Domain>;
+  using Point = typename Complex::Approximate_point_2;
+  if (dsc.number_of_cells() == 0)
+    throw Deformable_simplicial_complexes::Error("there is nothing to draw: the complex is empty");
+  const auto& normalization = dsc.normalization();
+  const auto in_user_coordinates = [&](const Point& p) {
+    return ORIGIN + (normalization.translation + normalization.scale * (p - ORIGIN));
+  };
+  std::array<double, 2> periods = dsc.domain().template periods<2>();
+  Bbox_2 all;
+  if constexpr (Domain::has_outside)
+    for (const auto v : dsc.vertices())
+      all += dsc.user_position(v).bbox();
+  else
+    all = in_user_coordinates(Point(0, 0)).bbox() +
+          in_user_coordinates(Point(periods[0], periods[1])).bbox();
+  for (double& period : periods)
+    period *= normalization.scale;
+  const internal::Svg_canvas canvas(options.window, all, options.width, periods);
+
+  std::map<int, std::string> regions;
+  std::string edges, interface_;
+  for (const auto c : dsc.cells()) {
+    const std::array<Point, 3> corners = {in_user_coordinates(dsc.corner(c, 0)),
+                                          in_user_coordinates(dsc.corner(c, 1)),
+                                          in_user_coordinates(dsc.corner(c, 2))};
+    canvas.add(corners, regions[dsc.label(c)]);
+    if (options.draws_edges)
+      canvas.add(corners, edges);
+    for (int i = 0; i < 3; ++i)
+      if (dsc.is_interface(typename Complex::Facet(c, i)) && c->label() > c->neighbor(i)->label())
+        canvas.add(std::array<Point, 2>{corners[(i + 1) % 3], corners[(i + 2) % 3]}, interface_);
+  }
+  internal::replace_file_by_stream(path, [&](std::ostream& out) {
+    canvas.begin(out);
+    // The thin lines around triangles close what smoothing leaves between them.
+    for (const auto& [label, region] : regions) {
+      const std::string color = internal::color_of_label(label);
+      out << "<path id=\"label_" << label << "\" fill=\"" << color << "\" stroke=\"" << color
+          << "\" stroke-width=\"0.4\" d=\"" << region << "\"/>\n";
+    }
+    if (options.draws_edges)
+      out << "<path id=\"edges\" fill=\"none\" stroke=\"#808080\" stroke-width=\"0.3\" d=\""
+          << edges << "\"/>\n";
+    if (options.line_width > 0)
+      out << "<path id=\"interface\" fill=\"none\" stroke=\"#000000\" stroke-width=\""
+          << options.line_width << "\" d=\"" << interface_ << "\"/>\n";
+    out << "</svg>\n";
+  });
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_SVG_2_H

@@ -1,0 +1,186 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_LABELLED_CURVES_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_LABELLED_CURVES_2_H
+
+#include <CGAL/Deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Labelled_curve_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Seeded_segments_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/extract_interface_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/curves/read_poly.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/curves/read_wkt.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cstddef>
+#include <limits>
+#include <ostream>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace IO {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+reads closed curves from a file of well-known text (`.wkt`), for
+`make_deformable_simplicial_complex_2()`: each `POLYGON`, `MULTIPOLYGON`, closed `LINESTRING` and
+`MULTILINESTRING` is a curve, those in a `GEOMETRYCOLLECTION`, too; their labels are 1, 2 and so on.
+
+\param path is the name of the file.
+\param unused gets what is in the file and not used: points, empty geometries, spatial reference
+systems.
+\throws Deformable_simplicial_complexes::File_error if the file cannot be read, or is not what is
+described above.
+
+Linear in the size of the file.
+*/
+template <class Point = Exact_predicates_inexact_constructions_kernel::Point_2>
+std::vector<Deformable_simplicial_complexes::Labelled_curve_2<Point>>
+read_labelled_curves(const std::string& path,
+                     Deformable_simplicial_complexes::Unused_content* unused = nullptr) {
+  Deformable_simplicial_complexes::internal::Wkt_reader<Point> reader(path);
+  auto curves = reader.read();
+  if (unused)
+    unused->add(reader.unused());
+  return curves;
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+reads segments from a file in the format of Triangle (`.poly`), for
+`make_deformable_simplicial_complex_2()`. Regions with an attribute get it as their label, which
+must be an integer; holes get 0. In a file without regions, all that segments enclose gets label 1,
+but for holes.
+
+\param path is the name of the file. If it has no points, they are read from the file beside it whose
+name ends with `.node`.
+\param unused if not null, the content of the file that is not used is added to it: attributes and boundary markers of points and
+segments, points that are no ends of segments, area constraints.
+\throws Deformable_simplicial_complexes::File_error if the file cannot be read, or is not what is
+described above.
+
+Linear in the size of the file.
+*/
+template <class Point = Exact_predicates_inexact_constructions_kernel::Point_2>
+Deformable_simplicial_complexes::Seeded_segments_2<Point>
+read_seeded_segments(const std::string& path,
+                     Deformable_simplicial_complexes::Unused_content* unused = nullptr) {
+  Deformable_simplicial_complexes::internal::Poly_reader<Point> reader(path);
+  auto segments = reader.read();
+  if (unused)
+    unused->add(reader.unused());
+  return segments;
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+writes the regions of a planar complex as well-known text: a `MULTIPOLYGON` for each label but 0, by
+increasing label, in user coordinates. All digits that tell coordinates apart are written; the
+labels are not: what is read again has labels 1, 2 and so on.
+
+\param path is the name of the file; its folder must exist.
+\param dsc is the complex, whose domain is no torus.
+\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file
+of that name is unchanged then.
+
+n log n in the number of triangles.
+*/
+template <class Traits, class Tds>
+void write_WKT(const std::string& path, const Deformable_simplicial_complex_2<Traits, Tds>& dsc) {
+  Deformable_simplicial_complexes::internal::replace_file_by_stream(path, [&](std::ostream& out) {
+    out.precision(std::numeric_limits<double>::max_digits10);
+    const auto write_ring = [&](const auto& ring) {
+      out << '(';
+      for (const auto& p : ring)
+        out << p.x() << ' ' << p.y() << ", ";
+      out << ring[0].x() << ' ' << ring[0].y() << ')';
+    };
+    for (const auto& [label, polygons] : Deformable_simplicial_complexes::extract_polygons(dsc)) {
+      if (label == 0)
+        continue;
+      const char* separator = "";
+      out << "MULTIPOLYGON (";
+      for (const auto& polygon : polygons) {
+        out << separator << '(';
+        write_ring(polygon.outer_boundary());
+        for (const auto& hole : polygon.holes()) {
+          out << ", ";
+          write_ring(hole);
+        }
+        out << ')';
+        separator = ", ";
+      }
+      out << ")\n";
+    }
+  });
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+writes the interface of a planar complex in the format of Triangle (`.poly`), in user coordinates,
+with the boundary of the domain at labels but 0, and with a region for each connected component of
+each label but 0. All digits that tell coordinates
+apart are written.
+
+\param path is the name of the file; its folder must exist.
+\param dsc is the complex, whose domain is no torus.
+\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file
+of that name is unchanged then.
+
+n log n in the number of triangles.
+*/
+template <class Traits, class Tds>
+void write_poly(const std::string& path, const Deformable_simplicial_complex_2<Traits, Tds>& dsc) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  using Complex = Deformable_simplicial_complex_2<Traits, Tds>;
+  using Cell_handle = typename Complex::Cell_handle;
+  std::vector<typename Complex::Facet> walls = dsc.interface_facets();
+  for (const Cell_handle c : dsc.cells())
+    for (int i = 0; i < 3; ++i)
+      if (dsc.label(c) != 0 && dsc.is_infinite(c->neighbor(i)))
+        walls.emplace_back(c, i);
+  const internal::Extracted_facets<Complex> extracted(dsc, walls, false);
+  std::vector<Cell_handle> largest; // of each component
+  std::set<Cell_handle> found;
+  for (const Cell_handle first : dsc.cells()) {
+    if (dsc.label(first) == 0 || found.count(first) > 0)
+      continue;
+    largest.push_back(first);
+    for (const Cell_handle c : internal::connected_cells(dsc, first, found))
+      if (dsc.measure(c) > dsc.measure(largest.back()))
+        largest.back() = c;
+  }
+  internal::replace_file_by_stream(path, [&](std::ostream& out) {
+    out.precision(std::numeric_limits<double>::max_digits10);
+    out << extracted.points.size() << " 2 0 0\n";
+    for (std::size_t i = 0; i < extracted.points.size(); ++i)
+      out << i << ' ' << extracted.points[i].x() << ' ' << extracted.points[i].y() << '\n';
+    out << extracted.facets.size() << " 0\n";
+    for (std::size_t i = 0; i < extracted.facets.size(); ++i)
+      out << i << ' ' << extracted.facets[i][0] << ' ' << extracted.facets[i][1] << '\n';
+    out << "0\n" << largest.size() << '\n';
+    for (std::size_t i = 0; i < largest.size(); ++i) {
+      const auto middle = centroid(dsc.user_position(largest[i]->vertex(0)),
+                                   dsc.user_position(largest[i]->vertex(1)),
+                                   dsc.user_position(largest[i]->vertex(2)));
+      out << i << ' ' << middle.x() << ' ' << middle.y() << ' ' << dsc.label(largest[i]) << " 0\n";
+    }
+  });
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_LABELLED_CURVES_2_H

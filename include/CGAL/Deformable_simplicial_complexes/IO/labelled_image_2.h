@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_LABELLED_IMAGE_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_LABELLED_IMAGE_2_H
+
+#include <CGAL/Deformable_simplicial_complexes/Labelled_image_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace IO {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+reads an image of labels from a portable gray map (`.pgm`): the gray values are the labels.
+
+\param path is the name of the file.
+\param unused gets what is in the file and not used: bytes after the pixels, such as other images.
+\throws Deformable_simplicial_complexes::File_error if the file cannot be read, or is no such image.
+
+Linear in the size of the file.
+*/
+inline Deformable_simplicial_complexes::Labelled_image_2
+read_labelled_image(const std::string& path,
+                    Deformable_simplicial_complexes::Unused_content* unused = nullptr) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  const std::string bytes = internal::file_contents(path);
+  std::size_t position = 2;
+  const auto fail = [&](const std::string& what) {
+    throw Deformable_simplicial_complexes::File_error(path + ": " + what, path);
+  };
+  if ((bytes.compare(0, 2, "P2") != 0 && bytes.compare(0, 2, "P5") != 0) ||
+      (bytes.size() > 2 && std::isdigit(static_cast<unsigned char>(bytes[2])) != 0))
+    fail("is no portable gray map: it should begin with P2 or P5; convert other images to one");
+  const bool is_binary = bytes[1] == '5';
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+  const auto number = [&](std::size_t maximum) {
+    while (position < bytes.size() && (std::isspace(byte(position)) || bytes[position] == '#'))
+      position = bytes[position] == '#' ? (std::min)(bytes.find('\n', position), bytes.size())
+                                        : position + 1;
+    if (position == bytes.size() || !std::isdigit(byte(position)))
+      fail("a number is missing; is the file truncated?");
+    std::size_t result = 0;
+    for (; position < bytes.size() && std::isdigit(byte(position)); ++position)
+      if ((result = 10 * result + (byte(position) - '0')) > maximum)
+        fail("a number is too large");
+    return result;
+  };
+  static constexpr std::size_t largest_side = 1 << 20, largest_gray = 65535;
+  Deformable_simplicial_complexes::Labelled_image_2 image;
+  image.width = number(largest_side);
+  image.height = number(largest_side);
+  const std::size_t gray = number(largest_gray), size = image.width * image.height;
+  if (size == 0 || gray == 0)
+    fail("there are no pixels, or no gray values");
+  const std::size_t bytes_of_pixel = is_binary && gray > 255 ? 2 : 1;
+  if (is_binary && position < bytes.size() && !std::isspace(byte(position)))
+    fail("there is no white space between the largest gray value and the pixels");
+  position += is_binary;
+  if (bytes.size() < position || bytes.size() - position < bytes_of_pixel * size)
+    fail("there are fewer pixels than it says; is the file truncated?");
+  image.labels.reserve(size);
+  while (image.labels.size() < size) {
+    Deformable_simplicial_complexes::Progress_scope::check();
+    if (!is_binary) {
+      image.labels.push_back(int(number(gray)));
+    } else {
+      int value = byte(position++);
+      if (bytes_of_pixel == 2)
+        value = 256 * value + byte(position++);
+      if (std::size_t(value) > gray)
+        fail("a number is too large");
+      image.labels.push_back(value);
+    }
+  }
+  while (position < bytes.size() && std::isspace(byte(position)))
+    ++position;
+  if (unused)
+    unused->add("bytes after the pixels", bytes.size() - position);
+  return image;
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_LABELLED_IMAGE_2_H

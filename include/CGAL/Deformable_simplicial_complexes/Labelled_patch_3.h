@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_LABELLED_PATCH_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_LABELLED_PATCH_3_H
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+is a triangle soup that separates labels, such as the wall between two materials, together with the
+labels on its sides. Triangles are all turned the same way.
+
+\tparam Point is a point type such as `Deformable_simplicial_complex_3::Point_3`.
+*/
+template <class Point> struct Labelled_patch_3
+{
+  std::vector<Point> points;                         ///< the corners of the triangles
+  std::vector<std::array<std::size_t, 3>> triangles; ///< indices into `points`
+  int label_behind = 1;                              ///< the label where corners are seen clockwise
+  int label_in_front = 0; ///< the label where corners are seen counterclockwise
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_LABELLED_PATCH_3_H

@@ -1,0 +1,186 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_OCTREE_TETRAHEDRA_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_OCTREE_TETRAHEDRA_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Octree_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/stoppable_sort.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Tetrahedra that fill an octree, each in one leaf. A leaf beside larger ones or its equals is cut
+// into the six tetrahedra along a diagonal (Kuhn); one with a vertex of a smaller leaf on its
+// surface is the cone from its center over that surface.
+class Octree_tetrahedra_3
+{
+public:
+  using Point = Octree_3::Place; // in units of the octree
+
+  // The label of a block of a level.
+  template <class LabelOf>
+  Octree_tetrahedra_3(const Octree_3& octree, const LabelOf& label_of) : m_octree(octree) {
+    std::vector<std::array<std::uint64_t, 4>> corners;
+    octree.for_each_leaf([&](unsigned level, const Point& block) {
+      add_leaf(level, block, corners);
+      labels.resize(corners.size(), label_of(level, block));
+    });
+    std::vector<std::uint64_t> keys;
+    keys.reserve(4 * corners.size());
+    for (const auto& t : corners)
+      keys.insert(keys.end(), t.begin(), t.end());
+    sort_and_unify(keys);
+    for (const std::uint64_t k : keys)
+      points.push_back(grid_place(k));
+    for (const auto& t : corners) {
+      Progress_scope::check();
+      auto& tetrahedron = tetrahedra.emplace_back();
+      for (int i = 0; i < 4; ++i)
+        tetrahedron[i] =
+            std::size_t(std::lower_bound(keys.begin(), keys.end(), t[i]) - keys.begin());
+    }
+  }
+
+  // Removes the tetrahedra of a label, and the points that no other tetrahedron has.
+  void remove(int label) {
+    static constexpr std::size_t unused = -1;
+    std::vector<std::size_t> numbers(points.size(), unused);
+    std::vector<Point> kept_points;
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
+      if (labels[t] == label)
+        continue;
+      for (std::size_t& v : tetrahedra[t]) {
+        if (numbers[v] == unused) {
+          numbers[v] = kept_points.size();
+          kept_points.push_back(points[v]);
+        }
+        v = numbers[v];
+      }
+      tetrahedra[kept] = tetrahedra[t];
+      labels[kept++] = labels[t];
+    }
+    tetrahedra.resize(kept);
+    labels.resize(kept);
+    points.swap(kept_points);
+  }
+
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 4>> tetrahedra; // positively oriented
+  std::vector<int> labels;                            // of tetrahedra
+
+private:
+  using Triangle = std::array<Point, 3>;
+
+  void add_leaf(unsigned level, const Point& block,
+                std::vector<std::array<std::uint64_t, 4>>& corners) {
+    const std::uint32_t side = 1u << level;
+    const Point origin = {block[0] << level, block[1] << level, block[2] << level};
+    if (level > 0) {
+      m_surface.clear();
+      for (int axis = 0; axis < 3; ++axis)
+        for (const bool is_upper : {false, true})
+          add_face(level, block, axis, is_upper);
+      static constexpr std::size_t triangles_of_cube = 12;
+      if (m_surface.size() > triangles_of_cube) {
+        const Point center = {origin[0] + side / 2, origin[1] + side / 2, origin[2] + side / 2};
+        for (const Triangle& t : m_surface) // seen from outside
+          corners.push_back({grid_key(t[0]), grid_key(t[2]), grid_key(t[1]), grid_key(center)});
+        return;
+      }
+    }
+    for (int first = 0; first < 3; ++first)
+      for (const int step : {1, 2}) {
+        Point p = origin, q;
+        p[first] += side;
+        q = p;
+        q[(first + step) % 3] += side;
+        const Point last = {origin[0] + side, origin[1] + side, origin[2] + side};
+        if (step == 1)
+          corners.push_back({grid_key(origin), grid_key(p), grid_key(q), grid_key(last)});
+        else
+          corners.push_back({grid_key(origin), grid_key(q), grid_key(p), grid_key(last)});
+      }
+  }
+
+  // The triangles of a face of a leaf, counterclockwise seen from outside. They depend on the face
+  // alone, so that leaves on both sides have the same.
+  void add_face(unsigned level, Point block, int axis, bool is_upper) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    Point neighbor = block;
+    neighbor[axis] += is_upper ? 1 : -1; // a block that does not exist below 0
+    block[axis] += is_upper;             // the face is the lower one of this block
+    const std::uint32_t side = 1u << level, half = side / 2;
+    const auto corner = [&](std::uint32_t i, std::uint32_t j) { // in halves of sides
+      Point p = {block[0] << level, block[1] << level, block[2] << level};
+      p[u] += i * half;
+      p[v] += j * half;
+      return p;
+    };
+    const auto add = [&](const Point& a, const Point& b, const Point& c) {
+      m_surface.push_back(is_upper ? Triangle{a, b, c} : Triangle{a, c, b});
+    };
+    const auto add_square = [&](std::uint32_t i, std::uint32_t j, std::uint32_t n) {
+      add(corner(i, j), corner(i + n, j), corner(i + n, j + n));
+      add(corner(i, j), corner(i + n, j + n), corner(i, j + n));
+    };
+    if (m_octree.is_split(level, neighbor)) {
+      for (const std::uint32_t i : {0, 1})
+        for (const std::uint32_t j : {0, 1})
+          add_square(i, j, 1);
+      return;
+    }
+    const std::array<Point, 4> ring = {corner(0, 0), corner(2, 0), corner(2, 2), corner(0, 2)};
+    Point right = block, above = block;
+    ++right[u];
+    ++above[v];
+    const std::array<bool, 4> has_middle = {
+        is_edge_split(level, block, u), is_edge_split(level, right, v),
+        is_edge_split(level, above, u), is_edge_split(level, block, v)};
+    if (std::none_of(has_middle.begin(), has_middle.end(), [](bool b) { return b; })) {
+      add_square(0, 0, 2);
+      return;
+    }
+    const std::array<Point, 4> middles = {corner(1, 0), corner(2, 1), corner(1, 2), corner(0, 1)};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Point &a = ring[i], &b = ring[(i + 1) % 4];
+      if (has_middle[i]) {
+        add(corner(1, 1), a, middles[i]);
+        add(corner(1, 1), middles[i], b);
+      } else
+        add(corner(1, 1), a, b);
+    }
+  }
+
+  // Whether one of the blocks around an edge, the first one of which is given, is split.
+  bool is_edge_split(unsigned level, const Point& block, int axis) const {
+    for (const unsigned i : {0u, 1u})
+      for (const unsigned j : {0u, 1u}) {
+        Point p = block;
+        p[(axis + 1) % 3] -= i;
+        p[(axis + 2) % 3] -= j;
+        if (m_octree.is_split(level, p))
+          return true;
+      }
+    return false;
+  }
+
+  const Octree_3& m_octree;
+  std::vector<Triangle> m_surface; // of a leaf
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_OCTREE_TETRAHEDRA_3_H

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TETRAHEDRALIZATION_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TETRAHEDRALIZATION_3_H
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+is the result of a `ConstrainedTetrahedralizer_3`: the input points, in their order, followed by
+points that were added, and positively oriented tetrahedra of these points.
+*/
+struct Tetrahedralization_3
+{
+  std::vector<std::array<double, 3>> points;          ///< the input points come first
+  std::vector<std::array<std::size_t, 4>> tetrahedra; ///< indices into `points`
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TETRAHEDRALIZATION_3_H

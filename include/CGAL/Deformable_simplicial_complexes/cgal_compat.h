@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CGAL_COMPAT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CGAL_COMPAT_H
+
+// What CGAL 6 calls by other names than CGAL 5.5: nothing else here depends on the version of CGAL.
+
+#include <CGAL/version.h>
+
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_segment_primitive_3.h>
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_count_stop_predicate.h>
+
+#include <variant>
+#else
+#include <CGAL/AABB_segment_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+
+#include <boost/variant/get.hpp>
+#endif
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+#if CGAL_VERSION_NR >= 1060000000
+template <class Kernel, class Primitive>
+using Primitive_tree_traits_3 = AABB_traits_3<Kernel, Primitive>;
+template <class Kernel, class Iterator>
+using Tree_traits_3 = AABB_traits_3<Kernel, AABB_triangle_primitive_3<Kernel, Iterator>>;
+template <class Kernel, class Iterator>
+using Segment_tree_traits_3 = AABB_traits_3<Kernel, AABB_segment_primitive_3<Kernel, Iterator>>;
+template <class Mesh>
+using Edge_count_stop_predicate = Surface_mesh_simplification::Edge_count_stop_predicate<Mesh>;
+// The value of a variant if it has this type, else null.
+template <class Type, class Variant> const Type* get_alternative(const Variant& variant) {
+  return std::get_if<Type>(&variant);
+}
+#else
+template <class Kernel, class Primitive>
+using Primitive_tree_traits_3 = AABB_traits<Kernel, Primitive>;
+template <class Kernel, class Iterator>
+using Tree_traits_3 = AABB_traits<Kernel, AABB_triangle_primitive<Kernel, Iterator>>;
+template <class Kernel, class Iterator>
+using Segment_tree_traits_3 = AABB_traits<Kernel, AABB_segment_primitive<Kernel, Iterator>>;
+template <class Mesh>
+using Edge_count_stop_predicate = Surface_mesh_simplification::Count_stop_predicate<Mesh>;
+template <class Type, class Variant> const Type* get_alternative(const Variant& variant) {
+  return boost::get<Type>(&variant);
+}
+#endif
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CGAL_COMPAT_H

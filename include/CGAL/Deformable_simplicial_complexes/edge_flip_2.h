@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_FLIP_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_FLIP_2_H
+
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Fills a cavity with the flip of the edge opposite to the vertex i of a triangle. The first new
+// triangle gets the label of `heir`, the second that of the neighbor.
+template <class Cell_handle, class Complex>
+void plan_flip(Cell_handle cell, int i, Cell_handle heir, Cavity<Complex>& cavity) {
+  const Cell_handle other = cell->neighbor(i);
+  cavity.begin(Proposal_kind::flip);
+  cavity.remove(cell);
+  cavity.remove(other);
+  // The edge from a to b has the cell, with its vertex c, on its left.
+  const auto a = cavity.add(cell->vertex((i + 1) % 3)), b = cavity.add(cell->vertex((i + 2) % 3)),
+             c = cavity.add(cell->vertex(i)), d = cavity.add(other->vertex(other->index(cell)));
+  cavity.create({c, a, d}, heir);
+  cavity.create({c, d, b}, other);
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Proposes to flip an edge between two triangles of one label: they are replaced by the two on the
+other diagonal of their quadrilateral.
+
+\param complex is not changed.
+\param cell, i the edge opposite to the vertex i of a finite triangle.
+\param cavity filled with the proposal if there is one.
+\return whether both new triangles are positive and the worse of them is better than the worse of the
+        two.
+
+Constant time.
+*/
+template <class Complex>
+bool propose_edge_flip(const Complex& complex, typename Complex::Cell_handle cell, int i,
+                       Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
+  const auto other = cell->neighbor(i);
+  if (complex.is_infinite(other) || other->label() != cell->label())
+    return false;
+  internal::plan_flip(cell, i, cell, cavity);
+  return cavity.quality_after() > cavity.quality_before() && cavity.is_positive();
+}
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_FLIP_2_H

@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_REMOVAL_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_REMOVAL_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Polygon_triangulation_3.h>
+#include <CGAL/Deformable_simplicial_complexes/topology_of_relabeling.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The ring of cells around an edge a -> b: ring vertex k and k + 1 belong to cell k.
+template <class Complex> class Edge_ring_3
+{
+public:
+  using Cell_handle = typename Complex::Cell_handle;
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cavity = Deformable_simplicial_complexes::Cavity<Complex>;
+  using Index = typename Cavity::Index;
+
+  // Counterclockwise around a -> b, starting in a cell. Makes all vertices ones of the cavity.
+  // Gives up where the ring becomes too large.
+  Edge_ring_3(Cell_handle cell, int i, int j, Cavity& cavity)
+      : m_triangulation{cavity, cavity.add(cell->vertex(i)), cavity.add(cell->vertex(j))} {
+    // (a, b, s, t) is positive, the next cell lies opposite to s.
+    static constexpr int next[4][4] = {{-1, 2, 3, 1}, {3, -1, 0, 2}, {1, 3, -1, 0}, {2, 0, 1, -1}};
+    const Vertex_handle a = cell->vertex(i), b = cell->vertex(j);
+    Vertex_handle s = cell->vertex(next[i][j]);
+    Cell_handle c = cell;
+    do {
+      const int s_index = c->index(s);
+      m_cells.push_back(c);
+      m_vertices.push_back(cavity.add(s));
+      s = c->vertex(6 - s_index - c->index(a) - c->index(b));
+      c = c->neighbor(s_index);
+    } while (c != cell && !is_too_large());
+  }
+
+  // Whether it is not worth the time to triangulate the ring. If so, some of it is missing.
+  bool is_too_large() const {
+    return size() > Polygon_triangulation_3<Complex>::maximum_number_of_vertices;
+  }
+
+  std::size_t size() const { return m_cells.size(); }
+  Cell_handle cell(std::size_t k) const { return m_cells[k % size()]; }
+
+  // Triangulates the polygon of ring vertices first, ..., last (modulo the size) so that the worst
+  // quality of the tetrahedra over and under it is best, and plans them in the cavity. Returns
+  // false if that quality is not above `bound`.
+  bool triangulate(std::size_t first, std::size_t last, double bound) {
+    const auto vertex = [&](std::size_t p) { return m_vertices[(first + p) % size()]; };
+    return m_triangulation.create(last - first + 1, vertex, bound, cell(first));
+  }
+
+private:
+  // Most rings have fewer than eight cells.
+  template <class T> using Ring = boost::container::small_vector<T, 8>;
+  Ring<Cell_handle> m_cells;
+  Ring<Index> m_vertices;
+  Polygon_triangulation_3<Complex> m_triangulation;
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Proposes to remove an edge: the ring of n cells around it becomes 2 (n - 2) tetrahedra, over and
+under a triangulation of the ring polygon that maximises the worst quality (Klincsek's dynamic
+programme; section 3.2.1 of the paper). The 3-2 and the 4-4 flip are the cases n = 3 and n = 4.
+
+\param complex is not changed.
+\param cell, i, j the edge between the vertices i and j of the cell.
+\param cavity filled with the proposal if there is one.
+\return whether the ring is finite, of one label and of at most 52 cells, and the worst quality
+       rises, all new tetrahedra being positive. The interface and the boundary of the domain stay
+       as they are.
+
+Cubic in n.
+*/
+template <class Complex>
+bool propose_edge_removal(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,
+                          Cavity<Complex>& cavity) {
+  cavity.begin(Proposal_kind::flip);
+  internal::Edge_ring_3<Complex> ring(cell, i, j, cavity);
+  if (ring.is_too_large())
+    return false;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    if (complex.is_infinite(ring.cell(k)) || ring.cell(k)->label() != cell->label())
+      return false;
+    cavity.remove(ring.cell(k));
+  }
+  return ring.triangulate(0, ring.size() - 1, cavity.quality_before()) && cavity.is_positive();
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Proposes to flip an edge of the interface: the two facets that share it are replaced by the two on
+the other diagonal, which is edge removal constrained to that diagonal (section 3.2.2 of the paper).
+The surface moves by the tetrahedron of the four vertices; whether that is small enough is the
+caller's to judge.
+
+\param complex is not changed.
+\param cell, i, j the edge between the vertices i and j of the cell.
+\param cavity filled with the proposal if there is one.
+\param minimum_quality the worst quality need not rise if it is above this in the end.
+\return whether the ring is finite and of at most 52 cells, exactly two facets of the interface meet
+        in the edge, and the worst quality rises or is good enough, all new tetrahedra being
+        positive.
+
+Cubic in the number of cells around the edge.
+*/
+template <class Complex>
+bool propose_interface_edge_flip(const Complex& complex, typename Complex::Cell_handle cell, int i,
+                                 int j, Cavity<Complex>& cavity, double minimum_quality = 1) {
+  cavity.begin(Proposal_kind::flip);
+  internal::Edge_ring_3<Complex> ring(cell, i, j, cavity);
+  if (ring.is_too_large())
+    return false;
+  const std::size_t n = ring.size();
+  boost::container::small_vector<std::size_t, 8> sheets; // ring vertices at which the label changes
+  for (std::size_t k = 0; k < n; ++k) {
+    if (complex.is_infinite(ring.cell(k)))
+      return false;
+    cavity.remove(ring.cell(k));
+    if (ring.cell(k)->label() != ring.cell(k + n - 1)->label())
+      sheets.push_back(k);
+  }
+  if (sheets.size() != 2)
+    return false;
+  // Where one cell is all of a side, the other side takes it over.
+  for (std::size_t k : sheets)
+    if (ring.cell(k)->label() != ring.cell(k + 1)->label() &&
+        !relabeling_keeps_topology(complex, ring.cell(k), ring.cell(k + 1)->label()))
+      return false;
+  const double bound = (std::min)(cavity.quality_before(), minimum_quality);
+  return ring.triangulate(sheets[0], sheets[1], bound) &&
+         ring.triangulate(sheets[1], sheets[0] + n, bound) && cavity.is_admissible();
+}
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_REMOVAL_3_H

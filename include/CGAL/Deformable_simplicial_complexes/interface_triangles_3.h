@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERFACE_TRIANGLES_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERFACE_TRIANGLES_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/vectors_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The corners of a triangle of a snapshot, as seen from the first.
+template <class Triangle, class Domain, class Point>
+std::array<Point, 3> corners(const Triangle& triangle, const Domain& domain,
+                             const std::vector<Point>& positions) {
+  const Point& p = positions[triangle.vertices[0]];
+  return {p, domain.near(p, positions[triangle.vertices[1]]),
+          domain.near(p, positions[triangle.vertices[2]])};
+}
+
+// Whether a triangle goes forwards (1), backwards (-1) or not at all (0) when labelled phases grow
+// into the outside, label 0.
+template <class Triangle> double sign_of_growth(const Triangle& triangle) {
+  return triangle.in_front == 0 ? 1 : triangle.behind == 0 ? -1 : 0;
+}
+
+template <class Vector> struct Weighted_triangle
+{
+  std::size_t index; // in the snapshot
+  Vector unit_normal;
+  std::array<double, 3> angles; // at the corners: weights that do not depend on how a face is cut
+};
+
+// The triangles of a snapshot that have an area.
+template <class Complex>
+std::vector<Weighted_triangle<typename Complex::Approximate_vector_3>>
+weighted_triangles(const Interface_snapshot<Complex>& interface_,
+                   const std::vector<typename Complex::Approximate_point_3>& positions) {
+  std::vector<Weighted_triangle<typename Complex::Approximate_vector_3>> result;
+  for (std::size_t i = 0; i < interface_.triangles.size(); ++i) {
+    const auto p = corners(interface_.triangles[i], interface_.domain, positions);
+    const auto normal = area_vector(p);
+    const double area = std::sqrt(normal.squared_length());
+    const auto angle = [&](int j) {
+      return std::atan2(2 * area, (p[(j + 1) % 3] - p[j]) * (p[(j + 2) % 3] - p[j]));
+    };
+    if (area > 0)
+      result.push_back({i, normal / area, {angle(0), angle(1), angle(2)}});
+  }
+  return result;
+}
+
+// The normals of the vertices of a snapshot, of length 1 or, where facets cancel, 0: means of those
+// of the facets, weighted by the angles there, each facet seen from the smaller label.
+template <class Complex>
+std::vector<typename Complex::Approximate_vector_3>
+vertex_normals(const Interface_snapshot<Complex>& interface_,
+               const std::vector<typename Complex::Approximate_point_3>& positions) {
+  using Vector = typename Complex::Approximate_vector_3;
+  std::vector<Vector> result(positions.size(), Vector(0, 0, 0));
+  for (const auto& triangle : weighted_triangles(interface_, positions))
+    for (int i = 0; i < 3; ++i) {
+      Vector& normal = result[interface_.triangles[triangle.index].vertices[i]];
+      normal = normal + triangle.angles[i] * triangle.unit_normal;
+    }
+  static constexpr double rounding = 1e-9; // of sums of angles
+  for (Vector& normal : result) {
+    const double length = std::sqrt(normal.squared_length());
+    normal = length > rounding ? normal / length : Vector(0, 0, 0);
+  }
+  return result;
+}
+
+// Whether each vertex of a snapshot is on an edge where the normals of two facets differ by more
+// than an angle, in radians.
+template <class Complex>
+std::vector<char>
+vertices_on_features(const Interface_snapshot<Complex>& interface_,
+                     const std::vector<typename Complex::Approximate_point_3>& positions,
+                     double angle) {
+  struct Side
+  {
+    std::array<std::size_t, 2> edge;
+    std::size_t triangle;
+  };
+  std::vector<Side> sides;
+  for (std::size_t t = 0; t < interface_.triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const auto& v = interface_.triangles[t].vertices;
+      const auto [a, b] = std::minmax(v[i], v[(i + 1) % 3]);
+      sides.push_back({{a, b}, t});
+    }
+  std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
+    return std::tie(s.edge, s.triangle) < std::tie(t.edge, t.triangle);
+  });
+  const auto normal = [&](const Side& side) {
+    return area_vector(corners(interface_.triangles[side.triangle], interface_.domain, positions));
+  };
+  std::vector<char> result(positions.size(), false);
+  for (std::size_t i = 1; i < sides.size(); ++i)
+    if (sides[i - 1].edge == sides[i].edge &&
+        angle_between(normal(sides[i - 1]), normal(sides[i])) > angle)
+      for (std::size_t v : sides[i].edge)
+        result[v] = true;
+  return result;
+}
+
+template <class Complex> struct Interface_bends_3
+{
+  using Points = std::vector<typename Complex::Approximate_point_3>;
+
+  static auto normals(const Interface_snapshot<Complex>& interface_, const Points& positions) {
+    return vertex_normals(interface_, positions);
+  }
+  static auto on_features(const Interface_snapshot<Complex>& interface_, const Points& positions,
+                          double angle) {
+    return vertices_on_features(interface_, positions, angle);
+  }
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERFACE_TRIANGLES_3_H

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_DOUBTED_CONNECTIONS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_DOUBTED_CONNECTIONS_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/kept_components.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Cells that relabeling may have parted, in groups of which each is to be connected. What has been
+// cut off is often relabeled next, so it is asked in the end only whether they are. No cell may be
+// replaced meanwhile.
+template <class Cell_handle> class Doubted_connections
+{
+public:
+  bool empty() const { return m_number_of_groups == 0; }
+
+  // Of cells, each as often as it is in a group.
+  std::size_t size() const { return m_doubts.size(); }
+
+  void clear() {
+    m_doubts.clear();
+    m_number_of_groups = 0;
+  }
+
+  // Nothing changes if there is no memory for it.
+  void add_group(const std::vector<Cell_handle>& cells) {
+    m_doubts.reserve(m_doubts.size() + cells.size());
+    for (Cell_handle c : cells)
+      m_doubts.push_back({m_number_of_groups, c});
+    ++m_number_of_groups;
+  }
+
+  // Whether a cell is in a group.
+  bool has(Cell_handle c) const {
+    return std::any_of(m_doubts.begin(), m_doubts.end(),
+                       [&](const Doubt& doubt) { return doubt.cell == c; });
+  }
+
+  // In the groups of a cell that is to be relabeled, those around that keep its label stand for
+  // it. Where there is none, its groups become one, as it connects them no more. Returns whether
+  // something of them is left.
+  bool replace(Cell_handle c, const std::vector<Cell_handle>& left) {
+    if (left.empty())
+      join_groups_of(c);
+    std::vector<Doubt> doubts;
+    std::size_t group = 0;
+    for (const Doubt& doubt : m_doubts)
+      if (doubt.cell != c) {
+        doubts.push_back(doubt);
+      } else {
+        group = doubt.group;
+        for (Cell_handle n : left)
+          doubts.push_back({doubt.group, n});
+      }
+    m_doubts.swap(doubts);
+    return std::any_of(m_doubts.begin(), m_doubts.end(),
+                       [&](const Doubt& doubt) { return doubt.group == group; });
+  }
+
+  // Whether each group is connected, as far as a search finds out that takes no longer than a look
+  // at all cells.
+  template <class Complex> bool are_dispelled(const Complex& complex) const {
+    std::vector<Cell_handle> first(m_number_of_groups);
+    std::size_t budget = complex.cell_id_bound();
+    for (const Doubt& doubt : m_doubts) {
+      Cell_handle& c = first[doubt.group];
+      if (c == Cell_handle())
+        c = doubt.cell;
+      else if (!are_connected(complex, c, doubt.cell, budget))
+        return false;
+    }
+    return true;
+  }
+
+private:
+  struct Doubt
+  {
+    std::size_t group;
+    Cell_handle cell;
+  };
+
+  void join_groups_of(Cell_handle c) {
+    std::vector<bool> is_joined(m_number_of_groups, false);
+    std::size_t one = m_number_of_groups;
+    for (const Doubt& doubt : m_doubts)
+      if (doubt.cell == c) {
+        is_joined[doubt.group] = true;
+        one = (std::min)(one, doubt.group);
+      }
+    for (Doubt& doubt : m_doubts)
+      if (is_joined[doubt.group])
+        doubt.group = one;
+  }
+
+  std::vector<Doubt> m_doubts;
+  std::size_t m_number_of_groups = 0;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_DOUBTED_CONNECTIONS_H

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_ID_MAP_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_ID_MAP_H
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The places of a few items in a list, by their ids: a hash table that is emptied often.
+class Id_map
+{
+public:
+  static constexpr std::uint32_t none = std::uint32_t(-1);
+
+  void clear() {
+    if (m_size == 0)
+      return;
+    m_slots.resize((std::min)(m_slots.size(), most_kept));
+    std::fill(m_slots.begin(), m_slots.end(), Slot());
+    m_size = 0;
+  }
+
+  std::uint32_t find(std::uint32_t id) const {
+    return m_slots.empty() ? none : m_slots[slot_of(id)].place;
+  }
+
+  // \pre the id is not in the map, and the place is not `none`
+  void insert(std::uint32_t id, std::uint32_t place) {
+    if (2 * (m_size + 1) > m_slots.size())
+      grow();
+    m_slots[slot_of(id)] = {id, place};
+    ++m_size;
+  }
+
+private:
+  struct Slot
+  {
+    std::uint32_t id = 0, place = none;
+  };
+
+  static constexpr std::size_t fewest = 64, most_kept = 256; // slots; powers of two
+
+  // Where an id is or would be.
+  std::size_t slot_of(std::uint32_t id) const {
+    static constexpr std::uint32_t golden = 2654435769u; // 2^32 divided by the golden ratio
+    const std::size_t mask = m_slots.size() - 1;
+    std::size_t slot = std::size_t((id * golden) >> 8) & mask;
+    while (m_slots[slot].place != none && m_slots[slot].id != id)
+      slot = (slot + 1) & mask;
+    return slot;
+  }
+
+  void grow() {
+    std::vector<Slot> slots((std::max)(fewest, 2 * m_slots.size()));
+    m_slots.swap(slots);
+    for (const Slot& slot : slots)
+      if (slot.place != none)
+        m_slots[slot_of(slot.id)] = slot;
+  }
+
+  std::vector<Slot> m_slots; // at least half of them free
+  std::size_t m_size = 0;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_ID_MAP_H

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_MARKS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_MARKS_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Borrowed_table.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+struct Mark
+{
+  std::uint32_t epoch = 0;
+};
+
+// Marked items, vertices or cells; none at first. To be used as long as none is created or removed.
+class Marks
+{
+public:
+  // Ids are below a bound.
+  explicit Marks(std::size_t bound) : m_table(bound) {}
+
+  template <class Handle> bool has(Handle item) const {
+    return m_table[item->id()].epoch == m_table.epoch();
+  }
+
+  // Returns whether the item had no mark.
+  template <class Handle> bool add(Handle item) {
+    std::uint32_t& epoch = m_table[item->id()].epoch;
+    if (epoch == m_table.epoch())
+      return false;
+    epoch = m_table.epoch();
+    return true;
+  }
+
+  // An item that had no mark comes into the list.
+  template <class Handle> void add(Handle item, std::vector<Handle>& items) {
+    if (add(item))
+      items.push_back(item);
+  }
+
+  template <class Handle> void remove(Handle item) { m_table[item->id()].epoch = 0; }
+
+private:
+  Borrowed_table<Mark> m_table;
+};
+
+template <class Complex> Marks cell_marks(const Complex& complex) {
+  return Marks(complex.cell_id_bound());
+}
+
+template <class Complex> Marks vertex_marks(const Complex& complex) {
+  return Marks(complex.vertex_id_bound());
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_MARKS_H

@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_SPARSE_CHECK_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_SPARSE_CHECK_H
+
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Asks whether to go on, in a loop whose steps are faster than asking.
+class Sparse_check
+{
+public:
+  void operator()() {
+    static constexpr unsigned period = 1 << 12; // steps, which take some microseconds in all
+    if (++m_steps % period == 0)
+      Progress_scope::check();
+  }
+
+private:
+  unsigned m_steps = 0;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_SPARSE_CHECK_H

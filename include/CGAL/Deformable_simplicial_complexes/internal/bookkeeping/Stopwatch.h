@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_STOPWATCH_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_STOPWATCH_H
+
+#include <chrono>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Seconds of the wall clock, from one lap to the next.
+class Stopwatch
+{
+public:
+  // Adds those since the last lap, or the start.
+  void lap(double& seconds) {
+    const Clock::time_point now = Clock::now();
+    seconds += std::chrono::duration<double>(now - m_start).count();
+    m_start = now;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  Clock::time_point m_start = Clock::now();
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_STOPWATCH_H

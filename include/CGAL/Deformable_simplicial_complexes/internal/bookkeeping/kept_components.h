@@ -1,0 +1,186 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_KEPT_COMPONENTS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_KEPT_COMPONENTS_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+// Whether a change of a few cells certainly leaves the connected components of labels, as their
+// surroundings tell. Where this says no, it takes a look farther around, or at all cells.
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Whether two cells of one label are connected: it looks from both at once, about as far as they
+// are from each other, or over the smaller of what they are in. Says no, too, when it has looked
+// around as many cells as a budget has, from which they are taken.
+template <class Complex>
+bool are_connected(const Complex& complex, typename Complex::Cell_handle a,
+                   typename Complex::Cell_handle b, std::size_t& budget) {
+  if (a == b)
+    return true;
+  std::array<std::vector<typename Complex::Cell_handle>, 2> reached;
+  std::array<Marks, 2> marks = {cell_marks(complex), cell_marks(complex)};
+  marks[0].add(a, reached[0]);
+  marks[1].add(b, reached[1]);
+  for (std::size_t k = 0; k < reached[0].size() && k < reached[1].size() && budget > 1; ++k) {
+    budget -= 2;
+    for (std::size_t side : {0, 1})
+      for (int i = 0; i < Complex::corners; ++i) {
+        const auto n = reached[side][k]->neighbor(i);
+        if (n->label() != a->label() || complex.is_infinite(n))
+          continue;
+        if (marks[1 - side].has(n))
+          return true;
+        marks[side].add(n, reached[side]);
+      }
+  }
+  return false;
+}
+
+// Whether cells of one label are connected through cells that have one of some vertices, given as
+// `is_near(v)`, without passing through one.
+template <class Complex, class IsNear>
+bool are_connected_nearby(const Complex& complex,
+                          const std::vector<typename Complex::Cell_handle>& cells,
+                          const IsNear& is_near, typename Complex::Cell_handle avoided = {}) {
+  using Cell_handle = typename Complex::Cell_handle;
+  std::vector<Cell_handle> reached;
+  Marks marks = cell_marks(complex);
+  marks.add(cells.front(), reached);
+  std::size_t connected = 0; // of the cells, the first ones
+  for (std::size_t k = 0; k < reached.size(); ++k) {
+    while (connected < cells.size() && marks.has(cells[connected]))
+      ++connected;
+    if (connected == cells.size())
+      return true;
+    for (int i = 0; i < Complex::corners; ++i) {
+      const Cell_handle n = reached[k]->neighbor(i);
+      bool is_in_reach = false;
+      for (int j = 0; j < Complex::corners && !is_in_reach; ++j)
+        is_in_reach = is_near(n->vertex(j));
+      if (is_in_reach && n != avoided && n->label() == cells.front()->label() &&
+          !complex.is_infinite(n))
+        marks.add(n, reached);
+    }
+  }
+  return false;
+}
+
+// Cells in groups of one label that are connected among them.
+template <class Complex> class Cell_groups
+{
+public:
+  using Cell_handle = typename Complex::Cell_handle;
+  static constexpr std::size_t none = std::size_t(-1);
+
+  Cell_groups(const Complex& complex, const std::vector<Cell_handle>& cells)
+      : m_complex(complex), m_cells(cells), m_groups(cells.size(), none) {
+    std::sort(m_cells.begin(), m_cells.end());
+    std::vector<std::size_t> front;
+    for (std::size_t seed = 0; seed < m_cells.size(); ++seed) {
+      if (m_groups[seed] != none || complex.is_infinite(m_cells[seed]))
+        continue;
+      m_groups[seed] = m_size;
+      for (front.assign(1, seed); !front.empty();) {
+        const Cell_handle c = m_cells[front.back()];
+        front.pop_back();
+        for (int i = 0; i < Complex::corners; ++i) {
+          const std::size_t n = index_of(c->neighbor(i));
+          if (n != none && m_groups[n] == none && are_connected(c, c->neighbor(i))) {
+            m_groups[n] = m_size;
+            front.push_back(n);
+          }
+        }
+      }
+      ++m_size;
+    }
+  }
+
+  std::size_t size() const { return m_size; }
+  const std::vector<Cell_handle>& cells() const { return m_cells; }
+  bool has(Cell_handle c) const { return index_of(c) != none; }
+  // \pre has(c). None if it is infinite.
+  std::size_t group_of(Cell_handle c) const { return m_groups[index_of(c)]; }
+
+  // Through the facet that they share.
+  bool are_connected(Cell_handle a, Cell_handle b) const {
+    return a->label() == b->label() && !m_complex.is_infinite(a) && !m_complex.is_infinite(b);
+  }
+
+private:
+  std::size_t index_of(Cell_handle c) const {
+    const auto it = std::lower_bound(m_cells.begin(), m_cells.end(), c);
+    return it != m_cells.end() && *it == c ? std::size_t(it - m_cells.begin()) : none;
+  }
+
+  const Complex& m_complex;
+  std::vector<Cell_handle> m_cells; // sorted
+  std::vector<std::size_t> m_groups;
+  std::size_t m_size = 0;
+};
+
+// What cells that are to be replaced connect around them.
+template <class Complex> class Connections
+{
+public:
+  using Cell_handle = typename Complex::Cell_handle;
+
+  Connections(const Complex& complex, const std::vector<Cell_handle>& removed)
+      : m_complex(complex) {
+    const Cell_groups<Complex> groups(complex, removed);
+    m_ends.resize(groups.size());
+    for (Cell_handle c : groups.cells())
+      for (int i = 0; i < Complex::corners; ++i)
+        if (groups.are_connected(c, c->neighbor(i)) && !groups.has(c->neighbor(i)))
+          m_ends[groups.group_of(c)].push_back(c->neighbor(i));
+  }
+
+  // Whether with those that replace them the same is connected, and they have the numbers of the
+  // components that they are in.
+  bool are_kept_by(const std::vector<Cell_handle>& created) const {
+    const Cell_groups<Complex> groups(m_complex, created);
+    std::vector<bool> has_end(groups.size(), false);
+    for (Cell_handle c : created)
+      for (int i = 0; i < Complex::corners; ++i) {
+        const Cell_handle n = c->neighbor(i);
+        if (!groups.are_connected(c, n))
+          continue;
+        if (n->component() != c->component())
+          return false;
+        if (!groups.has(n))
+          has_end[groups.group_of(c)] = true;
+      }
+    std::vector<typename Complex::Vertex_handle> vertices;
+    for (Cell_handle c : created)
+      for (int i = 0; i < Complex::corners; ++i)
+        if (!m_complex.is_infinite(c->vertex(i)))
+          vertices.push_back(c->vertex(i));
+    std::sort(vertices.begin(), vertices.end());
+    const auto is_near = [&](auto v) {
+      return std::binary_search(vertices.begin(), vertices.end(), v);
+    };
+    return std::all_of(has_end.begin(), has_end.end(), [](bool has) { return has; }) &&
+           std::all_of(m_ends.begin(), m_ends.end(), [&](const std::vector<Cell_handle>& ends) {
+             return !ends.empty() && are_connected_nearby(m_complex, ends, is_near);
+           });
+  }
+
+private:
+  const Complex& m_complex;
+  std::vector<std::vector<Cell_handle>> m_ends; // cells around that each group is connected with
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_KEPT_COMPONENTS_H

@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_BOXED_SOUP_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_BOXED_SOUP_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/Tetrahedralization_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/enclosing_box_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/improve_new_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Triangles in the frame of a complex, strictly inside its box, and the box.
+struct Boxed_soup_3
+{
+  Joined_soup_3 soup;
+  Building_frame_3 frame;
+  Bbox_3 box;
+  unsigned subdivision; // of the edges of the box
+
+  std::vector<Wall<3>> walls() const {
+    std::vector<Wall<3>> result;
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+      result.push_back(make_wall(soup.triangles[t], soup.triangle_origins[t].surface));
+    return result;
+  }
+};
+
+// Throws Invalid_surface_error if triangles reach the box or become too small beside it.
+template <class NP> Boxed_soup_3 put_into_box(Joined_soup_3 soup, const NP& np) {
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const bool normalize = choose_parameter(get_parameter(np, internal_np::normalize), false);
+  const Building_frame_3 frame(soup.points, normalize);
+  Boxed_soup_3 result = {std::move(soup), frame,
+                         frame.box(get_parameter(np, internal_np::enclosing_box)),
+                         count_parameter(np, internal_np::box_subdivision, "box_subdivision", 4u)};
+  for (Coordinates_3& p : result.soup.points)
+    p = frame(p);
+  check_distinct(result.soup);
+  check_enclosed(result.soup, result.box);
+  return result;
+}
+
+// Fills the box with tetrahedra, among the facets of which are the triangles. Points of the soup
+// come first.
+template <class Tetrahedralizer>
+Tetrahedralization_3 fill_box(const Boxed_soup_3& boxed, const Tetrahedralizer& tetrahedralizer) {
+  const Progress_phase phase("filling the box with tetrahedra");
+  Triangle_soup_3 all = boxed.soup;
+  append(all, box_surface(boxed.box, boxed.subdivision));
+  auto mesh = tetrahedralizer(all.points, all.triangles);
+  if (mesh.points.size() < all.points.size() ||
+      !std::equal(all.points.begin(), all.points.end(), mesh.points.begin()))
+    throw Tetrahedralization_error("the tetrahedralizer moved points of the surfaces: use another "
+                                   "one");
+  for (const auto& t : mesh.tetrahedra)
+    if (*std::max_element(t.begin(), t.end()) >= mesh.points.size())
+      throw Tetrahedralization_error("the tetrahedralizer names a point that does not exist: use "
+                                     "another one");
+  return mesh;
+}
+
+// The complex of labelled tetrahedra in a frame.
+template <class Complex, class NP>
+Complex make_in_frame(const Tetrahedralization_3& mesh,
+                      const std::vector<typename Complex::Label>& labels,
+                      const Building_frame_3& frame, const NP& np) {
+  std::vector<typename Complex::Point_3> points;
+  const auto construct_point = typename Complex::Geom_traits().construct_exact_point_3_object();
+  for (const Coordinates_3& p : mesh.points)
+    points.push_back(construct_point({p[0], p[1], p[2]}));
+  Complex dsc;
+  dsc.assign(points, mesh.tetrahedra, labels);
+  const Coordinates_3& t = frame.translation();
+  dsc.set_normalization({{t[0], t[1], t[2]}, frame.scale()});
+  improve_new_mesh(dsc, new_mesh_options(np));
+  return dsc;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_BOXED_SOUP_3_H

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_SOLID_TETRAHEDRA_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_SOLID_TETRAHEDRA_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Tetrahedralization_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/Boxed_soup_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/check_surfaces_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/check_tetrahedra_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Given tetrahedra, and what is around them.
+class Solid_tetrahedra_3
+{
+public:
+  // Throws Invalid_cells_error if coordinates are not finite, indices do not exist, or
+  // tetrahedra are flat.
+  template <class Point, class Traits>
+  Solid_tetrahedra_3(const std::vector<Point>& points,
+                     std::vector<std::array<std::size_t, 4>> tetrahedra, const Traits& traits)
+      : m_tetrahedra(std::move(tetrahedra)) {
+    if (m_tetrahedra.empty())
+      throw Invalid_cells_error("there are no tetrahedra: give at least one");
+    orient_tetrahedra(points, m_tetrahedra, traits);
+    for (const Point& p : points)
+      m_points.push_back(coordinates(p));
+    std::map<Coordinates_3, std::size_t> first;
+    std::vector<std::size_t> representative;
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      representative.push_back(first.emplace(m_points[i], i).first->second);
+    for (auto& tetrahedron : m_tetrahedra)
+      for (std::size_t& v : tetrahedron)
+        v = representative[v];
+  }
+
+  // The triangles that belong to one tetrahedron only; origins are indices of points. Throws
+  // Invalid_cells_error if they cross.
+  Joined_soup_3 boundary() const {
+    Triangle_soup_3 soup = {m_points, {}};
+    std::vector<std::size_t> owners;
+    const auto facets = sorted_facets(m_tetrahedra);
+    for (std::size_t i = 0; i < facets.size(); ++i) {
+      const auto is_same = [&](std::size_t j) {
+        return j < facets.size() && facets[j].vertices == facets[i].vertices;
+      };
+      if ((i > 0 && is_same(i - 1)) || is_same(i + 1))
+        continue;
+      soup.triangles.push_back(facets[i].vertices);
+      owners.push_back(facets[i].cell);
+    }
+    if (soup.triangles.empty()) // each facet has a second tetrahedron on the same side
+      throw Invalid_cells_error("tetrahedra overlap: leave out those that are given twice", {0});
+    Joined_soup_3 result = join({merge_points(soup)});
+    std::vector<std::size_t> offenders;
+    for (const auto& [s, t] : crossing_triangles(result)) {
+      offenders.push_back(owners[s]);
+      offenders.push_back(owners[t]);
+    }
+    if (!offenders.empty()) {
+      std::sort(offenders.begin(), offenders.end());
+      offenders.erase(std::unique(offenders.begin(), offenders.end()), offenders.end());
+      throw Invalid_cells_error("tetrahedra overlap, or touch with other facets than whole "
+                                "ones: remesh where they are",
+                                std::move(offenders));
+    }
+    return result;
+  }
+
+  // The given tetrahedra, first, and those of a mesh that are outside of them, in the frame of the
+  // mesh. \pre `boxed` holds boundary(), of which the triangles are facets of the mesh
+  Tetrahedralization_3 with_space_around(const Tetrahedralization_3& mesh,
+                                         const Boxed_soup_3& boxed) const {
+    std::vector<std::size_t> on_boundary(m_points.size(), none);
+    for (std::size_t i = 0; i < boxed.soup.points.size(); ++i)
+      on_boundary[boxed.soup.point_origins[i].index] = i;
+
+    std::vector<std::size_t> numbers(m_points.size(), none), mesh_numbers(mesh.points.size(), none);
+    Tetrahedralization_3 result;
+    const auto number = [&](std::size_t& known, const Coordinates_3& p) {
+      if (known == none) {
+        known = result.points.size();
+        result.points.push_back(p);
+      }
+      return known;
+    };
+    for (const auto& given : m_tetrahedra) {
+      auto& tetrahedron = result.tetrahedra.emplace_back();
+      for (std::size_t k = 0; k < given.size(); ++k) {
+        const std::size_t v = given[k], b = on_boundary[v];
+        tetrahedron[k] = b == none ? number(numbers[v], boxed.frame(m_points[v]))
+                                   : number(mesh_numbers[b], mesh.points[b]);
+      }
+    }
+    const auto is_inside = label_cells<3>(mesh.tetrahedra, boxed.walls(), {1});
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+      if (is_inside[t])
+        continue;
+      auto& tetrahedron = result.tetrahedra.emplace_back();
+      for (std::size_t k = 0; k < tetrahedron.size(); ++k) {
+        const std::size_t v = mesh.tetrahedra[t][k];
+        tetrahedron[k] = number(mesh_numbers[v], mesh.points[v]);
+      }
+    }
+    return result;
+  }
+
+private:
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  std::vector<Coordinates_3> m_points;
+  std::vector<std::array<std::size_t, 4>> m_tetrahedra; // positive
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_SOLID_TETRAHEDRA_3_H

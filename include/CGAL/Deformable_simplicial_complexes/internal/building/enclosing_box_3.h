@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_ENCLOSING_BOX_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_ENCLOSING_BOX_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/refuse_surface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/Triangle_soup_3.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Named_function_parameters.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+inline Bbox_3 cube(const Coordinates_3& center, double half_side) {
+  const auto& c = center;
+  const double h = half_side;
+  return {c[0] - h, c[1] - h, c[2] - h, c[0] + h, c[1] + h, c[2] + h};
+}
+
+// Where the complex is built: p = translation + scale * q for a user's point p and a point q of the
+// complex. The default box is the cube about the barycenter b of the points with half side 2.5 r,
+// where r is the largest distance of a point from b (section 3.3 of the paper).
+class Building_frame_3
+{
+public:
+  // Normalization brings the default box to [-1,1]^3; without it, points stay what they are.
+  Building_frame_3(const std::vector<Coordinates_3>& points, bool normalize) {
+    Coordinates_3 barycenter = {0, 0, 0};
+    std::size_t n = 0;
+    for (const Coordinates_3& p : points) {
+      ++n;
+      for (std::size_t i = 0; i < 3; ++i)
+        barycenter[i] += (p[i] - barycenter[i]) / double(n);
+    }
+    double radius = 0;
+    for (const Coordinates_3& p : points)
+      radius = (std::max)(
+          radius, std::hypot(p[0] - barycenter[0], p[1] - barycenter[1], p[2] - barycenter[2]));
+    const double half_side = 2.5 * radius;
+    if (!std::isfinite(half_side) || half_side == 0)
+      throw Error("the size of the surfaces is no number of type double: scale them");
+    if (normalize) {
+      m_translation = barycenter;
+      m_scale = half_side;
+      m_default_box = cube({0, 0, 0}, 1);
+    } else
+      m_default_box = cube(barycenter, half_side);
+  }
+
+  const Coordinates_3& translation() const { return m_translation; }
+  double scale() const { return m_scale; }
+
+  Coordinates_3 operator()(const Coordinates_3& p) const {
+    return {(p[0] - m_translation[0]) / m_scale, (p[1] - m_translation[1]) / m_scale,
+            (p[2] - m_translation[2]) / m_scale};
+  }
+
+  // The box that the user gave, or the default one, in this frame.
+  Bbox_3 box(CGAL::internal_np::Param_not_found) const { return m_default_box; }
+  Bbox_3 box(const Bbox_3& given) const {
+    const Coordinates_3 min = (*this)({given.xmin(), given.ymin(), given.zmin()});
+    const Coordinates_3 max = (*this)({given.xmax(), given.ymax(), given.zmax()});
+    return {min[0], min[1], min[2], max[0], max[1], max[2]};
+  }
+  template <class Iso_cuboid> Bbox_3 box(const Iso_cuboid& given) const {
+    return box(given.bbox());
+  }
+
+private:
+  Coordinates_3 m_translation = {0, 0, 0};
+  double m_scale = 1;
+  Bbox_3 m_default_box;
+};
+
+// Names the vertices of the first surface that reaches the box.
+inline void check_enclosed(const Joined_soup_3& soup, const Bbox_3& box) {
+  const auto is_inside = [&box](const Coordinates_3& p) {
+    return box.xmin() < p[0] && p[0] < box.xmax() && box.ymin() < p[1] && p[1] < box.ymax() &&
+           box.zmin() < p[2] && p[2] < box.zmax();
+  };
+  std::size_t surface = 0;
+  std::vector<std::size_t> vertices;
+  for (std::size_t i = 0; i < soup.points.size(); ++i) {
+    const Joined_soup_3::Origin& origin = soup.point_origins[i];
+    if (is_inside(soup.points[i]) || (!vertices.empty() && origin.surface != surface))
+      continue;
+    surface = origin.surface;
+    vertices.push_back(origin.index);
+  }
+  if (!vertices.empty())
+    refuse_surface(Invalid_surface_error::Reason::outside_enclosing_box, surface, {},
+                   std::move(vertices));
+}
+
+// Points that differed for the user may have been rounded to the same one.
+inline void check_distinct(const Joined_soup_3& soup) {
+  const std::vector<std::size_t> kept = merge_points(soup).input_points;
+  for (std::size_t i = 0; i < soup.points.size(); ++i)
+    if (i == kept.size() || kept[i] != i)
+      refuse_surface(Invalid_surface_error::Reason::too_fine, soup.point_origins[i].surface);
+}
+
+// The surface of a box, each side cut into n x n rectangles of two triangles. Diagonals run from
+// the corners to the center of a side: no tetrahedron of the inside can then have three facets on
+// the box.
+inline Triangle_soup_3 box_surface(const Bbox_3& box, unsigned n) {
+  if (n < 1 || n > 1000)
+    throw Error("the subdivision of the enclosing box is out of range: use 1 to 1000");
+  const std::array<Coordinates_3, 2> corners = {Coordinates_3{box.xmin(), box.ymin(), box.zmin()},
+                                                {box.xmax(), box.ymax(), box.zmax()}};
+  if (!has_finite_coordinates(corners[0]) || !has_finite_coordinates(corners[1]) ||
+      !extent_of<3>(corners).is_measurable())
+    throw Error("the size of the enclosing box is not between 1e-30 and 1e30: give another box, "
+                "scale the surfaces, or normalize them");
+
+  // Exact at both ends, so that corners and edges of neighboring sides are equal.
+  const auto coordinate = [&](int axis, unsigned i) {
+    return i == n ? box.max(axis)
+                  : box.min(axis) + (box.max(axis) - box.min(axis)) * (double(i) / n);
+  };
+  Triangle_soup_3 soup;
+  for (int axis = 0; axis < 3; ++axis)
+    for (unsigned end : {0u, n}) {
+      const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+      const std::size_t first = soup.points.size();
+      for (unsigned i = 0; i <= n; ++i)
+        for (unsigned j = 0; j <= n; ++j) {
+          Coordinates_3 p;
+          p[axis] = coordinate(axis, end);
+          p[u] = coordinate(u, i);
+          p[v] = coordinate(v, j);
+          soup.points.push_back(p);
+        }
+      for (unsigned i = 0; i < n; ++i)
+        for (unsigned j = 0; j < n; ++j) {
+          const std::size_t a = first + i * std::size_t(n + 1) + j, b = a + n + 1;
+          const bool rises = (2 * i < n) == (2 * j < n);
+          soup.triangles.push_back({a, b, rises ? b + 1 : a + 1});
+          soup.triangles.push_back({rises ? a : b, b + 1, a + 1});
+        }
+    }
+  return merge_points(soup);
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_ENCLOSING_BOX_3_H

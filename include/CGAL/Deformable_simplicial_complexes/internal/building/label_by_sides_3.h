@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_LABEL_BY_SIDES_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_LABEL_BY_SIDES_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Tetrahedralization_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/Boxed_soup_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/refuse_surface.h>
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// A cell at a side of a triangle.
+struct Cell_at_triangle_3
+{
+  std::size_t triangle, cell;
+  bool is_in_front; // where the corners of the triangle are counterclockwise
+};
+
+// The two cells of each triangle of a soup that is part of a mesh; triangles increase.
+inline std::vector<Cell_at_triangle_3> cells_at_triangles(const Tetrahedralization_3& mesh,
+                                                          const Triangle_soup_3& soup) {
+  std::vector<Wall<3>> triangles;
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+    triangles.push_back(make_wall(soup.triangles[t], t));
+  std::sort(triangles.begin(), triangles.end());
+  const auto point = [&](std::size_t i) { return exact_point(mesh.points[i]); };
+  std::vector<Cell_at_triangle_3> result;
+  for (const auto& facet : sorted_facets(mesh.tetrahedra)) {
+    const auto found =
+        std::lower_bound(triangles.begin(), triangles.end(), Wall<3>{facet.vertices, 0});
+    if (found == triangles.end() || found->vertices != facet.vertices)
+      continue;
+    const Triangle_indices& t = soup.triangles[found->surface];
+    const auto opposite = mesh.tetrahedra[facet.cell][facet.index];
+    result.push_back(
+        {found->surface, facet.cell,
+         orientation(point(t[0]), point(t[1]), point(t[2]), point(opposite)) == POSITIVE});
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
+  return result;
+}
+
+// Labels behind and in front of the triangles of a patch.
+using Labels_of_sides = std::array<int, 2>;
+
+// The label of each cell, as the patches tell it for their sides. Throws Invalid_surface_error if
+// two of them tell different ones for the same region.
+inline std::vector<int> label_by_sides(const Tetrahedralization_3& mesh, const Boxed_soup_3& boxed,
+                                       const std::vector<Labels_of_sides>& sides) {
+  const auto& origins = boxed.soup.triangle_origins;
+  const auto cells = cells_at_triangles(mesh, boxed.soup);
+  std::vector<std::pair<std::size_t, int>> seeds;
+  for (const auto& c : cells)
+    seeds.emplace_back(c.cell, sides[origins[c.triangle].surface][c.is_in_front]);
+  std::optional<Contradicting_seeds> contradicting;
+  auto labels = label_cells_by_seeds<3>(mesh.tetrahedra, boxed.walls(), seeds, contradicting);
+  if (contradicting) {
+    const auto first = origins[cells[contradicting->first].triangle],
+               second = origins[cells[contradicting->second].triangle];
+    refuse_surface(Invalid_surface_error::Reason::contradicting_sides, first.surface,
+                   second.surface, {first.index, second.index}, {});
+  }
+  return labels;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_LABEL_BY_SIDES_3_H

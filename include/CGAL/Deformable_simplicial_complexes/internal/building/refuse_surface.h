@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_REFUSE_SURFACE_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_REFUSE_SURFACE_H
+
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// What is wrong, and what to do about it.
+inline const char* explanation(Invalid_surface_error::Reason reason) {
+  using Reason = Invalid_surface_error::Reason;
+  switch (reason) {
+  case Reason::empty:
+    return "has no facets: give a closed triangle surface";
+  case Reason::not_finite:
+    return "has coordinates that are no finite numbers: correct or remove these vertices";
+  case Reason::bad_index:
+    return "has facets with vertices that do not exist: correct these indices";
+  case Reason::degenerate_facet:
+    return "has facets without area: remove them";
+  case Reason::open:
+    return "is not closed: fill its holes";
+  case Reason::non_manifold_edge:
+    return "has edges with an odd number of facets, which leaves open what is inside: remove "
+           "duplicated facets and walls between parts";
+  case Reason::self_intersection:
+    return "intersects itself: parts may meet only in common vertices and edges; separate or unite "
+           "them";
+  case Reason::crossing_surfaces:
+    return "meets another surface: separate them; surfaces may be nested, and touch in common "
+           "vertices and along common edges, but not cross or share facets";
+  case Reason::too_fine:
+    return "has vertices that cannot be told apart beside the size of all surfaces: build it alone";
+  case Reason::outside_enclosing_box:
+    return "is not strictly inside the enclosing box: give a larger box";
+  case Reason::contradicting_sides:
+    return "tells another label for a region than a second facet that bounds it: close the gap "
+           "between the patches, or exchange the labels of the sides where triangles are turned";
+  }
+  return "is invalid";
+}
+
+[[noreturn]] inline void refuse_surface(Invalid_surface_error::Reason reason, std::size_t surface,
+                                        std::size_t other_surface, std::vector<std::size_t> facets,
+                                        std::vector<std::size_t> vertices) {
+  std::string message = "surface " + std::to_string(surface) + ' ' + explanation(reason);
+  if (!facets.empty())
+    message += " (first facet: " + std::to_string(facets.front()) + ')';
+  else if (!vertices.empty())
+    message += " (first vertex: " + std::to_string(vertices.front()) + ')';
+  throw Invalid_surface_error(reason, message, surface, std::move(facets), std::move(vertices),
+                              other_surface);
+}
+
+[[noreturn]] inline void refuse_surface(Invalid_surface_error::Reason reason, std::size_t surface,
+                                        std::vector<std::size_t> facets = {},
+                                        std::vector<std::size_t> vertices = {}) {
+  refuse_surface(reason, surface, surface, std::move(facets), std::move(vertices));
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_REFUSE_SURFACE_H

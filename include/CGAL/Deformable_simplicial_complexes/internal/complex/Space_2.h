@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SPACE_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SPACE_2_H
+
+#include <CGAL/Deformable_simplicial_complex_face_base_2.h>
+#include <CGAL/Deformable_simplicial_complex_vertex_base_2.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/Hilbert_policy_tags.h>
+#include <CGAL/Hilbert_sort_2.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/Triangulation_2.h>
+#include <CGAL/Triangulation_data_structure_2.h>
+#include <CGAL/determinant.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// What the plane has, under the names that hold in any dimension: its cells are triangles, its
+// facets edges.
+template <class Traits, class Tds> class Space_2
+{
+public:
+  static constexpr int dimension = 2;
+
+  using Geom_traits = Traits;
+  using Triangulation_data_structure = typename Default::Get<
+      Tds, Triangulation_data_structure_2<Deformable_simplicial_complex_vertex_base_2<Traits>,
+                                          Deformable_simplicial_complex_face_base_2<Traits>>>::type;
+  using Triangulation = Triangulation_2<Traits, Triangulation_data_structure>;
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  using Cell_handle = typename Triangulation::Face_handle;
+  using Point = typename Traits::Point_2;
+  using Approximate_point = typename Traits::Approximate_point_2;
+  using Approximate_vector = typename Traits::Approximate_vector_2;
+  template <class Kernel, class Map>
+  using Hilbert_sorter =
+      Hilbert_sort_2<Spatial_sort_traits_adapter_2<Kernel, Map>, Hilbert_sort_median_policy>;
+
+  // The vertices of the edge opposite to each vertex, with the cell on the left.
+  static constexpr int facet_vertices[3][2] = {{1, 2}, {2, 0}, {0, 1}};
+  // The vertices of a cell in an even permutation that begins with each of them.
+  static constexpr int even_permutation[3][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}};
+  // The edges of a facet: itself.
+  static constexpr int facet_edges[1][2] = {{0, 1}};
+
+  static auto orientation(const Traits& traits) { return traits.orientation_2_object(); }
+  static auto measure(const Traits& traits) { return traits.compute_approximate_area_2_object(); }
+  static auto approximate(const Traits& traits) {
+    return traits.construct_approximate_point_2_object();
+  }
+  static auto exact(const Traits& traits) { return traits.construct_exact_point_2_object(); }
+
+  // The area between an edge, seen from outside, and a point inside.
+  static double measure_of_cone(const Traits& traits, const std::array<Approximate_point, 2>& facet,
+                                const Approximate_point& apex) {
+    return measure(traits)(facet[0], facet[1], apex);
+  }
+
+  static double facet_measure(const std::array<Approximate_point, 2>& facet) {
+    return std::sqrt((facet[1] - facet[0]).squared_length());
+  }
+
+  // The outward normal of a facet, as long as it is.
+  static Approximate_vector facet_normal(const std::array<Approximate_point, 2>& facet) {
+    const Approximate_vector edge = facet[1] - facet[0];
+    return {edge.y(), -edge.x()};
+  }
+
+  // The area of a regular triangle.
+  static double regular_measure(double edge) { return edge * edge * std::sqrt(3.) / 4; }
+
+  // Outward normals of the edges of a triangle, as long as they are, and twice its area.
+  struct Frame
+  {
+    std::array<Approximate_vector, 3> normals;
+    double parallelotope;
+  };
+  static Frame frame(const std::array<Approximate_point, 3>& p) {
+    const Approximate_vector a = p[1] - p[0], b = p[2] - p[0];
+    return {{facet_normal({p[1], p[2]}), facet_normal({p[2], p[0]}), facet_normal({p[0], p[1]})},
+            a.x() * b.y() - a.y() * b.x()};
+  }
+
+  // About what a cell measures whose largest normal has this squared length.
+  static double measure_of_extent(double squared_normal) { return squared_normal; }
+
+  static double length(const Approximate_vector& v) { return std::hypot(v.x(), v.y()); }
+
+  // The determinant of the matrix with these entries(row, column).
+  template <class Number, class Entry> static Number determinant(const Entry& entry) {
+    return CGAL::determinant<Number>(entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1));
+  }
+
+  // Whether vertices and cells refer to each other as they should.
+  static bool is_sewn(const Triangulation_data_structure& tds, bool verbose) {
+    return tds.is_valid(verbose);
+  }
+  static auto all_cells(const Triangulation& t) { return t.all_face_handles(); }
+  static auto finite_cells(const Triangulation& t) { return t.finite_face_handles(); }
+  static const auto& cell_container(const Triangulation_data_structure& tds) { return tds.faces(); }
+  static Cell_handle create_cell(Triangulation_data_structure& tds) { return tds.create_face(); }
+  static void delete_cell(Triangulation_data_structure& tds, Cell_handle c) { tds.delete_face(c); }
+
+  // Both cells with the edge between two vertices of a cell, that cell first.
+  static void cells_around_edge(const Triangulation&, Cell_handle c, int i, int j,
+                                std::vector<Cell_handle>& cells) {
+    cells = {c, c->neighbor(3 - i - j)};
+  }
+
+  // Whether a closed, connected 1-manifold with so many vertices and facets is a circle: always.
+  static bool is_sphere(std::size_t vertices, std::size_t facets) { return vertices == facets; }
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SPACE_2_H

@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SPACE_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SPACE_3_H
+
+#include <CGAL/Deformable_simplicial_complex_cell_base_3.h>
+#include <CGAL/Deformable_simplicial_complex_vertex_base_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/quality_measures_3.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/Hilbert_policy_tags.h>
+#include <CGAL/Hilbert_sort_3.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/Triangulation_3.h>
+#include <CGAL/Triangulation_data_structure_3.h>
+#include <CGAL/determinant.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// What space of three dimensions has, under the names that hold in any: its cells are tetrahedra.
+template <class Traits, class Tds> class Space_3
+{
+public:
+  static constexpr int dimension = 3;
+
+  using Geom_traits = Traits;
+  using Triangulation_data_structure = typename Default::Get<
+      Tds, Triangulation_data_structure_3<Deformable_simplicial_complex_vertex_base_3<Traits>,
+                                          Deformable_simplicial_complex_cell_base_3<Traits>>>::type;
+  using Triangulation = Triangulation_3<Traits, Triangulation_data_structure>;
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  using Cell_handle = typename Triangulation::Cell_handle;
+  using Point = typename Traits::Point_3;
+  using Approximate_point = typename Traits::Approximate_point_3;
+  using Approximate_vector = typename Traits::Approximate_vector_3;
+  template <class Kernel, class Map>
+  using Hilbert_sorter =
+      Hilbert_sort_3<Spatial_sort_traits_adapter_3<Kernel, Map>, Hilbert_sort_median_policy>;
+
+  // The vertices of the facet opposite to each vertex, counterclockwise seen from outside the cell.
+  static constexpr int facet_vertices[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
+  // The vertices of a cell in an even permutation that begins with each of them.
+  static constexpr int even_permutation[4][4] = {
+      {0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
+  // The edges of a facet.
+  static constexpr int facet_edges[3][2] = {{0, 1}, {1, 2}, {2, 0}};
+
+  static auto orientation(const Traits& traits) { return traits.orientation_3_object(); }
+  static auto measure(const Traits& traits) { return traits.compute_approximate_volume_3_object(); }
+  static auto approximate(const Traits& traits) {
+    return traits.construct_approximate_point_3_object();
+  }
+  static auto exact(const Traits& traits) { return traits.construct_exact_point_3_object(); }
+
+  // The volume between a facet, seen from outside, and a point inside. With the point last, no
+  // precision is lost where it is far away.
+  static double measure_of_cone(const Traits& traits, const std::array<Approximate_point, 3>& facet,
+                                const Approximate_point& apex) {
+    return measure(traits)(facet[2], facet[1], facet[0], apex);
+  }
+
+  static double facet_measure(const std::array<Approximate_point, 3>& facet) {
+    return std::sqrt(cross_product(facet[1] - facet[0], facet[2] - facet[0]).squared_length()) / 2;
+  }
+
+  // The outward normal of a facet, twice its area long.
+  static Approximate_vector facet_normal(const std::array<Approximate_point, 3>& facet) {
+    return cross_product(facet[1] - facet[0], facet[2] - facet[0]);
+  }
+
+  // The volume of a regular tetrahedron.
+  static double regular_measure(double edge) { return edge * edge * edge / (6 * std::sqrt(2.)); }
+
+  // Outward normals of the facets of a tetrahedron, twice their areas long, and six times its
+  // volume.
+  struct Frame
+  {
+    std::array<Approximate_vector, 4> normals;
+    double parallelotope;
+  };
+  static Frame frame(const std::array<Approximate_point, 4>& p) {
+    const Tetrahedron_frame<Approximate_point> t(p[0], p[1], p[2], p[3]);
+    return {t.area_vectors(), t.six_volumes};
+  }
+
+  // About what a cell measures whose largest normal has this squared length.
+  static double measure_of_extent(double squared_normal) {
+    return std::sqrt(squared_normal * std::sqrt(squared_normal));
+  }
+
+  static double length(const Approximate_vector& v) { return std::hypot(v.x(), v.y(), v.z()); }
+
+  // The determinant of the matrix with these entries(row, column).
+  template <class Number, class Entry> static Number determinant(const Entry& entry) {
+    return CGAL::determinant<Number>(entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 0),
+                                     entry(1, 1), entry(1, 2), entry(2, 0), entry(2, 1),
+                                     entry(2, 2));
+  }
+
+  // Whether vertices and cells refer to each other as they should: what the validity of the data
+  // structure means, but can be stopped.
+  static bool is_sewn(const Triangulation_data_structure& tds, bool verbose) {
+    static constexpr std::size_t fewest = 5; // vertices of a sphere of cells
+    std::size_t vertices = 0, cells = 0, edges = 0;
+    for (auto v = tds.vertices_begin(); v != tds.vertices_end(); ++v, ++vertices) {
+      Progress_scope::check();
+      if (!tds.is_valid(Vertex_handle(v), verbose))
+        return false;
+    }
+    for (auto c = tds.cells_begin(); c != tds.cells_end(); ++c, ++cells) {
+      Progress_scope::check();
+      if (!tds.is_valid(Cell_handle(c), verbose))
+        return false;
+    }
+    for (auto e = tds.edges_begin(); e != tds.edges_end(); ++e, ++edges)
+      Progress_scope::check();
+    // Euler's relation, with two facets for each cell.
+    return vertices >= fewest && vertices == tds.number_of_vertices() && vertices + cells == edges;
+  }
+  static auto all_cells(const Triangulation& t) { return t.all_cell_handles(); }
+  static auto finite_cells(const Triangulation& t) { return t.finite_cell_handles(); }
+  static const auto& cell_container(const Triangulation_data_structure& tds) { return tds.cells(); }
+  static Cell_handle create_cell(Triangulation_data_structure& tds) { return tds.create_cell(); }
+  static void delete_cell(Triangulation_data_structure& tds, Cell_handle c) { tds.delete_cell(c); }
+
+  // All cells with the edge between two vertices of a cell, that cell first.
+  static void cells_around_edge(const Triangulation& t, Cell_handle c, int i, int j,
+                                std::vector<Cell_handle>& cells) {
+    cells.clear();
+    auto around = t.tds().incident_cells(c, i, j);
+    const auto first = around;
+    do
+      cells.push_back(around);
+    while (++around != first);
+  }
+
+  // Whether a closed, connected 2-manifold with so many vertices and facets is a sphere. Three
+  // edges for two facets: V - E + F = V - F / 2.
+  static bool is_sphere(std::size_t vertices, std::size_t facets) {
+    return 2 * vertices == facets + 4;
+  }
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SPACE_3_H

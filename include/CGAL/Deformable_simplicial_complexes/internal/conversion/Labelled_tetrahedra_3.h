@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_LABELLED_TETRAHEDRA_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_LABELLED_TETRAHEDRA_3_H
+
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The cells that are part of a mesh complex, with their subdomains; points in the order in which
+// cells name them.
+template <class Complex> struct Labelled_tetrahedra_3
+{
+  std::vector<typename Complex::Point_3> points;
+  std::vector<std::array<std::size_t, 4>> tetrahedra;
+  std::vector<typename Complex::Label> labels;
+
+  template <class MeshComplex> explicit Labelled_tetrahedra_3(const MeshComplex& mesh) {
+    const auto construct_point = typename Complex::Geom_traits().construct_exact_point_3_object();
+    std::unordered_map<const void*, std::size_t> numbers; // looked up only
+    for (auto c = mesh.cells_in_complex_begin(); c != mesh.cells_in_complex_end(); ++c) {
+      auto& tetrahedron = tetrahedra.emplace_back();
+      for (int i = 0; i < 4; ++i) {
+        const auto v = c->vertex(i);
+        const auto [known, is_new] = numbers.emplace(&*v, points.size());
+        if (is_new) {
+          const auto& p = v->point(); // of the triangulation, with a weight
+          points.push_back(construct_point({to_double(p.x()), to_double(p.y()), to_double(p.z())}));
+        }
+        tetrahedron[i] = known->second;
+      }
+      labels.push_back(typename Complex::Label(mesh.subdomain_index(c)));
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_LABELLED_TETRAHEDRA_3_H

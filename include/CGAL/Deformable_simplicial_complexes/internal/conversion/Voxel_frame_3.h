@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_VOXEL_FRAME_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_VOXEL_FRAME_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/conversion/Labelled_voxels_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/conversion/Voxel_octree_3.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Named_function_parameters.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Where a complex of voxels is built: p = translation + scale * q for a point p of the image and a
+// point q of the complex. The default domain is the cube about the center of the box of the labels
+// with half side 2.5 r, where r is half the diagonal of that box. All is computed in sides of
+// voxels, so that no unit is too small. Where voxels fill the domain, the space around them is to
+// be left out, and any domain does.
+class Voxel_frame_3
+{
+public:
+  // Normalization brings the default domain to [-1,1]^3.
+  template <class Domain>
+  Voxel_frame_3(const Labelled_voxels_3& voxels, bool normalize, const Domain& domain) {
+    double squared_diagonal = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      m_side[axis] = voxels.spacing[axis] / voxels.largest_spacing();
+      m_half[axis] = .5 * double(voxels.size[axis]);
+      squared_diagonal += std::pow(2 * m_half[axis] * m_side[axis], 2);
+    }
+    const double half_side = 2.5 * .5 * std::sqrt(squared_diagonal);
+    m_unit = half_side * voxels.largest_spacing();
+    m_center = voxels.center;
+    if (!(m_unit > 0) || !std::isfinite(m_unit))
+      throw Error("the size of the voxels is no number of type double: scale them");
+    for (double& side : m_side)
+      side /= half_side;
+    if (normalize) {
+      translation = voxels.center;
+      scale = m_unit;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto [low, high] = voxels.fills_domain ? Limits{-1, 1} : limits(domain, axis);
+      m_low[axis] = low;
+      m_high[axis] = high;
+      const double half = m_half[axis] * m_side[axis];
+      if (!(low < -half && half < high) || !std::isfinite(low) || !std::isfinite(high))
+        throw Error("voxels with labels other than 0 reach the enclosing box, or go beyond it: use "
+                    "a larger one, or that of all voxels");
+    }
+  }
+
+  std::array<double, 3> translation = {0, 0, 0};
+  double scale = 1;
+
+  // Of the domain, in voxels.
+  double longest_side() const {
+    double result = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      result = (std::max)(result, (m_high[axis] - m_low[axis]) / m_side[axis]);
+    return result;
+  }
+
+  // The side of a voxel in the complex.
+  double side(int axis) const { return m_side[axis] * (m_unit / scale); }
+
+  // A coordinate of a corner of an octree, in the complex. The voxels with labels keep their shape;
+  // the space between them and the root's sides is stretched to the domain.
+  double coordinate(const Voxel_octree_3& octree, int axis, std::uint32_t x) const {
+    const double first = octree.first(axis), last = first + 2 * m_half[axis],
+                 half = m_half[axis] * m_side[axis];
+    double result;
+    if (x < first)
+      result = x == 0 ? m_low[axis] : -half + (m_low[axis] + half) * ((first - x) / first);
+    else if (x > last)
+      result = x == octree.tree().side()
+                   ? m_high[axis]
+                   : half + (m_high[axis] - half) * ((x - last) / (octree.tree().side() - last));
+    else
+      result = (x - first - m_half[axis]) * m_side[axis];
+    return scale == m_unit ? result : m_center[axis] + m_unit * result;
+  }
+
+private:
+  struct Limits
+  {
+    double low, high;
+  };
+
+  Limits limits(CGAL::internal_np::Param_not_found, int) const { return {-1, 1}; }
+  Limits limits(const Bbox_3& box, int axis) const {
+    return {(box.min(axis) - m_center[axis]) / m_unit, (box.max(axis) - m_center[axis]) / m_unit};
+  }
+  template <class Iso_cuboid> Limits limits(const Iso_cuboid& box, int axis) const {
+    return limits(box.bbox(), axis);
+  }
+
+  double m_unit;                  // half the side of the default domain, in the unit of the image
+  std::array<double, 3> m_center; // of the box of the labels, in the coordinates of the image
+  std::array<double, 3> m_half;   // the sides of that box, in voxels
+  std::array<double, 3> m_side;   // of voxels, in m_unit
+  std::array<double, 3> m_low, m_high; // the domain about m_center, in m_unit
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_VOXEL_FRAME_3_H

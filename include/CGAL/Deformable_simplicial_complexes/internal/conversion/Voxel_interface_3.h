@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_VOXEL_INTERFACE_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_VOXEL_INTERFACE_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/Octree_tetrahedra_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/Volume_changer.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/conversion/Stairs_smoother_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/conversion/Voxel_components_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/conversion/Voxel_frame_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/conversion/Voxel_octree_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/conversion/Voxel_pyramid_3.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
+#include <CGAL/Deformable_simplicial_complexes/topology_control.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Makes a complex of voxels whose labels are their components, so that these neither merge nor
+// touch nor lose their volumes: first with the stairs of the voxels, then smooth, then coarse.
+template <class Complex> class Voxel_interface_3
+{
+public:
+  Voxel_interface_3(const Voxel_components_3& components, const Voxel_frame_3& frame, double edge)
+      : m_components(components), m_frame(frame), m_edge(edge) {
+    for (std::size_t c = 1; c < components.number(); ++c)
+      m_volumes[int(c)] =
+          double(components.number_of_voxels(c)) * frame.side(0) * frame.side(1) * frame.side(2);
+  }
+
+  Complex build() const {
+    const Progress_phase phase("filling the voxels with tetrahedra");
+    const Voxel_pyramid_3 pyramid(
+        m_components, m_edge / (std::max)({m_frame.side(0), m_frame.side(1), m_frame.side(2)}));
+    const Voxel_octree_3 octree(pyramid, m_frame.longest_side());
+    Octree_tetrahedra_3 mesh(octree.tree(), [&](unsigned level, const Octree_3::Place& block) {
+      return octree.component(level, block);
+    });
+    if (m_components.fill_domain())
+      mesh.remove(0);
+    Complex result;
+    const auto construct_point = result.geom_traits().construct_exact_point_3_object();
+    std::vector<typename Complex::Point> points;
+    points.reserve(mesh.points.size());
+    for (const auto& p : mesh.points)
+      points.push_back(
+          construct_point({m_frame.coordinate(octree, 0, p[0]), m_frame.coordinate(octree, 1, p[1]),
+                           m_frame.coordinate(octree, 2, p[2])}));
+    result.assign(points, mesh.tetrahedra, mesh.labels);
+    const auto& t = m_frame.translation;
+    result.set_normalization({{t[0], t[1], t[2]}, m_frame.scale});
+    result.measure_interface_edges();
+    return result;
+  }
+
+  // Volumes stay in each round, as small components would vanish else.
+  void smooth(Complex& dsc) const {
+    const Progress_phase phase("smoothing the interface between voxels");
+    static constexpr int rounds = 16;
+    static constexpr int iterations = 2; // a measurement and a correction; the last round has all
+    const Interface_snapshot<Complex> interface_(dsc);
+    const auto places = interface_.positions(dsc);
+    auto positions = places;
+    const Stairs_smoother_3<Complex> smoother(interface_, places,
+                                              {m_frame.side(0), m_frame.side(1), m_frame.side(2)});
+    const Volume_changer<Complex> changer(interface_);
+    for (int round = 0; round < rounds; ++round) {
+      smoother.relax(positions);
+      std::map<int, double> missing;
+      const auto changes = changer.changes(places, positions);
+      for (const auto& [component, volume] : m_volumes)
+        missing[component] = volume - dsc.measure(component) - changes.at(component);
+      changer.change_by(missing, positions,
+                        round + 1 < rounds ? iterations : changer.most_iterations);
+    }
+    deform_interface_to(dsc, interface_, positions, kept());
+  }
+
+  // Edges become as long as they are wanted where that changes no component by more than a part of
+  // a voxel.
+  void coarsen(Complex& dsc) const {
+    const Progress_phase phase("coarsening the interface between voxels");
+    static constexpr unsigned rounds = 2;
+    static constexpr double short_edges = .7, long_edges = 1.5;
+    const double voxel = m_frame.side(0) * m_frame.side(1) * m_frame.side(2);
+    static constexpr double swept = .2; // voxels
+    const auto size = [edge = m_edge](const typename Complex::Approximate_point&) { return edge; };
+    improve_interface(dsc, parameters::sizing_field(size)
+                               .interface_collapse_length(short_edges)
+                               .interface_split_length(long_edges)
+                               .swept_volume(swept * voxel / std::pow(m_edge, 3))
+                               .number_of_iterations(rounds));
+    control_detail(dsc);
+  }
+
+  void restore(Complex& dsc) const {
+    const Progress_phase phase("restoring the volumes of components");
+    restore_volumes(dsc, m_volumes, kept().number_of_iterations(10));
+    check(dsc);
+  }
+
+private:
+  static auto kept() {
+    return parameters::topology_control(Forbid_topology_changes()).relabeling_threshold(0.);
+  }
+
+  // Throws Error unless the volumes are right.
+  void check(const Complex& dsc) const {
+    static constexpr double tolerance = 1e-3; // what is promised
+    std::set<int> labels;
+    std::size_t number = 0;
+    for (const auto& [component, volume] : m_volumes)
+      if (!(std::abs(dsc.measure(component) - volume) <= tolerance * volume)) {
+        labels.insert(m_components.label(std::size_t(component)));
+        ++number;
+      }
+    if (number == 0)
+      return;
+    std::string names;
+    for (const int label : labels)
+      names += (names.empty() ? "" : ", ") + std::to_string(label);
+    const double scale = m_frame.scale,
+                 side = (std::min)({m_frame.side(0), m_frame.side(1), m_frame.side(2)});
+    throw Error(std::to_string(number) + " components of the labels " + names +
+                " are too fine for edges of " + std::to_string(scale * m_edge) +
+                " to get the volumes of their voxels: use edges of at most " +
+                std::to_string(scale * side));
+  }
+
+  const Voxel_components_3& m_components;
+  const Voxel_frame_3& m_frame;
+  double m_edge;
+  std::map<int, double> m_volumes; // of components that are to have one
+};
+
+// Gives cells the labels of their components.
+template <class Complex>
+void label_by_components(Complex& dsc, const Voxel_components_3& components) {
+  auto state = dsc.state();
+  for (auto& label : state.cell_labels)
+    label = components.label(std::size_t(label));
+  dsc.restore(state);
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_VOXEL_INTERFACE_3_H

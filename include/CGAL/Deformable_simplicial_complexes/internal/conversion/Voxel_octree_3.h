@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_VOXEL_OCTREE_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_VOXEL_OCTREE_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Octree_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/conversion/Voxel_pyramid_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// An octree over the components of voxels and the space around them. Leaves at the interface are
+// the blocks of a pyramid that are not mixed; others are blocks of one component, the larger the
+// farther away. Its unit is a voxel.
+class Voxel_octree_3
+{
+public:
+  using Place = Octree_3::Place;
+
+  // The root is at least so many voxels long, if possible, and has the voxels in its middle.
+  Voxel_octree_3(const Voxel_pyramid_3& pyramid, double least_side)
+      : m_pyramid(pyramid), m_tree(last_level(pyramid, least_side)) {
+    const std::size_t margin = pyramid.margin(); // which divides all sides
+    for (int axis = 0; axis < 3; ++axis)
+      m_first[axis] = std::uint32_t((m_tree.side() - pyramid.size(0)[axis]) / 2 / margin * margin);
+    split_mixed_blocks();
+    split_at_interfaces();
+    m_tree.complete();
+  }
+
+  const Octree_3& tree() const { return m_tree; }
+  // Where the box of the labels begins.
+  std::uint32_t first(int axis) const { return m_first[axis] + std::uint32_t(m_pyramid.margin()); }
+
+  // Of a leaf.
+  int component(unsigned level, const Place& block) const {
+    const unsigned known = (std::min)(level, m_pyramid.last_level());
+    Voxel_pyramid_3::Place at;
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::uint32_t x = block[axis] << (level - known), first = m_first[axis] >> known;
+      if (x < first || x - first >= m_pyramid.size(known)[axis])
+        return 0;
+      at[axis] = x - first;
+    }
+    return m_pyramid.component(known, at);
+  }
+
+private:
+  static unsigned last_level(const Voxel_pyramid_3& pyramid, double least_side) {
+    const std::size_t longest = *std::max_element(pyramid.size(0).begin(), pyramid.size(0).end());
+    if (longest > (std::size_t(1) << Octree_3::most_levels))
+      throw Error("the image has more than 2^20 voxels in a row: divide it");
+    unsigned result = 1;
+    while ((std::size_t(1) << result) < longest || result <= pyramid.last_level() ||
+           (result < Octree_3::most_levels && double(std::size_t(1) << result) < least_side))
+      ++result;
+    return result;
+  }
+
+  // Calls visit(place) for places below `size`.
+  template <class Visit>
+  static void for_each_place(const Voxel_pyramid_3::Place& size, const Visit& visit) {
+    Voxel_pyramid_3::Place p;
+    for (p[2] = 0; p[2] < size[2]; ++p[2])
+      for (p[1] = 0; p[1] < size[1]; ++p[1]) {
+        Progress_scope::check();
+        for (p[0] = 0; p[0] < size[0]; ++p[0])
+          visit(p);
+      }
+  }
+
+  // The block of a level that a block of the pyramid at another one is in.
+  Place block_of(const Voxel_pyramid_3::Place& p, unsigned from, unsigned level) const {
+    Place result;
+    for (int axis = 0; axis < 3; ++axis)
+      result[axis] = std::uint32_t((m_first[axis] >> from) + p[axis]) >> (level - from);
+    return result;
+  }
+
+  void split_mixed_blocks() {
+    for (unsigned level = 1; level <= m_pyramid.last_level(); ++level)
+      for_each_place(m_pyramid.size(level), [&](const Voxel_pyramid_3::Place& p) {
+        if (m_pyramid(level, p) == Voxel_pyramid_3::mixed)
+          m_tree.split(level, block_of(p, level, level));
+      });
+  }
+
+  // No leaf around a vertex where several components meet is larger than blocks of the pyramid:
+  // lengths of edges of the interface are bounded.
+  void split_at_interfaces() {
+    const unsigned last = m_pyramid.last_level();
+    auto vertices = m_pyramid.size(last);
+    for (std::size_t& n : vertices)
+      --n;
+    for_each_place(vertices, [&](const Voxel_pyramid_3::Place& p) {
+      const auto block = [&](std::size_t i) {
+        return Voxel_pyramid_3::Place{p[0] + (i & 1), p[1] + (i >> 1 & 1), p[2] + (i >> 2)};
+      };
+      const int component = m_pyramid(last, p);
+      bool is_same = component != Voxel_pyramid_3::mixed;
+      for (std::size_t i = 1; i < 8 && is_same; ++i)
+        is_same = m_pyramid(last, block(i)) == component;
+      for (std::size_t i = 0; i < 8 && !is_same; ++i)
+        m_tree.split(last + 1, block_of(block(i), last, last + 1));
+    });
+  }
+
+  const Voxel_pyramid_3& m_pyramid;
+  Octree_3 m_tree;
+  Place m_first; // of the voxels of the pyramid, in the root
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_VOXEL_OCTREE_3_H

@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_VOXEL_PYRAMID_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_VOXEL_PYRAMID_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/conversion/Voxel_components_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/conversion/simple_voxels_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The components of voxels in blocks of 2^l voxels a side, for some levels l from 0. A block has a
+// component where its eight parts have the same one, or where those of them that do not can get it
+// one by one without a change of topology; else it is mixed.
+class Voxel_pyramid_3
+{
+public:
+  using Place = std::array<std::size_t, 3>;
+  static constexpr int mixed = -1;
+
+  // Blocks are no longer than `edge`, in voxels.
+  Voxel_pyramid_3(const Voxel_components_3& components, double edge) : m_components(components) {
+    std::size_t smallest = components.size()[0];
+    for (const std::size_t n : components.size())
+      smallest = (std::min)(smallest, n);
+    while (double(std::size_t(2) << m_last) <= edge && (std::size_t(2) << m_last) <= smallest)
+      ++m_last;
+    m_levels.resize(m_last + 1);
+    set_voxels();
+    for (unsigned level = 1; level <= m_last; ++level)
+      set_blocks(level);
+  }
+
+  unsigned last_level() const { return m_last; }
+  // Voxels of the outside around the box of the labels; a block of the last level.
+  std::size_t margin() const { return std::size_t(1) << m_last; }
+  const Place& size(unsigned level) const { return m_levels[level].size; }
+
+  int operator()(unsigned level, const Place& block) const {
+    return m_levels[level].components[m_levels[level].index(block)];
+  }
+
+  // The component that a block has in the largest block around it that is not mixed.
+  int component(unsigned level, Place block) const {
+    int result = mixed;
+    for (unsigned l = m_last + 1; l-- > level && result == mixed;)
+      result =
+          (*this)(l, {block[0] >> (l - level), block[1] >> (l - level), block[2] >> (l - level)});
+    return result;
+  }
+
+private:
+  struct Level
+  {
+    Place size;
+    std::vector<int> components;
+
+    std::size_t index(const Place& p) const { return (p[2] * size[1] + p[1]) * size[0] + p[0]; }
+  };
+
+  template <class Visit> static void for_each_place(const Place& size, const Visit& visit) {
+    Place p;
+    for (p[2] = 0; p[2] < size[2]; ++p[2])
+      for (p[1] = 0; p[1] < size[1]; ++p[1]) {
+        Progress_scope::check();
+        for (p[0] = 0; p[0] < size[0]; ++p[0])
+          visit(p);
+      }
+  }
+
+  void set_voxels() {
+    Level& voxels = m_levels[0];
+    const std::size_t margin = this->margin();
+    for (int axis = 0; axis < 3; ++axis)
+      voxels.size[axis] = (m_components.size()[axis] + 3 * margin - 1) / margin * margin;
+    voxels.components.assign(voxels.size[0] * voxels.size[1] * voxels.size[2], 0);
+    for_each_place(m_components.size(), [&](const Place& p) {
+      voxels.components[voxels.index({p[0] + margin, p[1] + margin, p[2] + margin})] =
+          m_components(p);
+    });
+  }
+
+  void set_blocks(unsigned level) {
+    Level &parts = m_levels[level - 1], &blocks = m_levels[level];
+    for (int axis = 0; axis < 3; ++axis)
+      blocks.size[axis] = parts.size[axis] / 2;
+    blocks.components.resize(blocks.size[0] * blocks.size[1] * blocks.size[2]);
+    for_each_place(blocks.size, [&](const Place& p) {
+      blocks.components[blocks.index(p)] =
+          make_uniform(parts, {2 * p[0], 2 * p[1], 2 * p[2]}, level);
+    });
+  }
+
+  // The component of a block, after changes of its parts if they do not have one yet.
+  int make_uniform(Level& parts, const Place& first, unsigned level) const {
+    std::array<std::size_t, 8> at;
+    std::array<int, 8> before;
+    for (std::size_t i = 0; i < 8; ++i) {
+      at[i] = parts.index({first[0] + (i & 1), first[1] + (i >> 1 & 1), first[2] + (i >> 2)});
+      before[i] = parts.components[at[i]];
+    }
+    if (std::all_of(before.begin(), before.end(), [&](int c) { return c == before[0]; }))
+      return before[0];
+    if (!std::all_of(before.begin(), before.end(), [&](int c) { return is_large(c, level); }))
+      return mixed;
+    const int most = most_frequent(before);
+    for (bool is_changed = true; is_changed;) {
+      is_changed = false;
+      for (std::size_t i = 0; i < 8; ++i)
+        if (parts.components[at[i]] != most && is_simple(parts, at[i], most)) {
+          parts.components[at[i]] = most;
+          is_changed = true;
+        }
+    }
+    if (std::all_of(at.begin(), at.end(),
+                    [&](std::size_t a) { return parts.components[a] == most; }))
+      return most;
+    for (std::size_t i = 0; i < 8; ++i)
+      parts.components[at[i]] = before[i];
+    return mixed;
+  }
+
+  // Whether a component has the volume of some blocks: others keep their voxels, and so does the
+  // outside of a domain that voxels fill.
+  bool is_large(int component, unsigned level) const {
+    static constexpr std::size_t blocks = 8;
+    if (component == 0)
+      return !m_components.fill_domain();
+    return (component != mixed && m_components.number_of_voxels(component) >= blocks << 3 * level);
+  }
+
+  static int most_frequent(std::array<int, 8> components) {
+    std::sort(components.begin(), components.end());
+    int result = components[0];
+    std::ptrdiff_t most = 0;
+    for (auto first = components.begin(); first != components.end();) {
+      const auto last = std::upper_bound(first, components.end(), *first);
+      if (last - first > most) {
+        most = last - first;
+        result = *first;
+      }
+      first = last;
+    }
+    return result;
+  }
+
+  // Whether a part may change to another component: the parts around have no third one.
+  static bool is_simple(const Level& parts, std::size_t at, int component) {
+    Voxel_neighborhood_3::Voxels in = 0;
+    const std::size_t row = parts.size[0], layer = parts.size[0] * parts.size[1];
+    for (int i = 0; i < Voxel_neighborhood_3::number; ++i) {
+      const std::size_t x = std::size_t(i % 3), y = std::size_t(i / 3 % 3), z = std::size_t(i / 9);
+      const int there = parts.components[at + x + y * row + z * layer - 1 - row - layer];
+      if (there == component)
+        in |= Voxel_neighborhood_3::Voxels(1) << i;
+      else if (there != parts.components[at])
+        return false;
+    }
+    return Voxel_neighborhood_3::is_simple(in);
+  }
+
+  const Voxel_components_3& m_components;
+  unsigned m_last = 0;
+  std::vector<Level> m_levels;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_VOXEL_PYRAMID_3_H

@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_SIMPLE_VOXELS_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_SIMPLE_VOXELS_3_H
+
+#include <array>
+#include <cstdint>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// 27 voxels, x running fastest, as bits; number 13 is the one in the middle.
+class Voxel_neighborhood_3
+{
+public:
+  using Voxels = std::uint32_t;
+  static constexpr int middle = 13, number = 27;
+
+  // Whether the middle may change from one set to the other, those of the voxels around that are
+  // `in` a set and all others, without a change of their topologies or of what separates them: each
+  // has one component around it, through faces as well as through vertices (see Bertrand and
+  // Malandain, "A new characterization of three-dimensional simple points", 1994).
+  static bool is_simple(Voxels in) {
+    const Voxels all = (Voxels(1) << number) - 1, center = Voxels(1) << middle;
+    const Neighborhoods& n = neighborhoods();
+    for (const Voxels set : {in & ~center, all & ~in & ~center}) {
+      const Voxels beside = set & n.faces[middle];
+      if (beside == 0 || (beside & ~reached(beside, set & n.edges, n.faces)) != 0 ||
+          reached(set, set, n.vertices) != set)
+        return false;
+    }
+    return true;
+  }
+
+private:
+  struct Neighborhoods
+  {
+    std::array<Voxels, number> faces, vertices; // neighbors of a voxel through them
+    Voxels edges = 0;                           // neighbors of the middle through faces and edges
+  };
+
+  static const Neighborhoods& neighborhoods() {
+    static const Neighborhoods result = [] {
+      Neighborhoods n;
+      for (int a = 0; a < number; ++a) {
+        n.faces[a] = n.vertices[a] = 0;
+        for (int b = 0; b < number; ++b) {
+          int sum = 0, largest = 0; // of distances along the axes
+          for (int divisor : {1, 3, 9}) {
+            const int distance = (a / divisor % 3 > b / divisor % 3)
+                                     ? a / divisor % 3 - b / divisor % 3
+                                     : b / divisor % 3 - a / divisor % 3;
+            sum += distance;
+            largest = distance > largest ? distance : largest;
+          }
+          if (sum == 1)
+            n.faces[a] |= Voxels(1) << b;
+          if (largest == 1)
+            n.vertices[a] |= Voxels(1) << b;
+          if (a == middle && largest == 1 && sum <= 2)
+            n.edges |= Voxels(1) << b;
+        }
+      }
+      return n;
+    }();
+    return result;
+  }
+
+  // What can be reached from the first of some voxels within a set.
+  static Voxels reached(Voxels from, Voxels set, const std::array<Voxels, number>& neighbors) {
+    Voxels result = from & (~from + 1), front = result;
+    while (front != 0) {
+      Voxels next = 0;
+      for (int v = 0; v < number; ++v)
+        if ((front >> v & 1) != 0)
+          next |= neighbors[v];
+      front = next & set & ~result;
+      result |= front;
+    }
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_SIMPLE_VOXELS_3_H

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CURVES_CHECK_RINGS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CURVES_CHECK_RINGS_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// A ring of one of several polygons: its boundary, or that of a hole.
+struct Polygon_ring
+{
+  std::vector<std::array<double, 2>> points;
+  std::size_t polygon;
+  bool is_hole;
+  std::size_t line; // of the file
+};
+
+// Counts the rings around one point of each ring. A sweep over heights: n log n where few rings
+// overlap in height.
+class Ring_nesting
+{
+public:
+  explicit Ring_nesting(const std::vector<Polygon_ring>& rings)
+      : m_rings(rings), m_depths(rings.size(), 0), m_is_in_shell(rings.size(), false) {
+    for (std::size_t r = 0; r < rings.size(); ++r) {
+      const auto &a = rings[r].points[0], &b = rings[r].points[1];
+      m_places.push_back({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, r});
+    }
+    std::sort(m_places.begin(), m_places.end(),
+              [](const Place& a, const Place& b) { return a.y < b.y; });
+    for (std::size_t r = 0; r < rings.size(); ++r)
+      count_inside(r);
+  }
+
+  // The number of other rings around a ring.
+  std::size_t depth(std::size_t ring) const { return m_depths[ring]; }
+
+  // Whether the boundary of its polygon is around a ring.
+  bool is_in_shell(std::size_t ring) const { return m_is_in_shell[ring]; }
+
+private:
+  struct Place
+  {
+    double x, y;
+    std::size_t ring;
+  };
+
+  // Counts a ring for all that are inside it: those whose ray to the right it crosses oddly often.
+  void count_inside(std::size_t around) {
+    const auto& points = m_rings[around].points;
+    std::vector<std::size_t> crossed; // by rays from these rings
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      auto low = points[i], high = points[(i + 1) % points.size()];
+      if (low[1] > high[1])
+        std::swap(low, high);
+      const auto is_below = [](const Place& p, double y) { return p.y < y; };
+      auto place = std::lower_bound(m_places.begin(), m_places.end(), low[1], is_below);
+      for (; place != m_places.end() && place->y < high[1]; ++place)
+        if (place->ring != around && is_left(*place, low, high))
+          crossed.push_back(place->ring);
+    }
+    std::sort(crossed.begin(), crossed.end());
+    for (auto first = crossed.begin(); first != crossed.end();) {
+      const auto last = std::upper_bound(first, crossed.end(), *first);
+      if ((last - first) % 2 != 0) {
+        ++m_depths[*first];
+        if (!m_rings[around].is_hole && m_rings[around].polygon == m_rings[*first].polygon)
+          m_is_in_shell[*first] = true;
+      }
+      first = last;
+    }
+  }
+
+  static bool is_left(const Place& p, const std::array<double, 2>& low,
+                      const std::array<double, 2>& high) {
+    using Point = Exact_predicates_inexact_constructions_kernel::Point_2;
+    return CGAL::orientation(Point(low[0], low[1]), Point(high[0], high[1]), Point(p.x, p.y)) ==
+           LEFT_TURN;
+  }
+
+  const std::vector<Polygon_ring>& m_rings;
+  std::vector<Place> m_places; // one of each ring, by height
+  std::vector<std::size_t> m_depths;
+  std::vector<bool> m_is_in_shell;
+};
+
+// What is wrong with a ring.
+struct Ring_fault
+{
+  std::size_t ring;
+  const char* what;
+};
+
+// Finds the first hole that is not in its polygon, or polygon that overlaps others, among rings
+// that do not cross: crossings are found when the plane is filled.
+inline std::optional<Ring_fault> find_ring_fault(const std::vector<Polygon_ring>& rings) {
+  const Ring_nesting nesting(rings);
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    if (rings[r].is_hole && !nesting.is_in_shell(r))
+      return Ring_fault{r, "a hole is outside its polygon: the first ring of a polygon is its "
+                           "boundary, the others are holes in it; correct their order"};
+    if (rings[r].is_hole && nesting.depth(r) % 2 == 0)
+      return Ring_fault{r, "a hole is inside another hole, or in a polygon that overlaps another "
+                           "one: make what is inside holes polygons of their own"};
+    if (!rings[r].is_hole && nesting.depth(r) % 2 != 0)
+      return Ring_fault{r, "a polygon is inside another one of the same geometry: unite them, make "
+                           "it a hole, or make it a geometry of its own"};
+  }
+  return std::nullopt;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CURVES_CHECK_RINGS_H

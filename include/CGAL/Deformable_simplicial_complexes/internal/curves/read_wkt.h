@@ -1,0 +1,275 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CURVES_READ_WKT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CURVES_READ_WKT_H
+
+#include <CGAL/Deformable_simplicial_complexes/Labelled_curve_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/curves/check_rings.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/number_of_word.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Reads geometries in the well-known text of the Open Geospatial Consortium: each POLYGON and each
+// MULTIPOLYGON is a curve with the next label, each closed LINESTRING, too.
+template <class Point> class Wkt_reader
+{
+public:
+  using Curve = Labelled_curve_2<Point>;
+
+  explicit Wkt_reader(const std::string& path) : m_path(path), m_text(file_contents(path)) {
+    static constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+    if (std::string_view(m_text).substr(0, byte_order_mark.size()) == byte_order_mark)
+      m_position = byte_order_mark.size();
+  }
+
+  std::vector<Curve> read() {
+    while (!is_at_end()) {
+      skip_reference_system();
+      geometry(0);
+      is_next(';');
+    }
+    return std::move(m_curves);
+  }
+
+  const Unused_content& unused() const { return m_unused; }
+
+private:
+  static constexpr int most_nested = 100; // collections in collections
+
+  // How many lists of lists a geometry is, down to its rings; 0 if it bounds nothing.
+  static int depth_of(const std::string& type) {
+    return type == "LINESTRING" || type == "LINEARRING"                           ? 1
+           : type == "POLYGON" || type == "TRIANGLE" || type == "MULTILINESTRING" ? 2
+           : type == "MULTIPOLYGON"                                               ? 3
+                                                                                  : 0;
+  }
+
+  // One geometry, or a collection of them.
+  void geometry(int collections) {
+    Progress_scope::check();
+    const std::string type = word();
+    const int depth = depth_of(type);
+    const bool is_collection = type == "GEOMETRYCOLLECTION",
+               is_point = type == "POINT" || type == "MULTIPOINT";
+    if (depth == 0 && !is_collection && !is_point)
+      fail(in_quotes(type) + " is no geometry that bounds a region: use POLYGON, MULTIPOLYGON, "
+                             "LINESTRING or MULTILINESTRING");
+    if (const std::string more = is_letter() ? word() : ""; more == "EMPTY") {
+      m_unused.add("empty geometries");
+      return;
+    } else if (!more.empty() && !is_point) {
+      fail(in_quotes(type + ' ' + more) + " has more than x and y: leave the others out");
+    }
+    if (is_point)
+      return skip_points();
+    if (is_collection)
+      return collection(collections + 1);
+    m_rings.clear();
+    m_polygons = 0;
+    nested(depth, false);
+    finish_curve(type);
+  }
+
+  void collection(int depth) {
+    if (depth > most_nested)
+      fail("more than 100 collections are in one another; take the geometries out of them");
+    expect('(');
+    do
+      geometry(depth);
+    while (is_next(','));
+    expect(')');
+  }
+
+  void skip_points() {
+    const std::size_t first = m_position;
+    expect('(');
+    const std::size_t end = m_text.find_first_not_of("0123456789+-.eE \t\r\n,()", m_position);
+    std::size_t open = 1;
+    while (open > 0 && m_position < (std::min)(end, m_text.size())) {
+      open += m_text[m_position] == '(';
+      open -= m_text[m_position++] == ')';
+    }
+    if (open > 0)
+      fail("the points are not closed by a )");
+    const auto last = m_text.begin() + std::ptrdiff_t(m_position);
+    m_unused.add("points",
+                 1 + std::size_t(std::count(m_text.begin() + std::ptrdiff_t(first), last, ',')));
+  }
+
+  // The rings of a geometry become a curve, if they are nested as they should be.
+  void finish_curve(const std::string& type) {
+    if (m_rings.empty()) // its parts are empty
+      return m_unused.add("empty geometries");
+    if (type == "POLYGON" || type == "MULTIPOLYGON")
+      if (const std::optional<Ring_fault> fault = find_ring_fault(m_rings))
+        fail_at(m_rings[fault->ring].line, fault->what);
+    m_curves.emplace_back();
+    m_curves.back().label = int(m_curves.size());
+    for (const Polygon_ring& ring : m_rings) {
+      std::vector<Point> polyline;
+      for (const auto& p : ring.points)
+        polyline.emplace_back(p[0], p[1]);
+      m_curves.back().add_polyline(polyline);
+    }
+  }
+
+  // A list in parentheses of lists in parentheses and so on, of rings at last.
+  void nested(int depth, bool is_hole) {
+    if (depth == 1)
+      return ring(is_hole);
+    expect('(');
+    bool is_first = true;
+    do {
+      if (is_empty())
+        continue;
+      nested(depth - 1, depth == 2 && !is_first);
+      is_first = false;
+    } while (is_next(','));
+    expect(')');
+    m_polygons += depth == 2;
+  }
+
+  void ring(bool is_hole) {
+    const std::size_t line = line_number();
+    std::vector<std::array<double, 2>> points;
+    expect('(');
+    do {
+      Progress_scope::check();
+      const double x = number();
+      points.push_back({x, number()});
+      if (skip_space();
+          m_position < m_text.size() && m_text[m_position] != ',' && m_text[m_position] != ')')
+        fail("a point has more than x and y, or a comma is missing: give two numbers for each");
+    } while (is_next(','));
+    expect(')');
+    if (points.size() < 4 || points.front() != points.back())
+      fail_at(line, "a ring is not closed: its last point must be its first, with at least two "
+                    "between");
+    points.pop_back();
+    m_rings.push_back({std::move(points), m_polygons, is_hole, line});
+  }
+
+  // SRID=4326; and the like.
+  void skip_reference_system() {
+    const std::size_t end = m_text.find(';', m_position);
+    std::string begin = m_text.substr(m_position, 5);
+    std::transform(begin.begin(), begin.end(), begin.begin(), upper_case);
+    if (begin != "SRID=" || end == std::string::npos)
+      return;
+    m_position = end + 1;
+    m_unused.add("spatial reference systems");
+  }
+
+  bool is_at_end() {
+    skip_space();
+    return m_position == m_text.size();
+  }
+
+  static char upper_case(char c) { return char(std::toupper(static_cast<unsigned char>(c))); }
+
+  void skip_space() {
+    while (m_position < m_text.size() &&
+           std::isspace(static_cast<unsigned char>(m_text[m_position])))
+      ++m_position;
+  }
+
+  bool is_letter() {
+    skip_space();
+    return m_position < m_text.size() &&
+           std::isalpha(static_cast<unsigned char>(m_text[m_position])) != 0;
+  }
+
+  std::string word() {
+    skip_space();
+    std::string result;
+    while (m_position < m_text.size() &&
+           std::isalpha(static_cast<unsigned char>(m_text[m_position])))
+      result += upper_case(m_text[m_position++]);
+    if (result.empty())
+      fail("the name of a geometry is missing");
+    return result;
+  }
+
+  bool is_empty() {
+    skip_space();
+    static constexpr std::string_view empty = "EMPTY";
+    const std::string_view here = std::string_view(m_text).substr(m_position, empty.size());
+    if (!std::equal(here.begin(), here.end(), empty.begin(), empty.end(),
+                    [](char a, char b) { return upper_case(a) == b; }))
+      return false;
+    m_position += empty.size();
+    return true;
+  }
+
+  bool is_next(char c) {
+    skip_space();
+    if (m_position == m_text.size() || m_text[m_position] != c)
+      return false;
+    ++m_position;
+    return true;
+  }
+
+  void expect(char c) {
+    if (!is_next(c))
+      fail(std::string("there should be a ") + c);
+  }
+
+  double number() {
+    skip_space();
+    const std::size_t end =
+        (std::min)(m_text.find_first_of(" \t\r\n,()", m_position), m_text.size());
+    const std::string_view text = std::string_view(m_text).substr(m_position, end - m_position);
+    const auto result = number_of_word<double>(text);
+    if (!result || !std::isfinite(*result))
+      fail(in_quotes(text) + " should be a finite number");
+    m_position = end;
+    return *result;
+  }
+
+  // Of the place that was read last. Counts on from where it was asked last.
+  std::size_t line_number() {
+    const auto at = [&](std::size_t position) { return m_text.begin() + std::ptrdiff_t(position); };
+    m_line += std::size_t(std::count(at(m_line_position), at(m_position), '\n'));
+    m_line_position = m_position;
+    return m_line;
+  }
+
+  [[noreturn]] void fail(const std::string& what) { fail_at(line_number(), what); }
+
+  [[noreturn]] void fail_at(std::size_t line, const std::string& what) const {
+    throw File_error(m_path + ", line " + std::to_string(line) + ": " + what, m_path);
+  }
+
+  std::string m_path, m_text;
+  std::size_t m_position = 0;
+  std::size_t m_line = 1, m_line_position = 0;
+  std::vector<Polygon_ring> m_rings; // of the present geometry
+  std::size_t m_polygons = 0;        // of it
+  std::vector<Curve> m_curves;
+  Unused_content m_unused;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CURVES_READ_WKT_H

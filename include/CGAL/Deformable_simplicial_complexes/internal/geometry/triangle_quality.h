@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_TRIANGLE_QUALITY_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_TRIANGLE_QUALITY_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/vectors_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The area by the squared edges, 1 for an equilateral triangle, 0 for one without area: the twin of
+// the volume-length ratio of a tetrahedron.
+template <class Point> double triangle_quality(const std::array<Point, 3>& p) {
+  const auto a = p[1] - p[0], b = p[2] - p[0], c = p[2] - p[1];
+  const double squares = a.squared_length() + b.squared_length() + c.squared_length();
+  const double doubled_area = std::sqrt(cross_product(a, b).squared_length());
+  return squares > 0 ? 2 * std::sqrt(3.) * doubled_area / squares : 0;
+}
+
+// The cosine of the smallest angle of a triangle; 1 if a side is 0.
+template <class Point> double largest_cosine(const std::array<Point, 3>& p) {
+  double result = -1;
+  for (int i = 0; i < 3; ++i) {
+    const auto a = p[(i + 1) % 3] - p[i], b = p[(i + 2) % 3] - p[i];
+    const double lengths = std::sqrt(a.squared_length() * b.squared_length());
+    result = (std::max)(result, lengths > 0 ? a * b / lengths : 1);
+  }
+  return result;
+}
+
+// The smallest angle of a triangle, in radians; 0 if a side is.
+template <class Point> double smallest_angle(const std::array<Point, 3>& p) {
+  double result = 4; // more than there is
+  for (int i = 0; i < 3; ++i)
+    result = (std::min)(result, angle_between(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]));
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_TRIANGLE_QUALITY_H

@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_VECTORS_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_VECTORS_3_H
+
+#include <array>
+#include <cmath>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Perpendicular to a triangle, towards its front, as long as its area.
+template <class Point> auto area_vector(const std::array<Point, 3>& p) {
+  return cross_product(p[1] - p[0], p[2] - p[0]) / 2;
+}
+
+// In radians; accurate for small angles, and 0 if a vector is.
+template <class Vector> double angle_between(const Vector& a, const Vector& b) {
+  return std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_VECTORS_3_H

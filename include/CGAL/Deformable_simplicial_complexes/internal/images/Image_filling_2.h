@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMAGES_IMAGE_FILLING_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMAGES_IMAGE_FILLING_2_H
+
+#include <CGAL/Deformable_simplicial_complexes/Labelled_image_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/Curve_soup_2.h>
+
+#include <CGAL/Bbox_2.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Triangles with labels that fill the rectangle of an image, or a box around it.
+struct Image_filling_2
+{
+  std::vector<Planar_kernel::Point_2> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<int> labels;
+};
+
+// Throws `Error` where an image, an edge or a box is none, or there are too many edges between
+// labels. Linear in the pixels, n log n in the edges of pixels between labels.
+#ifdef CGAL_DSC_EXTERN // see the component Compiled
+Image_filling_2 fill_image(const Labelled_image_2& image, double edge,
+                           const std::optional<Bbox_2>& box);
+#else
+inline Image_filling_2 fill_image(const Labelled_image_2& image, double edge,
+                                  const std::optional<Bbox_2>& box);
+#endif
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#ifndef CGAL_DSC_EXTERN
+#include <CGAL/Deformable_simplicial_complexes/internal/images/Image_filling_2_impl.h>
+#endif
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMAGES_IMAGE_FILLING_2_H

@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMAGES_PIXEL_CHAINS_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMAGES_PIXEL_CHAINS_2_H
+
+#include <CGAL/Deformable_simplicial_complexes/Labelled_image_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// A path along edges between pixels of two labels. It ends where other edges between labels meet it
+// and at the border of the image, or is a loop: its last corner is its first one then.
+struct Pixel_chain_2
+{
+  using Corner = std::array<int, 2>;
+
+  std::vector<Corner> corners;
+  int left, right; // labels
+  bool is_loop;
+};
+
+// Decomposes the edges between pixels of different labels into chains. Two bits of memory a pixel.
+class Pixel_chains_2
+{
+public:
+  using Corner = Pixel_chain_2::Corner;
+
+  // pre: there is a pixel, and each has a label
+  // is_surrounded: whether pixels of label 0 surround the image
+  Pixel_chains_2(const Labelled_image_2& image, bool is_surrounded)
+      : m_image(image), m_low(is_surrounded ? -1 : 0), m_right(int(image.width) - m_low),
+        m_top(int(image.height) - m_low) {}
+
+  // The number of edges between pixels of different labels.
+  std::size_t number_of_edges() const {
+    std::size_t result = 0;
+    for_each_corner([&](const Corner& c) { result += is_edge(c, 0) + is_edge(c, 1); });
+    return result;
+  }
+
+  // Calls f(chain) for each chain: first those with ends, in the order of their first ends.
+  template <class Function> void for_each(const Function& f) const {
+    std::vector<bool> is_done(2 * index({m_right, m_top}) + 2, false);
+    for (const bool loops : {false, true})
+      for_each_corner([&](const Corner& c) {
+        if (loops || number_of_edges_at(c) != 2)
+          for (int direction = 0; direction < 4; ++direction)
+            if (is_edge(c, direction) && !is_done[number_of_edge(c, direction)])
+              f(chain(c, direction, loops, is_done));
+      });
+  }
+
+private:
+  // Pixel k at a corner is between the edges in the directions k and k + 1: right, up, left, down.
+  static constexpr int pixel_x[4] = {0, -1, -1, 0}, pixel_y[4] = {0, 0, -1, -1};
+  static constexpr int step_x[4] = {1, 0, -1, 0}, step_y[4] = {0, 1, 0, -1};
+
+  static Corner next(const Corner& c, int direction) {
+    return {c[0] + step_x[direction], c[1] + step_y[direction]};
+  }
+
+  template <class Function> void for_each_corner(const Function& f) const {
+    for (int y = m_low; y <= m_top; ++y) {
+      Progress_scope::check();
+      for (int x = m_low; x <= m_right; ++x)
+        f(Corner{x, y});
+    }
+  }
+
+  int label(int x, int y) const {
+    const int width = int(m_image.width), height = int(m_image.height);
+    if (x < 0 || y < 0 || x >= width || y >= height)
+      return 0;
+    return m_image.labels[std::size_t(height - 1 - y) * m_image.width + std::size_t(x)];
+  }
+  int label_at(const Corner& c, int pixel) const {
+    return label(c[0] + pixel_x[pixel & 3], c[1] + pixel_y[pixel & 3]);
+  }
+  bool has_pixel(const Corner& c, int pixel) const {
+    const int x = c[0] + pixel_x[pixel & 3], y = c[1] + pixel_y[pixel & 3];
+    return x >= m_low && y >= m_low && x < m_right && y < m_top;
+  }
+
+  bool is_edge(const Corner& c, int direction) const {
+    return label_at(c, direction) != label_at(c, direction + 3) && has_pixel(c, direction) &&
+           has_pixel(c, direction + 3);
+  }
+  int number_of_edges_at(const Corner& c) const {
+    return is_edge(c, 0) + is_edge(c, 1) + is_edge(c, 2) + is_edge(c, 3);
+  }
+
+  std::size_t index(const Corner& c) const {
+    return std::size_t(c[1] - m_low) * std::size_t(m_right - m_low + 1) + std::size_t(c[0] - m_low);
+  }
+  std::size_t number_of_edge(const Corner& c, int direction) const {
+    return 2 * index(direction < 2 ? c : next(c, direction)) + std::size_t(direction % 2);
+  }
+
+  Pixel_chain_2 chain(Corner c, int direction, bool is_loop, std::vector<bool>& is_done) const {
+    Pixel_chain_2 result{{c}, label_at(c, direction), label_at(c, direction + 3), is_loop};
+    for (;;) {
+      is_done[number_of_edge(c, direction)] = true;
+      c = next(c, direction);
+      result.corners.push_back(c);
+      if (is_loop ? c == result.corners.front() : number_of_edges_at(c) != 2)
+        return result;
+      const int back = (direction + 2) % 4;
+      direction = 0;
+      while (direction == back || !is_edge(c, direction))
+        ++direction;
+    }
+  }
+
+  const Labelled_image_2& m_image;
+  int m_low, m_right, m_top; // of the pixels, with those around the image
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMAGES_PIXEL_CHAINS_2_H

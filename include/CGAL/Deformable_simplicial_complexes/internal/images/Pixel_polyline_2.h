@@ -1,0 +1,247 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMAGES_PIXEL_POLYLINE_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMAGES_PIXEL_POLYLINE_2_H
+
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/images/Pixel_chains_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// A smooth polyline with the area of a chain of pixels. The line between the centers of the two
+// pixels at an edge of the chain is a gate: the polyline goes through all gates, one after another.
+// So the centers of all pixels keep their labels. Polylines of different chains do not meet but in
+// common ends, as between two gates they are in the squares around the corners of the chain.
+class Pixel_polyline_2
+{
+public:
+  using Point = std::array<double, 2>;
+
+  // edge: about how long the segments are to be, in pixels
+  Pixel_polyline_2(const Pixel_chain_2& chain, double edge)
+      : m_chain(chain), m_steps(chain.corners.size() - 1) {
+    begin(edge);
+    for (int round = 0; round < most_rounds; ++round) {
+      Progress_scope::check();
+      if (refine())
+        continue;
+      if (!keep_area())
+        break;
+      if (passes_gates())
+        return;
+    }
+    follow_edges(edge);
+  }
+
+  // The first one is not repeated at the end of a loop.
+  std::vector<Point> points() const {
+    std::vector<Point> result;
+    for (const Vertex& v : m_vertices)
+      result.push_back(v.point);
+    return result;
+  }
+
+private:
+  struct Vertex
+  {
+    std::size_t index; // of the corner in whose square it is
+    Point point;
+    bool is_free; // to leave the corner
+  };
+
+  static constexpr int most_rounds = 40;   // of halving segments, more than lengths of chains have
+  static constexpr std::size_t window = 6; // corners on each side that a vertex is the mean of
+  static constexpr double reach = .45;     // of vertices and gates: polylines keep a distance
+  static constexpr double exactness = 1e-10; // of areas, in pixels
+
+  Point corner(std::size_t i) const {
+    const auto& c = m_chain.corners[m_chain.is_loop ? i % m_steps : i];
+    return {double(c[0]), double(c[1])};
+  }
+
+  // The mean of corners, within reach.
+  Vertex smooth(std::size_t i) const {
+    const std::size_t n = m_steps,
+                      w = (std::min)(window, m_chain.is_loop ? n / 8 : (std::min)(i, n - i));
+    const Point c = corner(i);
+    Point mean = {};
+    for (std::size_t k = i + n - w; k <= i + n + w; ++k)
+      for (int axis = 0; axis < 2; ++axis)
+        mean[axis] += (corner(m_chain.is_loop ? k : k - n)[axis] - c[axis]) / double(2 * w + 1);
+    return {i, within_reach(c, {c[0] + mean[0], c[1] + mean[1]}), w > 0};
+  }
+
+  static Point within_reach(const Point& c, const Point& p) {
+    const auto clamp = [](double x, double center) {
+      return (std::min)((std::max)(x, center - reach), center + reach);
+    };
+    return {clamp(p[0], c[0]), clamp(p[1], c[1])};
+  }
+
+  // Vertices at equal distances along the smooth line.
+  void begin(double edge) {
+    std::vector<double> lengths = {0};
+    Vertex last = smooth(0);
+    for (std::size_t i = 1; i <= m_steps; ++i) {
+      const Vertex v = smooth(i);
+      lengths.push_back(lengths.back() +
+                        std::hypot(v.point[0] - last.point[0], v.point[1] - last.point[1]));
+      last = v;
+    }
+    const std::size_t least = m_chain.is_loop ? 4 : 1;
+    const auto number = (std::max)(least, std::size_t(std::lround(lengths.back() / edge)));
+    for (std::size_t i = 0; i < m_steps; ++i)
+      if (lengths[i] * double(number) >= double(m_vertices.size()) * lengths.back())
+        m_vertices.push_back(smooth(i));
+    if (!m_chain.is_loop)
+      m_vertices.push_back(smooth(m_steps));
+  }
+
+  std::size_t number_of_segments() const { return m_vertices.size() - (m_chain.is_loop ? 0 : 1); }
+
+  const Vertex& end(std::size_t segment) const {
+    return m_vertices[(segment + 1) % m_vertices.size()];
+  }
+
+  // The corner at the end, counted on at the end of a loop.
+  std::size_t end_index(std::size_t segment) const {
+    return segment + 1 < m_vertices.size() ? m_vertices[segment + 1].index
+                                           : m_vertices[0].index + m_steps;
+  }
+
+  // Whether a segment goes through the gates between its ends, one after another.
+  bool passes_gates(std::size_t segment) const {
+    const Point p = m_vertices[segment].point, q = end(segment).point;
+    double last = 0; // where, as a part of the segment
+    for (std::size_t i = m_vertices[segment].index; i < end_index(segment); ++i) {
+      const Point a = corner(i), b = corner(i + 1);
+      const int along = a[0] != b[0] ? 0 : 1, across = 1 - along;
+      const double middle = (a[along] + b[along]) / 2,
+                   part = (middle - p[along]) / (q[along] - p[along]),
+                   place = p[across] + part * (q[across] - p[across]) - a[across];
+      if (!(part >= last && part <= 1 && std::abs(place) <= reach))
+        return false;
+      last = part;
+    }
+    return true;
+  }
+
+  bool passes_gates() const {
+    for (std::size_t s = 0; s < number_of_segments(); ++s)
+      if (!passes_gates(s))
+        return false;
+    return true;
+  }
+
+  // Halves segments that miss gates; those of a single edge of a pixel become that edge. Returns
+  // whether there were any.
+  bool refine() {
+    std::vector<Vertex> refined;
+    std::vector<std::size_t> fixed; // corners
+    bool has_missed = false;
+    for (std::size_t s = 0; s < m_vertices.size(); ++s) {
+      refined.push_back(m_vertices[s]);
+      if (s == number_of_segments() || passes_gates(s))
+        continue;
+      has_missed = true;
+      const std::size_t first = m_vertices[s].index, last = end_index(s);
+      if (last - first > 1)
+        refined.push_back(smooth((first + last) / 2));
+      else
+        fixed.insert(fixed.end(), {first, m_chain.is_loop ? last % m_steps : last});
+    }
+    std::sort(fixed.begin(), fixed.end());
+    for (Vertex& v : refined)
+      if (std::binary_search(fixed.begin(), fixed.end(), v.index))
+        v = {v.index, corner(v.index), false};
+    if (m_chain.is_loop) { // the middle of the last segment may come before the first vertex
+      for (Vertex& v : refined)
+        v.index %= m_steps;
+      std::sort(refined.begin(), refined.end(),
+                [](const Vertex& a, const Vertex& b) { return a.index < b.index; });
+    }
+    m_vertices.swap(refined);
+    return has_missed;
+  }
+
+  // Twice the area between a closed line and a point on it.
+  template <class PointAt> static double doubled_area(std::size_t n, const PointAt& point) {
+    double result = 0;
+    const Point origin = point(0);
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+      const Point p = point(i), q = point(i + 1);
+      result += (p[0] - origin[0]) * (q[1] - origin[1]) - (p[1] - origin[1]) * (q[0] - origin[0]);
+    }
+    return result;
+  }
+
+  // Moves free vertices along their normals, all as far, until the area is that of the pixels.
+  // Returns whether that is possible.
+  bool keep_area() {
+    static constexpr int most_moves = 20; // the error is squared each time, unless some are held
+    const std::size_t n = m_vertices.size();
+    const double wanted = doubled_area(m_steps + 1, [&](std::size_t i) { return corner(i); });
+    for (int move = 0; move < most_moves; ++move) {
+      const double missing =
+          (wanted - doubled_area(n, [&](std::size_t i) { return m_vertices[i].point; })) / 2;
+      if (std::abs(missing) <= exactness)
+        return true;
+      std::vector<Point> chords(n);
+      double length = 0;
+      for (std::size_t i = 0; i < n; ++i) {
+        const Point &p = m_vertices[(i + n - 1) % n].point, &q = m_vertices[(i + 1) % n].point;
+        chords[i] = {q[0] - p[0], q[1] - p[1]};
+        if (m_vertices[i].is_free)
+          length += std::hypot(chords[i][0], chords[i][1]) / 2;
+      }
+      if (length == 0)
+        return false;
+      for (std::size_t i = 0; i < n; ++i) {
+        Vertex& v = m_vertices[i];
+        const double chord = std::hypot(chords[i][0], chords[i][1]);
+        if (v.is_free && chord > 0)
+          v.point =
+              within_reach(corner(v.index), {v.point[0] + missing / length * chords[i][1] / chord,
+                                             v.point[1] - missing / length * chords[i][0] / chord});
+      }
+    }
+    return false;
+  }
+
+  // Makes the polyline the edges of the pixels.
+  void follow_edges(double edge) {
+    m_vertices.clear();
+    const auto most = std::size_t((std::min)(edge, double(m_steps))); // in a segment
+    for (std::size_t i = 0; i < m_steps; ++i) {
+      const Point b = corner(i), c = corner(i + 1),
+                  a = i > 0             ? corner(i - 1)
+                      : m_chain.is_loop ? corner(m_steps - 1)
+                                        : b;
+      const bool turns = (b[0] - a[0]) * (c[1] - b[1]) != (b[1] - a[1]) * (c[0] - b[0]);
+      if (i == 0 || turns || i - m_vertices.back().index >= most)
+        m_vertices.push_back({i, b, false});
+    }
+    if (!m_chain.is_loop)
+      m_vertices.push_back({m_steps, corner(m_steps), false});
+  }
+
+  const Pixel_chain_2& m_chain;
+  std::size_t m_steps; // edges of pixels
+  std::vector<Vertex> m_vertices;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMAGES_PIXEL_POLYLINE_2_H

@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_DEFORMATION_REMESHER_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_DEFORMATION_REMESHER_2_H
+
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Small_angle_remover_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/neighbor_exchange_2.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// In the plane: Algorithm 3, and the removal of short edges, of free vertices that are trapped, and
+// of small angles.
+template <class Complex> class Deformation_remesher_2
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Cells = Work_list<Cell_handle>;
+
+  Deformation_remesher_2(Complex& complex, Any_visitor<Complex>& visitor,
+                         const Destinations<Complex>& destinations,
+                         const Rigid_components<Complex>& rigid_parts,
+                         const Deformation_options<Complex>& options)
+      : m_complex(complex), m_visitor(visitor), m_topology_control(options.topology_control),
+        m_relabeling_threshold(options.relabeling_threshold), m_cavity(complex),
+        m_improver(complex, visitor, destinations, options.quality_threshold),
+        m_small_angles(complex, visitor, rigid_parts, options.minimum_angle,
+                       options.quality_threshold) {}
+
+  void begin_pass(const For_each_index&) {}
+  bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
+
+  void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {
+    if (may_remove_facets && m_improver.remove_short_edge(c, touched))
+      return;
+    if (c->quality() < m_relabeling_threshold)
+      m_improver.remove_trapped_vertex(c, touched);
+  }
+
+  void remove_degenerating_facets(Cells&) {}
+
+  void improve(Cells cells) {
+    static constexpr unsigned rounds = 3;
+    m_improver.improve(std::move(cells), rounds);
+  }
+
+  // Where walls that end in moved vertices are short beside the edges around.
+  template <class Log> void exchange_neighbors(const std::vector<Vertex_handle>& moved, Log& log) {
+    static constexpr unsigned junction = 3; // edges of the interface or more
+    for (Vertex_handle v : moved) {
+      if (v->interface_degree() < junction)
+        continue;
+      m_complex.star(v, m_star);
+      for (Cell_handle c : m_star) {
+        if (m_complex.is_infinite(c))
+          continue;
+        const int i = (c->index(v) + 2) % 3; // the edge from v that the cell is on the left of
+        const Vertex_handle w = c->vertex((i + 2) % 3);
+        if (w->interface_degree() >= junction && exchange_neighbors(c, i, log))
+          break;
+      }
+    }
+  }
+
+  const std::vector<Neighbor_exchange<Complex>>& exchanges() const { return m_exchanges; }
+
+  Cells cells_with_small_angles() const { return m_small_angles.bad_cells(); }
+  bool keeps_small_angles(Cell_handle) const { return false; } // nothing is relabeled for them
+  template <class Relabel> void remove_small_angles(const Relabel&) { m_small_angles.run(); }
+
+  Improvement_report report() const { return m_improver.report() + m_small_angles.report(); }
+  std::size_t number_of_relocated() const { return 0; }
+
+private:
+  template <class Log> bool exchange_neighbors(Cell_handle c, int i, Log& log) {
+    static constexpr double longest = .5; // wall, of the edges around
+    const auto exchange = propose_neighbor_exchange(m_complex, c, i, longest, m_cavity);
+    if (!exchange)
+      return false;
+    for (Cell_handle side : {c, c->neighbor(i)})
+      for (auto label : exchange->joined)
+        if (!m_topology_control(m_complex, side, label))
+          return false;
+    log.record(c, exchange->joined[0]);
+    replace_cavity(m_complex, m_cavity, m_visitor);
+    m_visitor.after_flip(m_cavity.created());
+    m_exchanges.push_back(*exchange);
+    return true;
+  }
+
+  Complex& m_complex;
+  Any_visitor<Complex>& m_visitor;
+  const Topology_control<Complex>& m_topology_control;
+  double m_relabeling_threshold;
+  Cavity<Complex> m_cavity;
+  Mesh_improver<Complex> m_improver;
+  Small_angle_remover_2<Complex> m_small_angles;
+  std::vector<Cell_handle> m_star;
+  std::vector<Neighbor_exchange<Complex>> m_exchanges;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_DEFORMATION_REMESHER_2_H

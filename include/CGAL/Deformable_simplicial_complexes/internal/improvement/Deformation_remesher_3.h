@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_DEFORMATION_REMESHER_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_DEFORMATION_REMESHER_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/triangle_quality.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Small_angle_remover_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/star_union.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// In space: Algorithm 3, and the removal of small angles.
+template <class Complex> class Deformation_remesher_3
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Cells = Work_list<Cell_handle>;
+
+  Deformation_remesher_3(Complex& complex, Any_visitor<Complex>& visitor,
+                         const Destinations<Complex>& destinations,
+                         const Rigid_components<Complex>& rigid_parts,
+                         const Deformation_options<Complex>& options)
+      : m_complex(complex), m_destinations(destinations),
+        m_relabeling_threshold(options.relabeling_threshold),
+        m_degenerate_cosine(std::cos(options.minimum_facet_angle * (CGAL_PI / 180))),
+        m_improver(complex, visitor, destinations, options.quality_threshold),
+        m_small_angles(complex, visitor, rigid_parts, options.minimum_angle,
+                       options.quality_threshold) {}
+
+  // Facets of the interface that will have a small angle at their destinations, and a smaller one
+  // than now: what moves as a whole keeps its facets.
+  void begin_pass(const For_each_index& for_each_index) {
+    const std::vector<Vertex_handle>& unfinished = m_destinations.unfinished();
+    m_degenerating.clear();
+    const auto now = [&](Vertex_handle v) { return m_complex.position(v); };
+    const Vertex_numbers numbers(m_complex, unfinished);
+    std::vector<typename Complex::Approximate_point> destinations;
+    for (std::size_t k = 0; k < unfinished.size(); ++k)
+      destinations.push_back(m_complex.approximate(m_destinations.destination(k)));
+    const auto final = [&](Vertex_handle v) {
+      const std::uint32_t number = numbers(v);
+      return number != Vertex_numbers::none ? destinations[number] : now(v);
+    };
+    std::vector<Facet_item> facets;
+    const auto add_facets_of = [&](Cell_handle c) {
+      for (int i = 0; i < 4; ++i)
+        if (is_interface_from(c, i))
+          facets.push_back({c, c->time_stamp(), i});
+    };
+    if (are_many(m_complex, unfinished.size()))
+      for (Cell_handle c : m_complex.finite_cells())
+        add_facets_of(c);
+    else
+      for (Cell_handle c : stars_of(m_complex, unfinished))
+        add_facets_of(c);
+    std::vector<char> degenerates(facets.size());
+    for_each_index(facets.size(), [&](std::size_t k) {
+      degenerates[k] = will_degenerate({facets[k].cell, facets[k].index}, now, final);
+    });
+    for (std::size_t k = 0; k < facets.size(); ++k)
+      if (degenerates[k])
+        m_degenerating.push_back(facets[k]);
+    std::sort(m_degenerating.begin(), m_degenerating.end(),
+              [](const Facet_item& a, const Facet_item& b) {
+                return std::tie(a.time_stamp, a.index) < std::tie(b.time_stamp, b.index);
+              });
+  }
+
+  bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
+
+  void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {
+    static constexpr double cosine = .94; // of 20 degrees
+    if (may_remove_facets &&
+        (remove_degenerate_facet(c, cosine, touched) || m_improver.remove_short_edge(c, touched)))
+      return;
+    if (c->quality() < m_relabeling_threshold)
+      m_improver.remove_trapped_vertex(c, touched);
+  }
+
+  void remove_degenerating_facets(Cells& touched) {
+    for (const Facet_item& item : m_degenerating)
+      if (m_complex.is_alive(item.cell, item.time_stamp))
+        m_improver.remove_degenerate_facet(item.cell, item.index, m_degenerate_cosine, touched);
+  }
+
+  void improve(Cells cells) {
+    static constexpr unsigned rounds = 3;
+    m_improver.improve(std::move(cells), rounds);
+  }
+
+  template <class Log> void exchange_neighbors(const std::vector<Vertex_handle>&, Log&) {}
+
+  Cells cells_with_small_angles() const { return m_small_angles.bad_cells(); }
+
+  // Whether a cell has small angles now and in the end.
+  bool keeps_small_angles(Cell_handle c) const {
+    return m_small_angles.is_bad(c) && m_small_angles.is_bad_with(c, [&](Vertex_handle v) {
+      return m_destinations.final_position(v);
+    });
+  }
+
+  template <class Relabel> void remove_small_angles(const Relabel& relabel) {
+    m_small_angles.run(relabel);
+  }
+
+  Improvement_report report() const { return m_improver.report() + m_small_angles.report(); }
+  std::vector<Neighbor_exchange<Complex>> exchanges() const { return {}; }
+  std::size_t number_of_relocated() const { return m_small_angles.number_of_relocated(); }
+
+private:
+  struct Facet_item
+  {
+    Cell_handle cell;
+    std::size_t time_stamp; // the cell may have been replaced
+    int index;
+  };
+
+  // Whether the interface has the facet of a cell, and the cell is on the side of the larger label.
+  bool is_interface_from(Cell_handle c, int i) const {
+    const Cell_handle n = c->neighbor(i);
+    return n->label() < c->label() && !m_complex.is_infinite(n);
+  }
+
+  // Whether a facet will have a small angle, and a smaller one than now, by positions of vertices.
+  template <class Now, class Final>
+  bool will_degenerate(const typename Complex::Facet& f, const Now& now, const Final& final) const {
+    using Triangle = std::array<typename Complex::Approximate_point, 3>;
+    static constexpr double more = 1 + 1e-6; // than what rounding does
+    const auto v = m_complex.facet_vertices(f);
+    const auto cosine_with = [&](const auto& position_of) {
+      const auto p = position_of(v[0]);
+      return largest_cosine(Triangle{p, m_complex.domain().near(p, position_of(v[1])),
+                                     m_complex.domain().near(p, position_of(v[2]))});
+    };
+    const double after = cosine_with(final);
+    return after > m_degenerate_cosine && after > more * cosine_with(now);
+  }
+
+  // Removes one of the facets of a cell.
+  bool remove_degenerate_facet(Cell_handle c, double cosine, Cells& touched) {
+    for (int i = 0; i < 4; ++i)
+      if (m_improver.remove_degenerate_facet(c, i, cosine, touched))
+        return true;
+    return false;
+  }
+
+  Complex& m_complex;
+  const Destinations<Complex>& m_destinations;
+  double m_relabeling_threshold;
+  double m_degenerate_cosine; // of the smallest angle that a facet may come to have
+  Mesh_improver_3<Complex> m_improver;
+  Small_angle_remover_3<Complex> m_small_angles;
+  std::vector<Facet_item> m_degenerating;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_DEFORMATION_REMESHER_3_H

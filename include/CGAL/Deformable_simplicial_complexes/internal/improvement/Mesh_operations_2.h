@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_MESH_OPERATIONS_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_MESH_OPERATIONS_2_H
+
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/degeneracy_removal_2.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_flip_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_insertion.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+template <class Complex> struct Mesh_operations_2
+{
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+
+  template <class Accept>
+  static bool propose_reconnection(const Complex& complex, Cell_handle c, bool /*is_thorough*/,
+                                   Cavity<Complex>& cavity, const Accept& accept) {
+    for (int i = 0; i < 3; ++i)
+      if (propose_edge_flip(complex, c, i, cavity) && accept())
+        return true;
+    return false;
+  }
+
+  static bool propose_insertion(const Complex& complex, Cell_handle c, Cavity<Complex>& cavity) {
+    return propose_vertex_insertion(complex, c, cavity);
+  }
+
+  static bool propose_degenerate_cell_removal(const Complex& complex, Cell_handle c,
+                                              double /*quality*/, double cosine,
+                                              Cavity<Complex>& cavity) {
+    return propose_degenerate_triangle_removal(complex, c, cosine, c->quality(), cavity);
+  }
+
+  static bool propose_optimal_position(const Complex& complex, Vertex_handle v,
+                                       const std::vector<Cell_handle>& star,
+                                       typename Complex::Point& target) {
+    if (complex.is_boundary(v) || v->is_interface())
+      return false;
+    const auto to = Star_optimizer<Complex>(complex, complex.quality_measure(), v, star).run();
+    target = complex.exact(to);
+    return to != complex.position(v) && complex.is_positive_star(v, star, target);
+  }
+
+  static bool is_interface_edge(const Complex& complex, Cell_handle c, int i, int j) {
+    return complex.is_interface(typename Complex::Facet(c, 3 - i - j));
+  }
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_MESH_OPERATIONS_2_H

@@ -1,0 +1,382 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_SMALL_ANGLE_REMOVER_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_SMALL_ANGLE_REMOVER_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_edge_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/changed_facets_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/multi_face_retriangulation_3.h>
+#include <CGAL/Deformable_simplicial_complexes/quality_measures_3.h>
+#include <CGAL/Deformable_simplicial_complexes/star_union.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_insertion.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/container/flat_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Removes cells with a dihedral angle below a bound or above its supplement, by whatever raises the
+// smallest sine of an angle most. What changes the interface comes last, and changes it by little.
+template <class Complex> class Small_angle_remover_3
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Label = typename Complex::Label;
+  using Cells = Work_list<Cell_handle>;
+
+  // The angle is in degrees.
+  Small_angle_remover_3(Complex& complex, Any_visitor<Complex>& visitor,
+                        const Rigid_components<Complex>& rigid_parts, double angle,
+                        double quality_threshold)
+      : m_complex(complex), m_visitor(visitor), m_rigid_parts(rigid_parts),
+        m_wanted(std::sin(angle * CGAL_PI / 180) / sine_of_regular), m_bound(m_wanted),
+        m_quality_threshold(quality_threshold), m_cavity(complex), m_best(complex) {}
+
+  const Improvement_report& report() const { return m_report; }
+  std::size_t number_of_relocated() const { return m_homes.size(); }
+
+  // Whether a cell has small angles, did not move as a whole, and was not tried in vain, unless the
+  // interface may change for it: how much of that is allowed differs from time to time.
+  bool is_bad(Cell_handle c) const {
+    return sine(c) < m_bound && !m_rigid_parts.has_moved_as_a_whole(c) &&
+           !(is_exhausted(c, to_remove_small_angles) && !may_change_interface(c));
+  }
+
+  // Whether a cell has small angles with its vertices elsewhere.
+  template <class Position_of> bool is_bad_with(Cell_handle c, const Position_of& position) const {
+    return sine(c, position) < m_bound;
+  }
+
+  // Those below the quality threshold, but for those at parts of the interface that stayed; by
+  // creation.
+  Cells bad_cells() const {
+    Cells result;
+    for (Cell_handle c : m_complex.triangulation().finite_cell_handles())
+      if (c->quality() < m_quality_threshold && !m_rigid_parts.has_stayed(c) && is_bad(c))
+        result.push(c);
+    result.sort();
+    return result;
+  }
+
+  // relabel(c, label) gives a cell another label if that keeps the topology, and says whether it
+  // did.
+  template <class Relabel> void run(const Relabel& relabel) {
+    static constexpr unsigned rounds = 10;
+    static constexpr int attempts = 6;
+    static constexpr double higher = 1.3;
+    const auto work = [&](Cell_handle c, Cells& touched) {
+      if (is_bad(c) && !improve(c, relabel, touched))
+        set_exhausted(c, to_remove_small_angles);
+    };
+    Cells cells = bad_cells();
+    m_handled = cells;
+    work_in_rounds(m_complex, std::move(cells), rounds, work);
+    // Those that stay are often held by neighbors that are but a little better.
+    for (int i = 1; i <= attempts; ++i) {
+      cells = stars_of_stuck();
+      if (cells.empty())
+        break;
+      m_bound = m_wanted * std::pow(higher, i);
+      work_in_rounds(m_complex, std::move(cells), rounds, work);
+      m_bound = m_wanted;
+    }
+    keep_from_improvement();
+  }
+
+private:
+  using Position = typename Complex::Approximate_point_3;
+
+  // The smallest sine of a dihedral angle of a cell with these corners, over that of the regular
+  // tetrahedron.
+  template <class Corner> double sine_of(const Corner& corner) const {
+    // Less than 0 by rounding only.
+    return (std::max)(0., m_complex.domain().template apply<Complex>(m_sine, corner));
+  }
+
+  template <class Position_of> double sine(Cell_handle c, const Position_of& position) const {
+    return sine_of([&](int i) { return position(c->vertex(i)); });
+  }
+
+  double sine(Cell_handle c) const {
+    return sine(c, [&](Vertex_handle v) { return m_complex.position(v); });
+  }
+
+  // Whether a cell has small angles that no part of the interface that stayed or moved as a whole
+  // may dictate.
+  bool is_to_be_removed(Cell_handle c) const {
+    return sine(c) < m_bound && !m_rigid_parts.has_stayed(c) &&
+           !m_rigid_parts.touches_rigid_part(c);
+  }
+
+  // Whether it is for this cell that the interface may change.
+  bool may_change_interface(Cell_handle c) const {
+    return touches_interface(c) && is_to_be_removed(c);
+  }
+
+  static bool touches_interface(Cell_handle c) {
+    return c->vertex(0)->is_interface() || c->vertex(1)->is_interface() ||
+           c->vertex(2)->is_interface() || c->vertex(3)->is_interface();
+  }
+
+  // The cells around those that were worked on and are still to be removed.
+  Cells stars_of_stuck() {
+    std::vector<Cell_handle> stuck;
+    m_handled.sort();
+    for (const auto& item : m_handled)
+      if (m_complex.is_alive(item.cell, item.time_stamp) && is_to_be_removed(item.cell))
+        stuck.push_back(item.cell);
+    Cells result;
+    for (Cell_handle c : star_union(m_complex, vertices_of(m_complex, stuck)))
+      result.push(c);
+    return result;
+  }
+
+  // Returns whether anything was done.
+  template <class Relabel> bool improve(Cell_handle c, const Relabel& relabel, Cells& touched) {
+    const auto is_free = [](Vertex_handle v) { return !v->is_interface(); };
+    const bool may_change = may_change_interface(c);
+    find_best_proposal(c);
+    if (!is_enough() && move_vertex(c, is_free, m_bound, touched))
+      return true;
+    if (!is_enough() && may_change) {
+      consider_interface_flips(c);
+      consider_collapses(c, true);
+      if (!is_enough() && relabel_fold(c, relabel, touched))
+        return true;
+    }
+    if (!m_best.removed().empty()) {
+      commit_proposal(m_complex, m_best, m_visitor, m_report);
+      touch(m_best.created(), touched);
+      return true;
+    }
+    return move_vertex(c, is_free, 0, touched) ||
+           (may_change &&
+            move_vertex(
+                c, [&](Vertex_handle v) { return m_rigid_parts.has_moved(v); }, 0, touched));
+  }
+
+  // Whether the best proposal leaves no angle below the bound.
+  bool is_enough() const { return m_best_sine >= m_bound; }
+
+  // Leaves the best proposal that keeps the interface in m_best, which is empty if there is none.
+  void find_best_proposal(Cell_handle c) {
+    m_best.clear();
+    m_best_sine = 0;
+    m_least_sine = better * sine(c);
+    for (int i = 0; i < 4; ++i)
+      consider(propose_multi_face_removal(m_complex, c, i, m_cavity));
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j)
+        consider(propose_edge_removal(m_complex, c, i, j, m_cavity));
+    for (int i = 0; i < 4 && !is_enough(); ++i)
+      consider(propose_multi_face_retriangulation(m_complex, c, i, m_cavity));
+    if (!is_enough())
+      consider_collapses(c, false);
+    if (!is_enough())
+      consider(propose_vertex_insertion(m_complex, c, m_cavity));
+  }
+
+  void consider_interface_flips(Cell_handle c) {
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j)
+        consider(m_complex.is_interface(typename Complex::Edge(c, i, j)) &&
+                 propose_interface_edge_flip(m_complex, c, i, j, m_cavity) &&
+                 is_little(facets_changed_by_flip(Interface_edge_3<Complex>(m_complex, c, i, j)),
+                           c->vertex(i), c->vertex(j)));
+  }
+
+  // Of vertices of the interface that have moved, or of those off it.
+  void consider_collapses(Cell_handle c, bool of_interface) {
+    for (int i = 0; i < 4; ++i) {
+      const Vertex_handle v = c->vertex(i);
+      if (v->is_interface() != of_interface || (of_interface && !m_rigid_parts.has_moved(v)))
+        continue;
+      for (int j = 0; j < 4; ++j)
+        consider(j != i && propose_edge_collapse(m_complex, c, i, j, 0, m_cavity) &&
+                 (!of_interface ||
+                  is_little(facets_changed_by_collapse(m_complex, fan(v), c->vertex(j)), v, v)));
+    }
+  }
+
+  Interface_fan_3<Complex> fan(Vertex_handle v) {
+    m_complex.star(v, m_star);
+    return Interface_fan_3<Complex>(m_complex, v, m_star);
+  }
+
+  // Whether the interface may change as much at two vertices.
+  bool is_little(const Changed_facets& change, Vertex_handle v, Vertex_handle w) const {
+    static constexpr double little = .1; // of the cube of the edges there
+    const double edge = (local_edge_length(m_complex, v) + local_edge_length(m_complex, w)) / 2;
+    return change.swept_volume < slack() * little * edge * edge * edge;
+  }
+
+  // Where cells stay, the interface may move farther.
+  double slack() const { return m_bound / m_wanted; }
+
+  // Keeps the proposal in m_cavity, if there is one, if it is the best so far. Sines say little of
+  // needles: the quality counts, too.
+  void consider(bool is_proposed) {
+    if (!is_proposed || !m_cavity.keeps_quality())
+      return;
+    double before = std::numeric_limits<double>::infinity(), after = before;
+    for (Cell_handle c : m_cavity.removed())
+      if (!m_complex.is_infinite(c))
+        before = (std::min)(before, sine(c));
+    for (const auto& t : m_cavity.tetrahedra()) {
+      const auto p = [&](int i) { return m_cavity.vertices()[t.vertices[i]].position; };
+      if (t.quality < std::numeric_limits<double>::infinity()) // all vertices are finite
+        after = (std::min)(after, sine_of(p));
+    }
+    if (after > better * before && after > m_least_sine && after > m_best_sine) {
+      m_best_sine = after;
+      std::swap(m_best, m_cavity);
+    }
+  }
+
+  // Gives a cell that lies in a fold of the interface to the phase beyond, if the area hardly
+  // grows.
+  template <class Relabel>
+  bool relabel_fold(Cell_handle c, const Relabel& relabel, Cells& touched) {
+    static constexpr double growth = 1.05;
+    for (int i = 0; i < 4; ++i) {
+      if (!m_complex.is_interface(std::make_pair(c, i)))
+        continue;
+      const Label label = c->neighbor(i)->label();
+      double before = 0, after = 0;
+      bool is_inside = true;
+      for (int k = 0; k < 4; ++k) {
+        is_inside = is_inside && !m_complex.is_infinite(c->neighbor(k));
+        const Label other = c->neighbor(k)->label();
+        const double area = m_complex.area(std::make_pair(c, k));
+        before += other == label ? area : 0;
+        after += other == c->label() ? area : 0;
+      }
+      if (!is_inside || !(after < growth * before) || !relabel(c, label))
+        continue;
+      touch({c, c->neighbor(0), c->neighbor(1), c->neighbor(2), c->neighbor(3)}, touched);
+      return true;
+    }
+    return false;
+  }
+
+  // Moves one of the vertices for which may_move(v) to where the angles around it are best: the one
+  // for which they become best, if no angle is below a bound then. A vertex of the interface goes a
+  // short way at the most, all in all.
+  template <class MayMove>
+  bool move_vertex(Cell_handle c, const MayMove& may_move, double bound, Cells& touched) {
+    static constexpr double better_star = 1.05;
+    double best = (std::max)(bound, better_star * sine(c));
+    Vertex_handle moving;
+    Position target = m_complex.position(c->vertex(0));
+    for (int i = 0; i < 4; ++i) {
+      const Vertex_handle v = c->vertex(i);
+      if (m_complex.is_boundary(v) || !may_move(v))
+        continue;
+      m_complex.star(v, m_star);
+      const Position from = m_complex.position(v);
+      Star_optimizer<Complex, Minimum_sine_3> optimizer(m_complex, m_sine, v, m_star);
+      const Position to = v->is_interface() ? near_home(v, optimizer.run()) : optimizer.run();
+      const double after = worst_sine(v, to);
+      if (after > best && after > better_star * worst_sine(v, from) &&
+          m_complex.is_admissible_star(v, m_star, exact(to))) {
+        best = after;
+        moving = v;
+        target = to;
+      }
+    }
+    if (moving == Vertex_handle())
+      return false;
+    if (moving->is_interface())
+      m_homes.emplace(moving->time_stamp(), m_complex.position(moving));
+    else
+      ++m_report.smoothed;
+    m_complex.star(moving, m_star);
+    smooth_vertex(m_complex, moving, m_star, exact(target), m_visitor);
+    touch(m_star, touched);
+    return true;
+  }
+
+  // The point on the way to p that is not too far from where the vertex had arrived.
+  Position near_home(Vertex_handle v, const Position& p) const {
+    static constexpr double longest_way = .05; // of the edges there
+    const auto known = m_homes.find(v->time_stamp());
+    const Position home =
+        m_complex.domain().near(p, known == m_homes.end() ? m_complex.position(v) : known->second);
+    const auto way = p - home;
+    const double length = std::sqrt(way.squared_length()),
+                 bound = slack() * longest_way * local_edge_length(m_complex, v);
+    return length > bound ? home + bound / length * way : p;
+  }
+
+  typename Complex::Point_3 exact(const Position& p) const {
+    return m_complex.geom_traits().construct_exact_point_3_object()(p);
+  }
+
+  // Of the star m_star if its vertex were at p.
+  double worst_sine(Vertex_handle v, const Position& p) const {
+    return (std::max)(0., star_quality(m_complex, m_sine, v, m_star, p, 0));
+  }
+
+  // What was done for the angles is not to be undone for the quality before something changes.
+  void keep_from_improvement() {
+    for (const auto& item : m_changed)
+      if (m_complex.is_alive(item.cell, item.time_stamp))
+        set_exhausted(item.cell, to_improve_quality);
+  }
+
+  void touch(const std::vector<Cell_handle>& cells, Cells& touched) {
+    push_finite(m_complex, cells, m_changed);
+    for (Cell_handle c : cells)
+      if (!m_complex.is_infinite(c) && is_bad(c)) {
+        touched.push(c);
+        m_handled.push(c);
+      }
+  }
+
+  static constexpr double better = 1.1; // factor that makes a change worth it
+
+  Complex& m_complex;
+  Any_visitor<Complex>& m_visitor;
+  const Rigid_components<Complex>& m_rigid_parts;
+  Minimum_sine_3 m_sine;
+  double m_wanted, m_bound; // the latter may be higher around cells that stay
+  double m_quality_threshold;
+  Cavity<Complex> m_cavity, m_best;
+  double m_best_sine = 0, m_least_sine = 0;
+  boost::container::flat_map<std::size_t, Position> m_homes; // of those relocated, by time stamp
+  Cells m_handled, m_changed;
+  std::vector<Cell_handle> m_star;
+  Improvement_report m_report;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_SMALL_ANGLE_REMOVER_3_H

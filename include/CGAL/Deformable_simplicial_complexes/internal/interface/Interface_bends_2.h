@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_BENDS_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_BENDS_2_H
+
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan_2.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+template <class Complex> struct Interface_bends_2
+{
+  using Points = std::vector<typename Complex::Approximate_point>;
+  using Vector = typename Complex::Approximate_vector;
+
+  // Those of the circle through a vertex and its neighbors, on curves.
+  static std::vector<Vector> normals(const Interface_snapshot<Complex>& interface_,
+                                     const Points& positions) {
+    std::vector<Vector> result(positions.size(), Vector(0, 0));
+    for_each_side(interface_, positions, [&](std::size_t v, const Vector& edge) {
+      // Weights are proportional to the length of the other edge, or inversely to that of this one.
+      result[v] = result[v] + Vector(edge.y(), -edge.x()) / edge.squared_length();
+    });
+    static constexpr double rounding = 1e-9; // of sums of weights
+    std::vector<double> weights(positions.size(), 0);
+    for_each_side(interface_, positions, [&](std::size_t v, const Vector& edge) {
+      weights[v] += 1 / std::sqrt(edge.squared_length());
+    });
+    for (std::size_t v = 0; v < result.size(); ++v) {
+      const double length = std::sqrt(result[v].squared_length());
+      result[v] = length > rounding * weights[v] ? result[v] / length : Vector(0, 0);
+    }
+    return result;
+  }
+
+  static std::vector<char> on_features(const Interface_snapshot<Complex>& interface_,
+                                       const Points& positions, double angle) {
+    std::vector<char> result(positions.size(), false);
+    std::vector<Vector> first(positions.size(), Vector(0, 0));
+    for_each_side(interface_, positions, [&](std::size_t v, const Vector& edge) {
+      if (first[v] == Vector(0, 0))
+        first[v] = edge;
+      else
+        result[v] = result[v] || turn_between(first[v], edge) > angle;
+    });
+    return result;
+  }
+
+private:
+  // Each vertex with each edge at it, as the edge goes with the larger label on its left.
+  template <class Function>
+  static void for_each_side(const Interface_snapshot<Complex>& interface_, const Points& positions,
+                            const Function& function) {
+    for (const auto& segment : interface_.segments) {
+      const auto& p = positions[segment.vertices[0]];
+      const Vector edge = interface_.domain.near(p, positions[segment.vertices[1]]) - p;
+      if (edge.squared_length() > 0)
+        for (std::size_t v : segment.vertices)
+          function(v, edge);
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_BENDS_2_H

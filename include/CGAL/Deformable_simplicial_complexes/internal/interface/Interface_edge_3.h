@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_EDGE_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_EDGE_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/vectors_3.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The facets of the interface around an edge.
+template <class Complex> class Interface_edge_3
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Point = typename Complex::Approximate_point_3;
+  using Vector = typename Complex::Approximate_vector_3;
+
+  Interface_edge_3(const Complex& complex, Cell_handle cell, int i, int j)
+      : m_complex(complex), m_ends{cell->vertex(i), cell->vertex(j)} {
+    auto c = complex.triangulation().tds().incident_cells(cell, i, j), done = c;
+    do {
+      for (int k = 0; k < 4; ++k) {
+        const Cell_handle d = Cell_handle(c)->neighbor(k);
+        if (c->vertex(k) != m_ends[0] && c->vertex(k) != m_ends[1] && !complex.is_infinite(d) &&
+            !complex.is_infinite(Cell_handle(c)) && c->label() > d->label())
+          add(Cell_handle(c), k);
+      }
+    } while (++c != done);
+  }
+
+  // Whether two facets meet here, and the same labels lie behind and in front of both.
+  bool is_in_sheet() const { return m_facets.size() == 2 && m_is_between_two_labels; }
+
+  // The angle between the normals of the two facets, in radians. \pre is_in_sheet()
+  double bend() const { return angle_between(area_vector(m_facets[0]), area_vector(m_facets[1])); }
+
+  // Whether the angles opposite to the edge sum up to more than 180 degrees, by more than rounding.
+  // \pre is_in_sheet()
+  bool violates_delaunay_criterion() const {
+    static constexpr double rounding = 1e-6;
+    return opposite_angle(0) + opposite_angle(1) > CGAL_PI + rounding;
+  }
+
+  // The facets, and those that a flip would make: an end of the edge first, then the two opposite
+  // corners, ordered so that normals of a flat pair are parallel. \pre is_in_sheet()
+  const std::array<Point, 3>& facet(std::size_t i) const { return m_facets[i]; }
+  std::array<Point, 3> flipped_facet(std::size_t i) const {
+    return {end(i), m_opposite[i], m_opposite[1 - i]};
+  }
+
+private:
+  void add(Cell_handle c, int k) {
+    m_is_between_two_labels =
+        m_is_between_two_labels &&
+        (m_facets.empty() || (c->label() == m_behind && c->neighbor(k)->label() == m_in_front));
+    m_behind = c->label();
+    m_in_front = c->neighbor(k)->label();
+    const auto v = m_complex.facet_vertices({c, k});
+    m_facets.push_back({seen(v[0]), seen(v[1]), seen(v[2])});
+    for (Vertex_handle w : v)
+      if (w != m_ends[0] && w != m_ends[1])
+        m_opposite.push_back(seen(w));
+  }
+
+  double opposite_angle(std::size_t i) const {
+    return angle_between(end(0) - m_opposite[i], end(1) - m_opposite[i]);
+  }
+
+  // All as seen from one end of the edge.
+  Point seen(Vertex_handle v) const {
+    return m_complex.position_near(m_complex.position(m_ends[0]), v);
+  }
+  Point end(std::size_t i) const { return seen(m_ends[i]); }
+
+  const Complex& m_complex;
+  std::array<Vertex_handle, 2> m_ends;
+  boost::container::small_vector<std::array<Point, 3>, 4> m_facets;
+  boost::container::small_vector<Point, 4> m_opposite;
+  typename Complex::Label m_behind = 0, m_in_front = 0;
+  bool m_is_between_two_labels = true;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_EDGE_3_H

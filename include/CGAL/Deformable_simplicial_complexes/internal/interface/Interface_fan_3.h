@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_FAN_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_FAN_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/vectors_3.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The facets of the interface around a vertex.
+template <class Complex> class Interface_fan_3
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Point = typename Complex::Approximate_point_3;
+
+  // \pre `star` is the star of v
+  Interface_fan_3(const Complex& complex, Vertex_handle v, const std::vector<Cell_handle>& star)
+      : m_complex(complex), m_center(v) {
+    for (Cell_handle c : star) {
+      if (complex.is_infinite(c))
+        continue;
+      for (int i = 0; i < 4; ++i) {
+        const Cell_handle d = c->neighbor(i);
+        if (c->vertex(i) == v || complex.is_infinite(d) || c->label() <= d->label())
+          continue;
+        const auto w = complex.facet_vertices({c, i});
+        const std::size_t k = std::find(w.begin(), w.end(), v) - w.begin();
+        m_facets.push_back({w[(k + 1) % 3], w[(k + 2) % 3]});
+        m_is_between_two_labels =
+            m_is_between_two_labels &&
+            (m_facets.size() == 1 || (c->label() == m_behind && d->label() == m_in_front));
+        m_behind = c->label();
+        m_in_front = d->label();
+      }
+    }
+  }
+
+  Vertex_handle center() const { return m_center; }
+  std::size_t size() const { return m_facets.size(); }
+
+  // The neighbors of the center that follow it in each facet: all, if this is a disk.
+  template <class Function> void for_each_neighbor(const Function& function) const {
+    for (const auto& facet : m_facets)
+      function(facet[0]);
+  }
+
+  bool has_neighbor(std::size_t i, Vertex_handle v) const {
+    return m_facets[i][0] == v || m_facets[i][1] == v;
+  }
+
+  // Facet i with the center at p, counterclockwise seen from the front, p first.
+  std::array<Point, 3> facet(std::size_t i, const Point& p) const {
+    return {p, m_complex.position_near(p, m_facets[i][0]),
+            m_complex.position_near(p, m_facets[i][1])};
+  }
+
+  // Whether the interface is a single sheet here, between the same two labels, that does not end at
+  // the boundary of the domain.
+  bool is_disk() const {
+    if (!m_is_between_two_labels || m_facets.empty())
+      return false;
+    Vertex_handle w = m_facets[0][0];
+    for (std::size_t steps = 1; steps <= size(); ++steps) {
+      const auto next = std::find_if(m_facets.begin(), m_facets.end(),
+                                     [&](const auto& facet) { return facet[0] == w; });
+      if (next == m_facets.end())
+        return false;
+      w = (*next)[1];
+      if (w == m_facets[0][0])
+        return steps == size();
+    }
+    return false;
+  }
+
+  // The neighbors across whose edges the facets bend by more than an angle, in radians.
+  // \pre is_disk()
+  std::vector<Vertex_handle> neighbors_along_features(double angle) const {
+    std::vector<Vertex_handle> result;
+    const Point p = m_complex.position(m_center);
+    for (std::size_t i = 0; i < size(); ++i)
+      for (std::size_t j = 0; j < size(); ++j)
+        if (m_facets[i][1] == m_facets[j][0] &&
+            angle_between(area_vector(facet(i, p)), area_vector(facet(j, p))) > angle)
+          result.push_back(m_facets[j][0]);
+    return result;
+  }
+
+  // In how many directions features hold the center: 1 in a smooth sheet, 2 on a feature that bends
+  // by less than the angle, 3 where features end, meet or turn. \pre is_disk()
+  int rank_by_features(double angle) const {
+    const auto neighbors = neighbors_along_features(angle);
+    if (neighbors.empty())
+      return 1;
+    const bool goes_on = neighbors.size() == 2 &&
+                         angle_between(m_complex.displacement(m_center, neighbors[0]),
+                                       -m_complex.displacement(m_center, neighbors[1])) < angle;
+    return goes_on ? 2 : 3;
+  }
+
+  // Whether no feature goes with the center if it goes to the neighbor w: that it is in a smooth
+  // sheet, or that it goes along a straight feature. \pre is_disk()
+  bool keeps_features(double angle, Vertex_handle w) const {
+    const int rank = rank_by_features(angle);
+    const auto neighbors = neighbors_along_features(angle);
+    return rank == 1 || (rank == 2 && (w == neighbors[0] || w == neighbors[1]));
+  }
+
+private:
+  const Complex& m_complex;
+  Vertex_handle m_center;
+  boost::container::small_vector<std::array<Vertex_handle, 2>, 10> m_facets;
+  typename Complex::Label m_behind = 0, m_in_front = 0;
+  bool m_is_between_two_labels = true;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_FAN_3_H

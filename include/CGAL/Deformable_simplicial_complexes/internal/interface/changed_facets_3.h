@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_CHANGED_FACETS_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_CHANGED_FACETS_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/triangle_quality.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/vectors_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Changed_facets.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_edge_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// What the collapse of the center of a fan into one of its neighbors makes of its facets.
+template <class Complex>
+Changed_facets facets_changed_by_collapse(const Complex& complex,
+                                          const Interface_fan_3<Complex>& fan,
+                                          typename Complex::Vertex_handle kept) {
+  const auto from = complex.position(fan.center()), to = complex.position_near(from, kept);
+  Changed_facets result;
+  for (std::size_t i = 0; i < fan.size(); ++i) {
+    const auto before = fan.facet(i, from);
+    result.worst_before = (std::min)(result.worst_before, triangle_quality(before));
+    if (fan.has_neighbor(i, kept))
+      continue; // it vanishes
+    const auto after = fan.facet(i, to);
+    const bool turns_over = !(area_vector(before) * area_vector(after) > 0);
+    result.worst_after = (std::min)(result.worst_after, turns_over ? 0 : triangle_quality(after));
+    result.swept_volume += std::abs((to - from) * area_vector(before)) / 3;
+  }
+  return result;
+}
+
+// \pre edge.is_in_sheet(), and the proposal is to flip it
+template <class Complex>
+Changed_facets facets_changed_by_flip(const Interface_edge_3<Complex>& edge) {
+  Changed_facets result;
+  for (int i = 0; i < 2; ++i) {
+    result.worst_before = (std::min)(result.worst_before, triangle_quality(edge.facet(i)));
+    result.worst_after = (std::min)(result.worst_after, triangle_quality(edge.flipped_facet(i)));
+  }
+  // Flipped facets have the edge between the opposite corners in opposite directions.
+  if (!(area_vector(edge.flipped_facet(0)) * area_vector(edge.flipped_facet(1)) > 0))
+    result.worst_after = 0;
+  const auto p = edge.flipped_facet(0);
+  result.swept_volume = std::abs((edge.flipped_facet(1)[0] - p[0]) * area_vector(p)) / 3;
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_CHANGED_FACETS_3_H

@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_DIRECTIONS_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_DIRECTIONS_3_H
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Orthogonal directions in which a vertex must not move lest the interface changes: none off the
+// interface, one where it is flat, two where its facets have a line in common. Returns false if the
+// vertex must not move at all. Planes are the same if they are so to seven digits, which is more
+// than what rounding does to moved vertices.
+template <class Complex>
+bool find_blocked_directions(const Complex& complex,
+                             const std::vector<typename Complex::Cell_handle>& star,
+                             typename Complex::Vertex_handle v,
+                             std::vector<typename Complex::Approximate_vector_3>& blocked) {
+  static constexpr double same = 1e-7; // sine of an angle
+  blocked.clear();
+  for (auto c : star)
+    for (int i = 0; i < 4; ++i) {
+      const std::pair<typename Complex::Cell_handle, int> facet(c, i);
+      if (c->vertex(i) == v || !complex.is_interface(facet))
+        continue;
+      const auto w = complex.facet_vertices(facet);
+      auto normal =
+          cross_product(complex.displacement(w[0], w[1]), complex.displacement(w[0], w[2]));
+      const double area = std::sqrt(normal.squared_length());
+      if (!(area > 0))
+        return false;
+      normal = normal / area;
+      for (const auto& direction : blocked)
+        normal = normal - (normal * direction) * direction;
+      const double rest = std::sqrt(normal.squared_length());
+      if (rest <= same)
+        continue;
+      if (blocked.size() == 2)
+        return false;
+      blocked.push_back(normal / rest);
+    }
+  return true;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_DIRECTIONS_3_H

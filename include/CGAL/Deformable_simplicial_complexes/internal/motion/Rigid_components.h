@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_RIGID_COMPONENTS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_RIGID_COMPONENTS_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
+
+#include <CGAL/Origin.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Tells which parts of the interface stay or move as a whole in a deformation, and so keep their
+// facets.
+template <class Complex> class Rigid_components
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Position = typename Complex::Approximate_point;
+
+  Rigid_components(const Complex& complex, const Destinations<Complex>& destinations)
+      : m_complex(complex), m_destinations(destinations) {}
+
+  bool has_moved(Vertex_handle v) const { return v->is_interface() && m_destinations.had(v); }
+
+  // Whether a cell has vertices on the interface, none of which moved.
+  bool has_stayed(Cell_handle c) const {
+    bool result = false;
+    for (int i = 0; i < Complex::corners; ++i) {
+      if (has_moved(c->vertex(i)))
+        return false;
+      result = result || c->vertex(i)->is_interface();
+    }
+    return result;
+  }
+
+  // Whether all vertices of a cell are on the interface and are as far from each other as they were
+  // before the motion.
+  bool has_moved_as_a_whole(Cell_handle c) const {
+    return number_of_rigid_vertices(c, now()) == Complex::corners;
+  }
+
+  // Whether they will be so in the end.
+  bool moves_as_a_whole(Cell_handle c) const {
+    return number_of_rigid_vertices(c, [&](Vertex_handle v) {
+             return m_destinations.final_position(v);
+           }) == Complex::corners;
+  }
+
+  // Whether the part of the interface that a cell touches has moved as a whole: the vertices of the
+  // cell, or, around a single one, those next to it.
+  bool touches_rigid_part(Cell_handle c) const {
+    const int number = number_of_rigid_vertices(c, now());
+    if (number != 1)
+      return number > 1;
+    int i = 0;
+    while (!c->vertex(i)->is_interface())
+      ++i;
+    return moves_with_neighbors(c->vertex(i));
+  }
+
+private:
+  auto now() const {
+    return [this](Vertex_handle v) { return m_complex.position(v); };
+  }
+
+  // The number of vertices of a cell on the interface if they move as a whole, else -1.
+  template <class Position_of>
+  int number_of_rigid_vertices(Cell_handle c, const Position_of& position) const {
+    int number = 0;
+    for (int i = 0; i < Complex::corners; ++i) {
+      if (!c->vertex(i)->is_interface())
+        continue;
+      ++number;
+      for (int j = 0; j < i; ++j)
+        if (c->vertex(j)->is_interface() && !are_as_far(c->vertex(i), c->vertex(j), position))
+          return -1;
+    }
+    return number;
+  }
+
+  bool moves_with_neighbors(Vertex_handle v) const {
+    m_complex.star(v, m_star);
+    return std::all_of(m_star.begin(), m_star.end(), [&](Cell_handle c) {
+      for (int i = 0; i < Complex::corners; ++i)
+        if (c->vertex(i)->is_interface() && !are_as_far(v, c->vertex(i), now()))
+          return false;
+      return true;
+    });
+  }
+
+  // Whether two vertices at their positions are as far from each other as before the motion, but
+  // for what coordinates are rounded by.
+  template <class Position_of>
+  bool are_as_far(Vertex_handle v, Vertex_handle w, const Position_of& position) const {
+    static constexpr double same = 1e-6, precision = 1e-15;
+    const Position p = position(v);
+    const double rounding = precision * precision * (p - CGAL::ORIGIN).squared_length();
+    const auto squared_distance = [&](const Position& a, const Position& b) {
+      return (a - m_complex.domain().near(a, b)).squared_length();
+    };
+    const double before = squared_distance(m_destinations.position_before(v),
+                                           m_destinations.position_before(w)),
+                 after = squared_distance(p, position(w));
+    return std::abs(after - before) <= same * before + rounding / same;
+  }
+
+  const Complex& m_complex;
+  const Destinations<Complex>& m_destinations;
+  mutable std::vector<Cell_handle> m_star;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_RIGID_COMPONENTS_H

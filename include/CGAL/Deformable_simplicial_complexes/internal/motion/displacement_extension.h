@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_DISPLACEMENT_EXTENSION_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_DISPLACEMENT_EXTENSION_H
+
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Harmonic_extension.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/motion_by_flow.h>
+
+#include <CGAL/Origin.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+/*
+How free vertices go while the interface does: where the flow of space is known, they follow it, and
+deviate from it only as interface and boundary do; elsewhere they follow the interface and those.
+
+`way(v)` is what a vertex of the interface has before it, and nothing for those of the boundary;
+`flow(v)` where any vertex is taken by the flow, if that is known; the longest way is known.
+*/
+template <class Complex, class Way, class Flow>
+std::vector<typename Complex::Approximate_vector>
+displacement_extension(const Complex& complex,
+                       const std::vector<typename Complex::Vertex_handle>& free, const Way& way,
+                       const Flow& flow, double longest, const For_each_index& for_each_index) {
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Vector = typename Complex::Approximate_vector;
+  static constexpr double part = 1e-6; // of the longest way: differences below count as none
+  const double negligible = part * longest;
+  if (auto followed = motion_by_flow(complex, free, way, flow, longest, negligible))
+    return *std::move(followed);
+  std::vector<Vertex_handle> guided, others;
+  std::vector<Vector> flows; // of guided ones
+  for (Vertex_handle v : free)
+    if (const std::optional<Vector> known = flow(v)) {
+      guided.push_back(v);
+      flows.push_back(*known);
+    } else {
+      others.push_back(v);
+    }
+  const auto is_free = [](Vertex_handle v, const std::vector<Vertex_handle>& list) {
+    return std::binary_search(list.begin(), list.end(), v, Less_time_stamp());
+  };
+  const Harmonic_extension<Complex> to_others(
+      complex, others, [&](Vertex_handle v) { return is_free(v, guided) ? *flow(v) : way(v); },
+      for_each_index);
+  const Harmonic_extension<Complex> to_guided(
+      complex, guided,
+      [&](Vertex_handle v) {
+        const std::optional<Vector> known = flow(v);
+        if (!known || is_free(v, others))
+          return Vector(CGAL::NULL_VECTOR);
+        const Vector d = way(v) - *known;
+        return d.squared_length() < negligible * negligible ? Vector(CGAL::NULL_VECTOR) : d;
+      },
+      for_each_index);
+  const std::vector<Vector> of_others = to_others.solve(), deviations = to_guided.solve();
+  std::vector<Vector> result;
+  std::size_t g = 0, o = 0;
+  for (Vertex_handle v : free)
+    if (g < guided.size() && guided[g] == v) {
+      result.push_back(flows[g] + deviations[g]);
+      ++g;
+    } else {
+      result.push_back(of_others[o++]);
+    }
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_DISPLACEMENT_EXTENSION_H

@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_INTERFACE_IMPROVER_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_INTERFACE_IMPROVER_H
+
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_unit.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_improver_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_improver_3.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+/*
+An `Interface_remesher` with the operations of one dimension:
+
+- `reconnect()`: joins the vertices of the interface by other facets
+- `split_junctions()`: splits vertices where too many phases meet
+*/
+template <class Complex>
+using Interface_improver =
+    std::conditional_t<Complex::dimension == 2, Interface_improver_2<Complex>,
+                       Interface_improver_3<Complex>>;
+
+// Improves the interface as `improve_interface()` does, with parameters that have been read.
+template <class Complex>
+Improvement_report remesh_interface(Complex& dsc, const Interface_thresholds& thresholds,
+                                    const Edge_unit<Complex>& unit, unsigned iterations,
+                                    Any_visitor<Complex>& visitor) {
+  const Progress_phase phase("improving the interface");
+  Interface_improver<Complex> improver(dsc, visitor, thresholds, unit);
+  for (unsigned i = 0; i < iterations; ++i) {
+    if (thresholds.splits_junctions)
+      improver.split_junctions();
+    improver.split_long_edges();
+    improver.collapse_short_edges();
+    improver.reconnect();
+    improver.smooth_vertices();
+    improver.improve_cells();
+  }
+  return improver.report();
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_INTERFACE_IMPROVER_H

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_PATCH_IMPROVER_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_PATCH_IMPROVER_2_H
+
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// In the plane, flips lead from any triangulation of points to any other: nothing is to be
+// disturbed.
+template <class Complex> class Patch_improver_2
+{
+public:
+  Patch_improver_2(Complex&, Any_visitor<Complex>&, double, unsigned, const For_each_index&) {}
+  void run() {}
+  Improvement_report report() const { return {}; }
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_PATCH_IMPROVER_2_H

@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_SURFACE_COMPONENTS_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_SURFACE_COMPONENTS_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/Soup_regions_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/Triangle_soup_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/soup_intersections_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/soup_rays_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <queue>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The parts of a surface: triangles that are connected through edges of two triangles. The closed
+// ones are oriented: outwards or, where they are cavities, inwards. A cavity has an odd number of
+// closed parts around it that it does not cross. Triangles must have an area.
+class Surface_components_3
+{
+public:
+  explicit Surface_components_3(const Triangle_soup_3& input) : m_soup(merge_points(input)) {
+    connect();
+    find_closed_parts();
+    find_crossings();
+    orient_closed_parts();
+  }
+
+  // Its triangles are those of the input.
+  const Triangle_soup_3& oriented_soup() const { return m_soup; }
+
+  std::size_t of(std::size_t triangle) const { return m_parts[triangle]; }
+
+  // A part bounds a solid: it can be oriented, and its edges cancel.
+  bool is_closed(std::size_t part) const { return m_is_closed[part]; }
+
+  std::size_t number_of_crossing_pairs() const { return m_crossing_pairs; } // of triangles
+
+  // Those that cross others or themselves.
+  std::size_t number_of_crossing_parts() const {
+    std::set<std::size_t> parts;
+    for (const auto& pair : m_crossings)
+      parts.insert({pair.first, pair.second});
+    return parts.size();
+  }
+
+private:
+  // The corners a and b of a triangle, one after the other, in its order: true if a is before b.
+  bool runs_forward(const Triangle_side& side) const {
+    const Triangle_indices& t = m_soup.triangles[side.triangle];
+    const std::size_t i = std::find(t.begin(), t.end(), side.vertices[0]) - t.begin();
+    return t[(i + 1) % 3] == side.vertices[1];
+  }
+
+  // Numbers parts, and gives neighbors the same orientation where that is possible.
+  void connect() {
+    m_sides = sorted_sides(m_soup.triangles);
+    std::vector<std::vector<Neighbor>> neighbors(m_soup.triangles.size());
+    for (auto side = m_sides.cbegin(); side != m_sides.cend();) {
+      const auto end = end_of_edge(side, m_sides.cend());
+      if (end - side == 2) {
+        const bool agrees = runs_forward(side[0]) != runs_forward(side[1]);
+        neighbors[side[0].triangle].push_back({side[1].triangle, agrees});
+        neighbors[side[1].triangle].push_back({side[0].triangle, agrees});
+      }
+      side = end;
+    }
+    static constexpr std::size_t unknown = std::size_t(-1);
+    m_parts.assign(m_soup.triangles.size(), unknown);
+    std::vector<char> is_turned(m_soup.triangles.size(), 0);
+    for (std::size_t first = 0; first < m_parts.size(); ++first) {
+      if (m_parts[first] != unknown)
+        continue;
+      std::queue<std::size_t> queue;
+      m_parts[first] = m_first_triangles.size();
+      for (queue.push(first); !queue.empty(); queue.pop())
+        for (const Neighbor& n : neighbors[queue.front()])
+          if (m_parts[n.triangle] == unknown) {
+            m_parts[n.triangle] = m_first_triangles.size();
+            is_turned[n.triangle] = is_turned[queue.front()] != !n.agrees;
+            queue.push(n.triangle);
+          }
+      m_first_triangles.push_back(first);
+    }
+    for (std::size_t t = 0; t < is_turned.size(); ++t)
+      if (is_turned[t])
+        turn(t);
+  }
+
+  void turn(std::size_t t) { std::swap(m_soup.triangles[t][1], m_soup.triangles[t][2]); }
+
+  // In each edge, as many triangles of the part run forward as backward.
+  void find_closed_parts() {
+    m_is_closed.assign(m_first_triangles.size(), 1);
+    for (auto side = m_sides.cbegin(); side != m_sides.cend();) {
+      const auto end = end_of_edge(side, m_sides.cend());
+      std::map<std::size_t, int> sums;
+      for (; side != end; ++side)
+        sums[m_parts[side->triangle]] += runs_forward(*side) ? 1 : -1;
+      for (const auto& [part, sum] : sums)
+        if (sum != 0)
+          m_is_closed[part] = 0;
+    }
+  }
+
+  void find_crossings() {
+    const auto pairs = crossing_triangles(m_soup);
+    m_crossing_pairs = pairs.size();
+    for (const auto& [s, t] : pairs)
+      m_crossings.insert(std::minmax(m_parts[s], m_parts[t]));
+  }
+
+  void orient_closed_parts() {
+    const std::vector<int> depths = depths_of_parts();
+    std::vector<double> volumes(m_first_triangles.size(), 0); // six times
+    for (std::size_t t = 0; t < m_parts.size(); ++t)
+      volumes[m_parts[t]] += cone(t);
+    for (std::size_t t = 0; t < m_parts.size(); ++t) {
+      const std::size_t part = m_parts[t];
+      if (m_is_closed[part] && (volumes[part] < 0) != (depths[part] % 2 == 1))
+        turn(t);
+    }
+  }
+
+  // Six times the volume between a triangle and a point of its part, where there is less rounding
+  // than far from it.
+  double cone(std::size_t t) const {
+    const Coordinates_3& o = m_soup.points[m_soup.triangles[m_first_triangles[m_parts[t]]][0]];
+    std::array<Coordinates_3, 3> p;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        p[i][axis] = m_soup.points[m_soup.triangles[t][i]][axis] - o[axis];
+    return p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) +
+           p[0][1] * (p[1][2] * p[2][0] - p[1][0] * p[2][2]) +
+           p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0]);
+  }
+
+  // The number of closed parts around each part that it does not cross.
+  std::vector<int> depths_of_parts() const {
+    const std::vector<Soup_ray_3> rays = shoot_rays(m_soup, m_first_triangles);
+    std::vector<int> depths(rays.size(), 0);
+    for (std::size_t part = 0; part < rays.size(); ++part) {
+      std::map<std::size_t, int> crossed; // how often each part is
+      for (const Ray_crossing_3& crossing : rays[part].crossings)
+        ++crossed[m_parts[crossing.triangle]];
+      for (const auto& [other, times] : crossed)
+        depths[part] += other != part && times % 2 == 1 && m_is_closed[other] &&
+                        m_crossings.count(std::minmax(part, other)) == 0;
+    }
+    return depths;
+  }
+
+  struct Neighbor
+  {
+    std::size_t triangle;
+    bool agrees; // in the orientation
+  };
+
+  Triangle_soup_3 m_soup;
+  std::vector<Triangle_side> m_sides;
+  std::vector<std::size_t> m_parts;           // of triangles
+  std::vector<std::size_t> m_first_triangles; // of parts
+  std::vector<char> m_is_closed;
+  std::set<std::pair<std::size_t, std::size_t>> m_crossings; // of parts
+  std::size_t m_crossing_pairs = 0;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_SURFACE_COMPONENTS_3_H

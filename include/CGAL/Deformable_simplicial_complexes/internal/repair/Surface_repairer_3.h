@@ -1,0 +1,422 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_SURFACE_REPAIRER_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_SURFACE_REPAIRER_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/Surface_repair_options_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Surface_repair_report_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/check_surfaces_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/refuse_surface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parameters/repair_options.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/repair/clean_soup_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/repair/distance_of_samples_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/repair/remove_fins_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/repair/split_at_t_junctions_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/repair/stopping_visitors_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/repair/unite_components_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/Triangle_soup_3.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/alpha_wrap_3.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/iterator.h>
+#include <CGAL/version.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <functional>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Makes a soup bound a solid by steps that change more and more; ends as soon as it does.
+class Surface_repairer_3
+{
+public:
+  Surface_repairer_3(Triangle_soup_3 input, const Surface_repair_options_3& options)
+      : m_options(options), m_input(std::move(input)), m_soup(m_input) {
+    check_options(options);
+  }
+
+  // Throws Invalid_surface_error if nothing helps.
+  void run() {
+    check_numbers(m_soup, 0);
+    if (m_options.merge_distance == 0 && !flaw())
+      return;
+    prepare();
+    merge_near_vertices();
+    if (!flaw()) {
+      measure();
+      return;
+    }
+    using Step = void (Surface_repairer_3::*)();
+    for (Step step :
+         {&Surface_repairer_3::clean, &Surface_repairer_3::stitch,
+          &Surface_repairer_3::split_at_t_junctions, &Surface_repairer_3::remove_fins,
+          &Surface_repairer_3::fill_holes, &Surface_repairer_3::unite, &Surface_repairer_3::wrap}) {
+      attempt(step);
+      if (!flaw()) {
+        measure();
+        return;
+      }
+    }
+    throw *flaw();
+  }
+
+  // The wrap alone, even if the soup bounds a solid. Throws Invalid_surface_error if there is none.
+  void run_wrap() {
+    check_numbers(m_soup, 0);
+    prepare();
+    attempt(&Surface_repairer_3::wrap);
+    if (const auto error = flaw())
+      throw *error;
+    if (!m_report.is_wrapped)
+      throw Error("the surface cannot be wrapped: remove its finest details");
+    measure();
+  }
+
+  const Triangle_soup_3& soup() const { return m_soup; }
+  const Surface_repair_report_3& report() const { return m_report; }
+
+private:
+  using Point = Predicates_kernel::Point_3;
+  using Mesh = Surface_mesh<Point>;
+  using Halfedge = Mesh::Halfedge_index;
+
+  static constexpr double farthest = 2; // mean edges: what is left out does not stand out more
+
+  // A step that CGAL cannot do is left out.
+  void attempt(void (Surface_repairer_3::*step)()) {
+    const Triangle_soup_3 soup = m_soup;
+    const Surface_repair_report_3 report = m_report;
+    try {
+      (this->*step)();
+      if (!m_soup.triangles.empty())
+        return;
+    } catch (const Failure_exception&) {
+    }
+    m_soup = soup;
+    m_report = report;
+  }
+
+  // Squares and reciprocals of lengths are numbers then.
+  void prepare() {
+    static constexpr double least = 1e-30, largest = 1e30; // mean edges
+    m_report.mean_edge = mean_side(m_soup);
+    if (m_report.mean_edge == 0)
+      throw *flaw();
+    if (!(m_report.mean_edge >= least && diagonal(m_soup) <= largest))
+      throw Error("the surface is too small or too large to be repaired: scale it to edges of more "
+                  "than 1e-30 and an extent of less than 1e30");
+  }
+
+  // What is wrong with the soup as it is.
+  std::optional<Invalid_surface_error> flaw() const {
+    try {
+      check_surfaces({m_soup});
+      return std::nullopt;
+    } catch (const Invalid_surface_error& error) {
+      return error;
+    }
+  }
+
+  void merge_equal_points() {
+    m_soup = merge_points(m_soup);
+    m_report.degenerate_triangles += remove_collapsed_triangles(m_soup);
+    m_report.repeated_triangles += remove_repeated_triangles(m_soup);
+  }
+
+  void merge_near_vertices() {
+    if (m_options.merge_distance == 0)
+      return;
+    m_soup = merge_points(m_soup);
+    m_report.merged_points = merge_near_points(
+        m_soup, m_options.merge_distance * m_report.mean_edge, Merged_points::ALL);
+    if (m_report.merged_points > 0)
+      merge_equal_points();
+  }
+
+  void clean() {
+    const std::size_t before = m_soup.points.size();
+    merge_equal_points();
+    m_report.merged_points += before - m_soup.points.size();
+    remove_flat_triangles();
+  }
+
+  // Triangles with three corners on a line: their neighbors are joined along it.
+  void remove_flat_triangles() {
+    const auto is_flat = [this](std::size_t t) {
+      return exact_triangle(m_soup, t).is_degenerate();
+    };
+    std::size_t number = 0;
+    for (std::size_t t = 0; t < m_soup.triangles.size(); ++t)
+      number += is_flat(t);
+    if (number == 0)
+      return;
+    Mesh mesh = oriented_mesh();
+    Polygon_mesh_processing::remove_degenerate_faces(mesh);
+    take(mesh);
+    m_report.degenerate_triangles += number;
+  }
+
+  // Borders that are a thousandth of an edge apart were one before coordinates were rounded.
+  void stitch() {
+    static constexpr double distance = 1e-3; // in mean edges
+    m_report.stitched_points =
+        merge_near_points(m_soup, distance * m_report.mean_edge, Merged_points::OF_OPEN_EDGES);
+    if (m_report.stitched_points > 0)
+      merge_equal_points();
+  }
+
+  // What is left open has vertices of one side on edges of the other.
+  void split_at_t_junctions() {
+    m_report.split_edges = T_junction_splitter_3(m_soup).run();
+    if (m_report.split_edges > 0)
+      merge_equal_points();
+  }
+
+  // All or nothing: they go if what they are attached to is closed and they do not stand out far.
+  void remove_fins() {
+    const Triangle_soup_3 before = merge_points(m_soup);
+    m_soup.points = before.points;
+    m_soup.triangles = triangles_without_fins(before);
+    const std::size_t removed = before.triangles.size() - m_soup.triangles.size();
+    if (removed > 0 && !m_soup.triangles.empty() && open_edges().empty() &&
+        distance_of_samples(before, m_soup, m_report.mean_edge) <= farthest * m_report.mean_edge)
+      m_report.removed_triangles += removed;
+    else
+      m_soup = before;
+  }
+
+  void fill_holes() {
+    const Progress_phase phase("filling holes of a surface");
+    const std::set<std::array<Coordinates_3, 2>> open = open_edges();
+    if (open.empty())
+      return;
+    Mesh mesh = oriented_mesh();
+    std::vector<Halfedge> cycles, holes; // where the mesh was cut there is none
+    Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(cycles));
+    for (Halfedge h : cycles) {
+      const auto around = halfedges_around_face(h, mesh);
+      if (std::any_of(around.begin(), around.end(), [&](Halfedge side) {
+            return open.count(edge(coordinates(mesh.point(source(side, mesh))),
+                                   coordinates(mesh.point(target(side, mesh))))) > 0;
+          }))
+        holes.push_back(h);
+    }
+    refuse_sheets(mesh, holes);
+    for (Halfedge h : holes) {
+      Progress_scope::check();
+      if (!is_border(h, mesh))
+        continue;
+      const auto faces = mesh.number_of_faces();
+      fill_hole(mesh, h);
+      m_report.filled_holes += mesh.number_of_faces() > faces;
+    }
+    take(mesh);
+  }
+
+  static void fill_hole(Mesh& mesh, Halfedge h) {
+    const auto np = CGAL::parameters::visitor(Stopping_hole_visitor());
+#if CGAL_VERSION_NR >= 1060000000
+    Polygon_mesh_processing::triangulate_hole(mesh, h, np);
+#else
+    Polygon_mesh_processing::triangulate_hole(mesh, h, Emptyset_iterator(), np);
+#endif
+  }
+
+  // Parts with a border that is too long beside their extent.
+  void refuse_sheets(Mesh& mesh, const std::vector<Halfedge>& holes) const {
+    const auto parts = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part", 0).first;
+    std::vector<Bbox_3> boxes(Polygon_mesh_processing::connected_components(mesh, parts));
+    for (const auto f : mesh.faces())
+      for (const auto v : vertices_around_face(mesh.halfedge(f), mesh))
+        boxes[parts[f]] += mesh.point(v).bbox();
+    for (Halfedge h : holes) {
+      double length = 0;
+      for (Halfedge side : halfedges_around_face(h, mesh))
+        length += std::sqrt(
+            squared_distance(mesh.point(source(side, mesh)), mesh.point(target(side, mesh))));
+      const double extent = diagonal(boxes[parts[mesh.face(mesh.opposite(h))]]);
+      if (length > m_options.largest_hole * extent || length > m_options.longest_border)
+        refuse_sheet(length, (std::min)(m_options.largest_hole * extent, m_options.longest_border));
+    }
+  }
+
+  [[noreturn]] void refuse_sheet(double length, double longest) const {
+    const Invalid_surface_error error = *flaw();
+    throw Invalid_surface_error(error.reason(),
+                                "surface 0 bounds nothing: it has a hole with a border of length " +
+                                    text_of(length) + ", and only holes with borders of up to " +
+                                    text_of(longest) + " are filled there",
+                                0, error.facets(), error.vertices());
+  }
+
+  static std::string text_of(double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", number);
+    return text;
+  }
+
+  // What is inside the united parts counts as input no more.
+  void unite() {
+    const Progress_phase phase("uniting parts of a surface");
+    Triangle_soup_3 soup = merge_points(m_soup);
+    const std::size_t flat = remove_flat(soup);
+    const std::optional<United_surface_3> united = unite_components(soup);
+    if (!united || distance_of_samples(united->sheets, united->soup, m_report.mean_edge) >
+                       farthest * m_report.mean_edge)
+      return;
+    measure();
+    m_report.degenerate_triangles += flat;
+    m_report.crossing_pairs = united->crossing_pairs;
+    m_report.united_parts = united->crossing_parts;
+    m_report.removed_triangles += united->removed_triangles;
+    m_input = m_soup = united->soup;
+    append(m_input, united->sheets);
+    merge_rounded_points();
+  }
+
+  // Rounded points of intersection may nearly coincide with others: tetrahedralizers fail then.
+  void merge_rounded_points() {
+    static constexpr double distance = 1e-9; // in mean edges
+    const Triangle_soup_3 soup = m_soup;
+    const Surface_repair_report_3 report = m_report;
+    if (merge_near_points(m_soup, distance * m_report.mean_edge, Merged_points::ALL) == 0)
+      return;
+    merge_equal_points();
+    if (flaw())
+      m_soup = soup;
+    m_report = report;
+  }
+
+  static std::size_t remove_flat(Triangle_soup_3& soup) {
+    const std::size_t before = soup.triangles.size();
+    std::vector<Triangle_indices> kept;
+    for (std::size_t t = 0; t < before; ++t)
+      if (!exact_triangle(soup, t).is_degenerate())
+        kept.push_back(soup.triangles[t]);
+    soup.triangles = std::move(kept);
+    return before - soup.triangles.size();
+  }
+
+  void wrap() {
+    if (m_options.wrap_alpha == 0)
+      return;
+    const Progress_phase phase("wrapping a surface");
+    static constexpr double finest = 1e-3; // in diagonals: millions of triangles
+    m_report.alpha =
+        (std::max)(m_options.wrap_alpha * m_report.mean_edge, finest * diagonal(m_soup));
+    m_report.offset = m_options.wrap_offset * m_report.mean_edge;
+    static constexpr double largest = 1e6; // diagonals: CGAL fails with numbers that are too large
+    if (!((std::max)(m_report.alpha, m_report.offset) <= largest * diagonal(m_soup)) ||
+        !(m_report.offset > 0))
+      throw Error("the alpha or the offset of the wrap is out of range: use about 1 and 0.1");
+    std::vector<Point> points;
+    for (const Coordinates_3& p : m_soup.points)
+      points.push_back(exact_point(p));
+    Mesh mesh;
+    Stopping_wrap_visitor visitor;
+    alpha_wrap_3(points, m_soup.triangles, m_report.alpha, m_report.offset, mesh,
+                 CGAL::parameters::default_values(), CGAL::parameters::visitor(std::ref(visitor)));
+    take(mesh);
+    m_report.is_wrapped = true;
+  }
+
+  // Distances of the steps before and after parts are united add up.
+  void measure() {
+    static constexpr double spacing = .5; // of samples, in mean edges
+    const double s = spacing * m_report.mean_edge;
+    m_report.distance_from_input += distance_of_samples(m_input, m_soup, s);
+    m_report.distance_to_input += distance_of_samples(m_soup, m_input, s);
+  }
+
+  static std::array<Coordinates_3, 2> edge(const Coordinates_3& a, const Coordinates_3& b) {
+    return a < b ? std::array<Coordinates_3, 2>{a, b} : std::array<Coordinates_3, 2>{b, a};
+  }
+
+  // Edges of a single triangle.
+  std::set<std::array<Coordinates_3, 2>> open_edges() const {
+    std::set<std::array<Coordinates_3, 2>> result;
+    const auto sides = sorted_sides(m_soup.triangles);
+    for (auto side = sides.begin(); side != sides.end();) {
+      const auto end = end_of_edge(side, sides.end());
+      if (end - side == 1)
+        result.insert(edge(m_soup.points[side->vertices[0]], m_soup.points[side->vertices[1]]));
+      side = end;
+    }
+    return result;
+  }
+
+  static double diagonal(const Bbox_3& box) {
+    return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+  }
+
+  // Of the points that are in triangles.
+  static double diagonal(const Triangle_soup_3& soup) {
+    Bbox_3 box;
+    for (const Triangle_indices& t : soup.triangles)
+      for (std::size_t v : t)
+        box += exact_point(soup.points[v]).bbox();
+    return diagonal(box);
+  }
+
+  // Cut along edges with other than two triangles, and where triangles cannot be turned alike.
+  Mesh oriented_mesh() const {
+    std::vector<Point> points;
+    for (const Coordinates_3& p : m_soup.points)
+      points.push_back(exact_point(p));
+    auto triangles = m_soup.triangles;
+    Polygon_mesh_processing::orient_polygon_soup(points, triangles);
+    Mesh mesh;
+    Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, triangles, mesh);
+    Polygon_mesh_processing::stitch_borders(mesh);
+    return mesh;
+  }
+
+  void take(const Mesh& mesh) {
+    std::vector<Point> points;
+    std::vector<Triangle_indices> triangles;
+    Polygon_mesh_processing::polygon_mesh_to_polygon_soup(mesh, points, triangles);
+    m_soup.points.clear();
+    for (const Point& p : points)
+      m_soup.points.push_back(coordinates(p));
+    m_soup.triangles = std::move(triangles);
+    m_soup = merge_points(m_soup);
+  }
+
+  Surface_repair_options_3 m_options;
+  Triangle_soup_3 m_input, m_soup;
+  Surface_repair_report_3 m_report;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_SURFACE_REPAIRER_3_H

@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_UNITE_COMPONENTS_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_UNITE_COMPONENTS_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/repair/Surface_components_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/Soup_regions_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/Triangle_soup_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/split_at_crossings_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// A triangle with two sides, and how often it is there: less those of opposite orientation.
+struct Counted_triangles_3
+{
+  Triangle_soup_3 soup; // no two triangles have the same corners
+  std::vector<int> multiplicities;
+  std::vector<char> is_of_closed_parts;
+  std::vector<std::size_t> of_pieces; // the triangle that each piece of a split soup became
+};
+
+// The number of transpositions that sort the corners is even.
+inline bool is_even_permutation(const Triangle_indices& t) {
+  return (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]) == 2;
+}
+
+inline Counted_triangles_3 count_triangles(const Split_soup_3& split,
+                                           const Surface_components_3& parts) {
+  Counted_triangles_3 counted;
+  counted.soup.points = split.points;
+  std::map<Triangle_indices, std::size_t> known;
+  for (std::size_t t = 0; t < split.triangles.size(); ++t) {
+    Triangle_indices corners = split.triangles[t];
+    std::sort(corners.begin(), corners.end());
+    const auto [place, is_new] = known.emplace(corners, counted.soup.triangles.size());
+    if (is_new) {
+      counted.soup.triangles.push_back(split.triangles[t]);
+      counted.multiplicities.push_back(0);
+      counted.is_of_closed_parts.push_back(0);
+    }
+    const std::size_t i = place->second;
+    counted.of_pieces.push_back(i);
+    if (!parts.is_closed(parts.of(split.origins[t])))
+      continue;
+    counted.is_of_closed_parts[i] = 1;
+    counted.multiplicities[i] +=
+        is_even_permutation(split.triangles[t]) == is_even_permutation(counted.soup.triangles[i])
+            ? 1
+            : -1;
+  }
+  return counted;
+}
+
+// Which regions are inside the solid: those that are enclosed more than zero times if what divides
+// regions are closed parts, else those that an odd number of nested components enclose.
+inline std::vector<char> solid_regions(const Soup_regions_3& regions,
+                                       const Counted_triangles_3& triangles) {
+  std::vector<char> result(regions.size());
+  bool has_walls = false; // of parts that are not closed
+  for (std::size_t t = 0; t < triangles.soup.triangles.size(); ++t)
+    has_walls |= !triangles.is_of_closed_parts[t] && regions.in_front_of(t) != regions.behind(t);
+  const auto numbers = regions.winding_numbers(triangles.multiplicities);
+  for (std::size_t r = 0; r < regions.size(); ++r)
+    result[r] = has_walls || !numbers ? regions.depths()[r] % 2 == 1 : (*numbers)[r] > 0;
+  return result;
+}
+
+struct United_surface_3
+{
+  Triangle_soup_3 soup;          // corners are counterclockwise as seen from outside
+  Triangle_soup_3 sheets;        // outside the solid, with the outside on both sides: left out
+  std::size_t crossing_pairs;    // of triangles
+  std::size_t crossing_parts;    // that crossed others or themselves
+  std::size_t removed_triangles; // of the input, of which nothing is left
+};
+
+// The triangles between the solid and the outside, and those that have the outside on both sides.
+inline United_surface_3 boundary_of_solid(const Split_soup_3& split,
+                                          const Counted_triangles_3& triangles,
+                                          std::size_t size_of_input) {
+  const Triangle_soup_3& all = triangles.soup;
+  const Soup_regions_3 regions(all);
+  const std::vector<char> is_solid = solid_regions(regions, triangles);
+  United_surface_3 result = {{all.points, {}}, {all.points, {}}, 0, 0, size_of_input};
+  std::vector<char> is_kept(all.triangles.size(), 0);
+  for (std::size_t t = 0; t < all.triangles.size(); ++t) {
+    Triangle_indices v = all.triangles[t];
+    const bool front = is_solid[regions.in_front_of(t)], back = is_solid[regions.behind(t)];
+    if (front)
+      std::swap(v[1], v[2]);
+    is_kept[t] = front != back;
+    if (is_kept[t])
+      result.soup.triangles.push_back(v);
+    else if (!front && !triangles.is_of_closed_parts[t])
+      result.sheets.triangles.push_back(v);
+  }
+  std::vector<char> is_left(size_of_input, 0);
+  for (std::size_t piece = 0; piece < split.origins.size(); ++piece)
+    if (is_kept[triangles.of_pieces[piece]] && !std::exchange(is_left[split.origins[piece]], 1))
+      --result.removed_triangles;
+  result.soup = merge_points(result.soup);
+  return result;
+}
+
+// Makes one solid of parts that cross each other or themselves, and removes all triangles that do
+// not bound it. A closed part is a solid or, if an odd number of parts that it does not cross is
+// around it, a cavity. A point is in the result if more solids than cavities enclose it. Where
+// triangles that belong to no closed part divide space, such as walls inside a solid, everything
+// that they enclose is in the result, except nested cavities. Triangles must have an area.
+//
+// The result meets itself in common vertices and edges only; an even number of triangles is in each
+// edge. Returns nothing if there is no such solid.
+inline std::optional<United_surface_3> unite_components(const Triangle_soup_3& input) {
+  const Surface_components_3 parts(input);
+  const std::optional<Split_soup_3> split = split_at_crossings(parts.oriented_soup());
+  if (!split)
+    return std::nullopt;
+  United_surface_3 result =
+      boundary_of_solid(*split, count_triangles(*split, parts), input.triangles.size());
+  if (result.soup.triangles.empty())
+    return std::nullopt;
+  result.crossing_pairs = parts.number_of_crossing_pairs();
+  result.crossing_parts = parts.number_of_crossing_parts();
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_UNITE_COMPONENTS_3_H

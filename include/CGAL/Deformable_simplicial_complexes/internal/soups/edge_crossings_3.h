@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_SOUPS_EDGE_CROSSINGS_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_SOUPS_EDGE_CROSSINGS_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/Triangle_soup_3.h>
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Orders the triangles at an edge as they follow each other around it, beginning with one of them.
+// Exact. No two may overlap.
+class Less_around_edge_3
+{
+public:
+  Less_around_edge_3(const Triangle_soup_3& soup, const Triangle_side& first)
+      : m_soup(soup), m_first(first) {}
+
+  bool operator()(const Triangle_side& a, const Triangle_side& b) const {
+    const int part_of_a = part(a), part_of_b = part(b);
+    return part_of_a != part_of_b ? part_of_a < part_of_b : turn(a, b) == POSITIVE;
+  }
+
+private:
+  // The turn is split into where it begins, its first half, the middle, and its second half.
+  int part(const Triangle_side& side) const {
+    if (side.triangle == m_first.triangle)
+      return 0;
+    const Orientation o = turn(m_first, side);
+    return o == POSITIVE ? 1 : o == COPLANAR ? 2 : 3;
+  }
+
+  Orientation turn(const Triangle_side& a, const Triangle_side& b) const {
+    return orientation(point(m_first.vertices[0]), point(m_first.vertices[1]),
+                       point(a.opposite_vertex), point(b.opposite_vertex));
+  }
+
+  Predicates_kernel::Point_3 point(std::size_t i) const { return exact_point(m_soup.points[i]); }
+
+  const Triangle_soup_3& m_soup;
+  Triangle_side m_first;
+};
+
+// Pairs of triangles of different surfaces that cross in a common edge, the smaller index first;
+// sorted. Triangles may meet only in common vertices and edges, each surface having an even number
+// of them in each edge.
+//
+// Surfaces touch in an edge, and do not cross, if neighbors of the same surface can be taken away
+// from the circle of triangles around it until none is left, as with brackets.
+inline std::vector<std::pair<std::size_t, std::size_t>>
+crossings_at_edges(const Joined_soup_3& soup) {
+  const auto surface = [&soup](const Triangle_side& side) {
+    return soup.triangle_origins[side.triangle].surface;
+  };
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  std::vector<Triangle_side> sides = sorted_sides(soup.triangles), unmatched;
+  for (auto side = sides.begin(); side != sides.end();) {
+    const auto end = sides.begin() + (end_of_edge(side, sides.end()) - sides.cbegin());
+    if (surface(*side) != surface(*(end - 1))) {
+      std::sort(side, end, Less_around_edge_3(soup, *side));
+      unmatched.clear();
+      for (; side != end; ++side)
+        if (!unmatched.empty() && surface(unmatched.back()) == surface(*side))
+          unmatched.pop_back();
+        else
+          unmatched.push_back(*side);
+      auto first = unmatched.begin(), last = unmatched.end();
+      for (; first != last && surface(*first) == surface(*(last - 1)); ++first)
+        --last; // neighbors across the beginning of the circle
+      for (; first != last && first + 1 != last; ++first)
+        pairs.push_back(std::minmax({first->triangle, (first + 1)->triangle}));
+    }
+    side = end;
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_SOUPS_EDGE_CROSSINGS_3_H

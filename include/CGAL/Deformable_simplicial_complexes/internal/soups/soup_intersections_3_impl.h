@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_SOUPS_SOUP_INTERSECTIONS_3_IMPL_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_SOUPS_SOUP_INTERSECTIONS_3_IMPL_H
+
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/soup_intersections_3.h>
+
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Tells whether two triangles of a soup meet anywhere but in a common vertex or a common edge.
+// Exact. Triangles must have an area, and points with different indices must differ.
+//
+// Works on the soup, and not on a halfedge mesh as Polygon_mesh_processing does, because surfaces
+// that intersect themselves may have no consistent orientation.
+class Do_triangles_cross_3
+{
+public:
+  explicit Do_triangles_cross_3(const Triangle_soup_3& soup) : m_soup(soup) {}
+
+  bool operator()(std::size_t s, std::size_t t) const {
+    // Bring common vertices to the front of both triangles.
+    Triangle_indices a = m_soup.triangles[s], b = m_soup.triangles[t];
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto found = std::find(b.begin() + n, b.end(), a[i]);
+      if (found != b.end()) {
+        std::swap(*found, b[n]);
+        std::swap(a[i], a[n]);
+        ++n;
+      }
+    }
+    switch (n) {
+    case 0:
+      return do_intersect(exact_triangle(m_soup, s), exact_triangle(m_soup, t));
+    case 1:
+      return do_intersect(opposite_edge(a), exact_triangle(m_soup, t)) ||
+             do_intersect(opposite_edge(b), exact_triangle(m_soup, s));
+    case 2: {
+      // They cover the same side of the edge.
+      const auto p = point(a[0]), q = point(a[1]), r = point(a[2]), o = point(b[2]);
+      return coplanar(p, q, r, o) && coplanar_orientation(p, q, r, o) == POSITIVE;
+    }
+    default:
+      return true;
+    }
+  }
+
+private:
+  Predicates_kernel::Point_3 point(std::size_t i) const { return exact_point(m_soup.points[i]); }
+  Predicates_kernel::Segment_3 opposite_edge(const Triangle_indices& t) const {
+    return {point(t[1]), point(t[2])};
+  }
+
+  const Triangle_soup_3& m_soup;
+};
+
+std::vector<std::pair<std::size_t, std::size_t>> crossing_triangles(const Triangle_soup_3& soup) {
+  using Box = Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
+  std::vector<Box> boxes;
+  boxes.reserve(soup.triangles.size());
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+    boxes.emplace_back(exact_triangle(soup, t).bbox(), t);
+
+  const Do_triangles_cross_3 do_cross(soup);
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+    Progress_scope::check();
+    if (do_cross(a.info(), b.info()))
+      pairs.push_back(std::minmax({a.info(), b.info()}));
+  });
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_SOUPS_SOUP_INTERSECTIONS_3_IMPL_H

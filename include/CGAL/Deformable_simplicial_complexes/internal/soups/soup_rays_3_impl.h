@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_SOUPS_SOUP_RAYS_3_IMPL_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_SOUPS_SOUP_RAYS_3_IMPL_H
+
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/soup_rays_3.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/box_intersection_d.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// A ray in the direction of increasing x from a point that is moved by infinitesimal amounts: by d
+// in x, e in y and f in z, where 1 >> d >> e >> f > 0.
+class Perturbed_ray_3
+{
+public:
+  using Kernel = Exact_predicates_exact_constructions_kernel;
+  using Triangle = std::array<Kernel::Point_3, 3>;
+
+  // A point inside the triangle that is hardly in line with anything: the weights of the corners
+  // are no simple fractions.
+  explicit Perturbed_ray_3(const Triangle& t)
+      : m_start(ORIGIN + (weights[0] * (t[0] - ORIGIN) + weights[1] * (t[1] - ORIGIN) +
+                          (1 - weights[0] - weights[1]) * (t[2] - ORIGIN))) {}
+
+  const Kernel::Point_3& start() const { return m_start; }
+
+  // The sign of the direction in which the start is moved away from the triangle.
+  static bool starts_in_front(const Triangle& t) {
+    for (int axis = 0; axis < 3; ++axis)
+      if (const Orientation o = projected_orientation(t[0], t[1], t[2], axis); o != COLLINEAR)
+        return o == POSITIVE;
+    return true; // a triangle without area
+  }
+
+  // The orientation of the triangle as seen against the direction of the ray if it is crossed, else
+  // COLLINEAR.
+  Orientation crossing(const Triangle& t) const {
+    const Orientation o = projected_orientation(t[0], t[1], t[2], 0);
+    if (o == COLLINEAR)
+      return COLLINEAR;
+    for (int i = 0; i < 3; ++i)
+      if (side(t[i], t[(i + 1) % 3]) != o)
+        return COLLINEAR;
+    const Orientation from_start = orientation(t[0], t[1], t[2], m_start);
+    return from_start == opposite(o) ? o : COLLINEAR;
+  }
+
+  // The x where the ray meets a triangle that it crosses, and how that changes with the start's y
+  // and z. The lexicographic order is that of the crossings along the ray.
+  std::array<Kernel::FT, 3> place(const Triangle& t) const {
+    const Kernel::Plane_3 plane(t[0], t[1], t[2]);
+    return {-(plane.b() * m_start.y() + plane.c() * m_start.z() + plane.d()) / plane.a(),
+            -plane.b() / plane.a(), -plane.c() / plane.a()};
+  }
+
+private:
+  static constexpr double weights[] = {79. / 256, 263. / 1024}; // exact, as is their sum
+
+  // Of the projection along an axis.
+  static Orientation projected_orientation(const Kernel::Point_3& a, const Kernel::Point_3& b,
+                                           const Kernel::Point_3& c, int axis) {
+    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+    return orientation(Kernel::Point_2(a[i], a[j]), Kernel::Point_2(b[i], b[j]),
+                       Kernel::Point_2(c[i], c[j]));
+  }
+
+  // The side of the line from a to b on which the ray is, as seen against its direction.
+  Orientation side(const Kernel::Point_3& a, const Kernel::Point_3& b) const {
+    if (const Orientation o = projected_orientation(a, b, m_start, 0); o != COLLINEAR)
+      return o;
+    const Comparison_result z = compare(a.z(), b.z());
+    return z != EQUAL ? z : compare(b.y(), a.y());
+  }
+
+  Kernel::Point_3 m_start;
+};
+
+std::vector<Soup_ray_3> shoot_rays(const Triangle_soup_3& soup,
+                                   const std::vector<std::size_t>& triangles) {
+  const auto triangle = [&soup](std::size_t t) {
+    Perturbed_ray_3::Triangle result;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Coordinates_3& p = soup.points[soup.triangles[t][i]];
+      result[i] = {p[0], p[1], p[2]};
+    }
+    return result;
+  };
+  using Box = Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
+  std::vector<Perturbed_ray_3> rays;
+  std::vector<Box> starts, boxes;
+  for (std::size_t r = 0; r < triangles.size(); ++r) {
+    rays.emplace_back(triangle(triangles[r]));
+    const Bbox_3 box = rays.back().start().bbox();
+    starts.emplace_back(Bbox_3(box.xmin(), box.ymin(), box.zmin(),
+                               std::numeric_limits<double>::infinity(), box.ymax(), box.zmax()),
+                        r);
+  }
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+    boxes.emplace_back(exact_triangle(soup, t).bbox(), t);
+
+  struct Hit
+  {
+    std::array<Perturbed_ray_3::Kernel::FT, 3> place;
+    std::size_t triangle;
+    bool leaves_front;
+  };
+  std::vector<std::vector<Hit>> hits(rays.size());
+  box_intersection_d(
+      starts.begin(), starts.end(), boxes.begin(), boxes.end(), [&](const Box& r, const Box& t) {
+        Progress_scope::check();
+        if (t.info() == triangles[r.info()])
+          return;
+        const auto corners = triangle(t.info());
+        const Orientation o = rays[r.info()].crossing(corners);
+        if (o != COLLINEAR)
+          hits[r.info()].push_back({rays[r.info()].place(corners), t.info(), o == POSITIVE});
+      });
+
+  std::vector<Soup_ray_3> result;
+  for (std::size_t r = 0; r < rays.size(); ++r) {
+    auto& along = hits[r];
+    std::sort(along.begin(), along.end(), [](const Hit& a, const Hit& b) {
+      return a.place != b.place ? a.place < b.place : a.triangle < b.triangle;
+    });
+    result.push_back({Perturbed_ray_3::starts_in_front(triangle(triangles[r])), {}});
+    for (const Hit& hit : along)
+      result.back().crossings.push_back({hit.triangle, hit.leaves_front});
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_SOUPS_SOUP_RAYS_3_IMPL_H

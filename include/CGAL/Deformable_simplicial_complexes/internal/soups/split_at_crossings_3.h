@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_SOUPS_SPLIT_AT_CROSSINGS_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_SOUPS_SPLIT_AT_CROSSINGS_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/Triangle_soup_3.h>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Triangle i lies in triangle `origins[i]` of the input and has its orientation.
+struct Split_soup_3 : Triangle_soup_3
+{
+  std::vector<std::size_t> origins;
+};
+
+// Splits triangles where they meet, so that afterwards they meet only in common vertices and edges,
+// or have the same three corners. Intersection points are computed exactly and then rounded, which
+// may make other triangles cross: this is repeated. Triangles without area are removed. A soup that
+// needs no split keeps its triangles bit for bit.
+//
+// Returns nothing if triangles still cross after many repetitions.
+#ifdef CGAL_DSC_EXTERN // see the component Compiled
+std::optional<Split_soup_3> split_at_crossings(const Triangle_soup_3& soup);
+#else
+inline std::optional<Split_soup_3> split_at_crossings(const Triangle_soup_3& soup);
+#endif
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#ifndef CGAL_DSC_EXTERN
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/split_at_crossings_3_impl.h>
+#endif
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_SOUPS_SPLIT_AT_CROSSINGS_3_H

@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_JUNCTION_SPLIT_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_JUNCTION_SPLIT_2_H
+
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+/*
+The sectors around a vertex: maximal runs of triangles of one label, counterclockwise. In the split,
+one sector goes to a new vertex, and the sectors beside it become neighbors along the edge between
+both. The polygon around the vertex stays; its sides in the two neighboring sectors are divided
+between the two vertices where the triangles become best.
+*/
+template <class Complex> class Junction_sectors
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Label = typename Complex::Label;
+  using Vector = typename Complex::Approximate_vector;
+  using Index = typename Cavity<Complex>::Index;
+
+  // \pre v is not on the boundary of the domain
+  Junction_sectors(const Complex& complex, Vertex_handle v) : m_complex(complex), m_center(v) {
+    const Cell_handle first = v->cell();
+    Cell_handle c = first;
+    do {
+      const int i = c->index(v);
+      m_sides.push_back({c->vertex((i + 1) % 3), c->vertex((i + 2) % 3), c});
+      c = c->neighbor((i + 1) % 3);
+    } while (c != first);
+    const std::size_t n = m_sides.size();
+    for (std::size_t k = 0; k < n; ++k)
+      if (label(k) != label((k + n - 1) % n))
+        m_begins.push_back(k);
+  }
+
+  std::size_t number() const { return m_begins.size(); }
+
+  // The sector that is pulled away from the center most strongly, if stronger than an edge of the
+  // interface pulls back; `number()` if none is. Its neighbors have different labels.
+  std::size_t strongest() const {
+    double strongest_pull = 1;
+    std::size_t result = number();
+    for (std::size_t s = 0; s < number(); ++s) {
+      const double pull = std::sqrt(this->pull(s).squared_length());
+      if (pull > strongest_pull && sector_label(s + number() - 1) != sector_label(s + 1)) {
+        strongest_pull = pull;
+        result = s;
+      }
+    }
+    return result;
+  }
+
+  // Plans to move a sector to a new vertex at a part of its shorter side from the center. Returns
+  // whether the interface gets shorter and all triangles are positive and keep their quality.
+  bool plan(std::size_t s, double part, Cavity<Complex>& cavity) const {
+    const Vector pull = this->pull(s), left = to_corner(begin(s + 1)), right = to_corner(begin(s));
+    const double shorter = std::sqrt((std::min)(left.squared_length(), right.squared_length()));
+    const Vector way = pull * (part * shorter / std::sqrt(pull.squared_length()));
+    if (!(length(way) + length(left - way) + length(right - way) < length(left) + length(right)))
+      return false;
+    cavity.begin(Proposal_kind::insertion);
+    for (const Side& side : m_sides)
+      cavity.remove(side.cell);
+    const Index old_one = cavity.add(m_center),
+                new_one = cavity.add(m_complex.exact(m_complex.position(m_center) + way),
+                                     Boundary_class::inside);
+    divide(cavity, s + number() - 1, old_one, new_one);
+    create(cavity, s, new_one);
+    divide(cavity, s + 1, new_one, old_one);
+    for (std::size_t other = s + 2; other + 1 < s + number(); ++other)
+      create(cavity, other, old_one);
+    return cavity.is_admissible();
+  }
+
+private:
+  // Of the polygon, counterclockwise.
+  struct Side
+  {
+    Vertex_handle from, to;
+    Cell_handle cell;
+  };
+
+  static double length(const Vector& v) { return std::sqrt(v.squared_length()); }
+  Label label(std::size_t k) const { return m_sides[k].cell->label(); }
+
+  // Sectors and sides are counted around the center: any number names one.
+  const Side& side(std::size_t k) const { return m_sides[k % m_sides.size()]; }
+  std::size_t begin(std::size_t s) const {
+    return m_begins[s % number()] + s / number() * m_sides.size();
+  }
+  Label sector_label(std::size_t s) const { return side(begin(s)).cell->label(); }
+  Vector to_corner(std::size_t k) const { return m_complex.displacement(m_center, side(k).from); }
+
+  // The sum of the unit vectors along the two edges of the interface that bound a sector.
+  Vector pull(std::size_t s) const {
+    const Vector right = to_corner(begin(s)), left = to_corner(begin(s + 1));
+    return right / length(right) + left / length(left);
+  }
+
+  typename Cavity<Complex>::Indices triangle(Cavity<Complex>& cavity, std::size_t k,
+                                             Index apex) const {
+    return {apex, cavity.add(side(k).from), cavity.add(side(k).to)};
+  }
+
+  void create(Cavity<Complex>& cavity, std::size_t s, Index apex) const {
+    for (std::size_t k = begin(s); k < begin(s + 1); ++k)
+      cavity.create(triangle(cavity, k, apex), side(k).cell);
+  }
+
+  // The first sides of a sector get one vertex as apex, the others the other.
+  void divide(Cavity<Complex>& cavity, std::size_t s, Index one, Index other) const {
+    const std::size_t first = begin(s), last = begin(s + 1);
+    const auto between = [&](std::size_t k) -> typename Cavity<Complex>::Indices {
+      return {one, cavity.add(side(k).from), other};
+    };
+    std::size_t best = first;
+    double best_quality = -std::numeric_limits<double>::infinity();
+    for (std::size_t j = first; j <= last; ++j) {
+      double quality = cavity.quality(between(j));
+      for (std::size_t k = first; k < last; ++k)
+        quality = (std::min)(quality, cavity.quality(triangle(cavity, k, k < j ? one : other)));
+      if (quality > best_quality) {
+        best = j;
+        best_quality = quality;
+      }
+    }
+    cavity.create(between(best), side(first).cell);
+    for (std::size_t k = first; k < last; ++k)
+      cavity.create(triangle(cavity, k, k < best ? one : other), side(k).cell);
+  }
+
+  const Complex& m_complex;
+  Vertex_handle m_center;
+  std::vector<Side> m_sides;
+  std::vector<std::size_t> m_begins; // of sectors, in the sides
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Proposes to split a vertex in which the phases of more than three sectors meet: one sector goes to a
+new vertex, and its two neighbors get a wall between both vertices. Where all walls have the same
+tension, such a vertex is unstable: the walls of one of the sectors enclose less than 120 degrees
+and pull it away.
+
+\param complex is not changed.
+\param v a finite vertex.
+\param cavity filled with the proposal if there is one. Its last vertex is the new one.
+\return whether v is inside the domain, more than three sectors meet there, the interface gets
+        shorter by the split, the phases that become neighbors differ, and all new triangles are
+        positive and `complex.keeps_quality()`.
+
+Linear in the star of v, but quadratic in the two sectors that become neighbors.
+*/
+template <class Complex>
+bool propose_junction_split(const Complex& complex, typename Complex::Vertex_handle v,
+                            Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
+  static constexpr std::size_t stable = 3; // sectors
+  if (v->interface_degree() <= stable || complex.is_boundary(v))
+    return false;
+  const internal::Junction_sectors<Complex> sectors(complex, v);
+  const std::size_t s = sectors.strongest();
+  if (s == sectors.number())
+    return false;
+  for (const double part : {.5, .25, .125}) // of an edge: as short as walls that are exchanged
+    if (sectors.plan(s, part, cavity))
+      return true;
+  return false;
+}
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_JUNCTION_SPLIT_2_H

@@ -1,0 +1,360 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Labelled_patch_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/fill_grid.h>
+#include <CGAL/Deformable_simplicial_complexes/fill_torus.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/Boxed_soup_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/Solid_tetrahedra_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/box_grid_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/check_patches_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/check_surfaces_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/check_tetrahedra_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/label_by_sides_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/improve_new_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// check, normalize, enclose, tetrahedralize, label, assign, improve
+template <class Complex, class Tetrahedralizer, class NP>
+Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
+                        const std::vector<typename Complex::Label>& surface_labels,
+                        const Tetrahedralizer& tetrahedralizer, const NP& np) {
+  const Boxed_soup_3 boxed = put_into_box(check_surfaces(surfaces), np);
+  const auto mesh = fill_box(boxed, tetrahedralizer);
+  return make_in_frame<Complex>(
+      mesh, label_cells<3>(mesh.tetrahedra, boxed.walls(), surface_labels), boxed.frame, np);
+}
+
+template <class Points> std::vector<Coordinates_3> all_coordinates(const Points& points) {
+  std::vector<Coordinates_3> result;
+  for (const auto& p : points)
+    result.push_back(coordinates(p));
+  return result;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Makes a complex of solids that are bounded by closed triangle surfaces, in a box that belongs to the
+outside (section 3.3 of the paper).
+
+A surface is a set of triangles that meet only in common vertices and edges, an even number of them
+in each edge: it may have any number of parts, which may touch in vertices and along edges. Its
+triangles may be oriented in any way and need not share points: equal points are merged, points
+without triangles are left out. What is inside is counted: points that can be reached from the
+outside by crossing a surface once are inside of it, crossing it twice leads into a cavity of it.
+
+Surfaces may be nested in any way, and may touch in common vertices and along common edges, but not
+cross nor share triangles. Space inside several surfaces gets the label of the one that is entered
+last on a way from the outside that crosses as few triangles as possible; space outside all of them
+gets label 0.
+
+Triangles between different labels are the interface of the complex. Points of the surfaces keep
+their coordinates, bit for bit unless `normalize` is set.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+\tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`, such as `Tetgen_tetrahedralizer_3`
+\tparam NP a sequence of named parameters
+
+\param surfaces with the labels of what they enclose; coordinates are rounded to `double`
+\param tetrahedralizer fills the box with tetrahedra
+\param np named parameters:
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{normalize}
+    \cgalParamDescription{Whether the complex uses coordinates in which the barycenter of the points
+                          of the surfaces is the origin and their largest distance from it is
+                          1/2.5. `Complex::normalization()` leads back.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{enclosing_box}
+    \cgalParamDescription{The domain, in the coordinates of the surfaces, which must be strictly
+                          inside.}
+    \cgalParamType{`Bbox_3` or a class with `bbox()`, such as `Iso_cuboid_3`}
+    \cgalParamDefault{the cube about the barycenter whose half side is 2.5 times the largest
+                      distance of a point from it: \f$[-1, 1]^3\f$ if `normalize` is set}
+  \cgalParamNEnd
+  \cgalParamNBegin{box_subdivision}
+    \cgalParamDescription{Number of parts into which each edge of the box is cut, 1 to 1000.}
+    \cgalParamType{`unsigned`}
+    \cgalParamDefault{4}
+  \cgalParamNEnd
+  \cgalParamNBegin{improve}
+    \cgalParamDescription{Whether the mesh is improved at the end, as it will be in each step of a
+                          deformation. `improve_mesh()` does more, by inserting vertices.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{quality_threshold}
+    \cgalParamDescription{Only cells of lower quality are improved, in [0, 1].}
+    \cgalParamType{`double`}
+    \cgalParamDefault{0.3}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{How many rounds of improvement at the most.}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{10}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\throws Invalid_surface_error if a surface is not as described
+        above, or reaches the box
+\throws Tetrahedralization_error if the tetrahedralizer fails
+\throws Error if the box is not finite, or its subdivision is out
+of range
+
+n log n in the number of triangles and tetrahedra, plus the tetrahedralization and the improvement.
+*/
+template <class Complex, class Tetrahedralizer, class NP = parameters::Default_named_parameters>
+Complex make_deformable_simplicial_complex_3(
+    const std::vector<Labelled_surface_3<typename Complex::Point_3>>& surfaces,
+    const Tetrahedralizer& tetrahedralizer, const NP& np = parameters::default_values()) {
+  std::vector<internal::Triangle_soup_3> soups;
+  std::vector<typename Complex::Label> labels;
+  for (const auto& surface : surfaces) {
+    soups.push_back({internal::all_coordinates(surface.points), surface.triangles});
+    labels.push_back(surface.label);
+  }
+  return internal::make_from_soups<Complex>(soups, labels, tetrahedralizer, np);
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Makes a complex of the solid, with label 1, that is bounded by a triangle mesh. The same as the
+overload above for a single surface; indices in errors count `vertices(surface)` and
+`faces(surface)`.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+\tparam FaceListGraph model of `FaceListGraph`
+\tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`
+\tparam NP a sequence of named parameters
+
+\param surface a closed mesh
+\param tetrahedralizer fills the box with tetrahedra
+\param np named parameters of the overload above, and CGAL's `vertex_point_map`
+
+\throws Error if a face is no triangle; else as above
+*/
+#ifdef DOXYGEN_RUNNING
+template <class Complex, class FaceListGraph, class Tetrahedralizer, class NP>
+#else
+template <class Complex, class FaceListGraph, class Tetrahedralizer,
+          class NP = parameters::Default_named_parameters,
+          class = decltype(faces(std::declval<const FaceListGraph&>()))>
+#endif
+Complex make_deformable_simplicial_complex_3(const FaceListGraph& surface,
+                                             const Tetrahedralizer& tetrahedralizer,
+                                             const NP& np = parameters::default_values()) {
+  if (!is_triangle_mesh(surface))
+    throw Error("the mesh has facets that are no triangles: triangulate them");
+  using Point_map = typename GetVertexPointMap<FaceListGraph, NP>::const_type;
+  std::vector<typename boost::property_traits<Point_map>::value_type> points;
+  internal::Triangle_soup_3 soup;
+  Polygon_mesh_processing::polygon_mesh_to_polygon_soup(surface, points, soup.triangles, np);
+  soup.points = internal::all_coordinates(points);
+  return internal::make_from_soups<Complex>({soup}, {1}, tetrahedralizer, np);
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Makes a complex of patches that share borders, such as the walls between several materials: labels
+are told for both sides of each patch. What can be reached from a side without crossing a triangle
+has its label; so the box around has that of the patches that it touches.
+
+Triangles meet only in common vertices and edges, any number in each. They need not share points:
+equal points are merged, points without triangles are left out. Patches need not be closed, as long
+as regions of different labels are separated: a wall with the same label on both sides is no part of
+the interface.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+\tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`, such as `Tetgen_tetrahedralizer_3`
+\tparam NP a sequence of named parameters
+
+\param patches with the labels of their sides; coordinates are rounded to `double`
+\param tetrahedralizer fills the box with tetrahedra
+\param np named parameters of the first overload
+
+\throws Invalid_surface_error if a patch is not as described above,
+        or reaches the box, or two of them tell different labels for the same region
+\throws Tetrahedralization_error if the tetrahedralizer fails
+\throws Error if the box is not finite, or its subdivision is out
+of range
+
+n log n in the number of triangles and tetrahedra, plus the tetrahedralization and the improvement.
+*/
+template <class Complex, class Tetrahedralizer, class NP = parameters::Default_named_parameters>
+Complex make_deformable_simplicial_complex_3(
+    const std::vector<Labelled_patch_3<typename Complex::Point_3>>& patches,
+    const Tetrahedralizer& tetrahedralizer, const NP& np = parameters::default_values()) {
+  std::vector<internal::Triangle_soup_3> soups;
+  std::vector<internal::Labels_of_sides> sides;
+  for (const auto& patch : patches) {
+    soups.push_back({internal::all_coordinates(patch.points), patch.triangles});
+    sides.push_back({patch.label_behind, patch.label_in_front});
+  }
+  const auto boxed = internal::put_into_box(internal::check_patches(soups), np);
+  const auto mesh = internal::fill_box(boxed, tetrahedralizer);
+  return internal::make_in_frame<Complex>(mesh, internal::label_by_sides(mesh, boxed, sides),
+                                          boxed.frame, np);
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Makes a complex of given tetrahedra, the union of which is a ball. Tetrahedra may be oriented in any
+way. The interface stays what it is, bit for bit.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+\tparam NP a sequence of named parameters
+
+\param points the vertices, each in a tetrahedron
+\param tetrahedra indices into `points`
+\param labels one label for each tetrahedron
+\param np named parameters: `improve`, `quality_threshold`, `number_of_iterations`, as above
+
+\throws Invalid_cells_error if coordinates are not finite,
+        sizes or indices do not fit, a tetrahedron is flat, or the union is no ball
+
+n log n in the number of tetrahedra, plus the improvement.
+*/
+template <class Complex, class NP = parameters::Default_named_parameters>
+Complex make_deformable_simplicial_complex_3(const std::vector<typename Complex::Point_3>& points,
+                                             std::vector<std::array<std::size_t, 4>> tetrahedra,
+                                             const std::vector<typename Complex::Label>& labels,
+                                             const NP& np = parameters::default_values()) {
+  Complex dsc;
+  internal::orient_tetrahedra(points, tetrahedra, dsc.geom_traits());
+  dsc.assign(points, tetrahedra, labels);
+  internal::improve_new_mesh(dsc, internal::new_mesh_options(np));
+  return dsc;
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Makes a complex of given tetrahedra of any shape, with any number of parts and voids, and of
+tetrahedra with label 0 that fill the space around them, in a box. Given tetrahedra stay what they
+are but for the improvement; the interface stays bit for bit unless `normalize` is set.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+\tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`, such as `Tetgen_tetrahedralizer_3`
+\tparam NP a sequence of named parameters
+
+\param points the vertices; equal ones are merged, those without tetrahedra are left out
+\param tetrahedra indices into `points`, oriented in any way
+\param labels one label for each tetrahedron
+\param tetrahedralizer fills the space around
+\param np named parameters of the first overload
+
+\throws Invalid_cells_error if there are none, coordinates are
+        not finite, sizes or indices do not fit, or tetrahedra are flat or overlap
+\throws Invalid_surface_error if their boundary reaches the box;
+        its vertices are indices into `points`
+\throws Tetrahedralization_error if the tetrahedralizer fails
+
+n log n in the number of tetrahedra, plus the tetrahedralization and the improvement.
+*/
+template <class Complex, class Tetrahedralizer, class NP = parameters::Default_named_parameters,
+          class = std::enable_if_t<
+              std::is_invocable_v<const Tetrahedralizer&, const std::vector<std::array<double, 3>>&,
+                                  const std::vector<std::array<std::size_t, 3>>&>>>
+Complex
+make_deformable_simplicial_complex_3(const std::vector<typename Complex::Point_3>& points,
+                                     const std::vector<std::array<std::size_t, 4>>& tetrahedra,
+                                     const std::vector<typename Complex::Label>& labels,
+                                     const Tetrahedralizer& tetrahedralizer,
+                                     const NP& np = parameters::default_values()) {
+  if (labels.size() != tetrahedra.size())
+    throw Invalid_cells_error("there are not as many labels as tetrahedra: give one for each");
+  const internal::Solid_tetrahedra_3 solid(points, tetrahedra, typename Complex::Geom_traits());
+  const auto boxed = internal::put_into_box(solid.boundary(), np);
+  const auto mesh = solid.with_space_around(internal::fill_box(boxed, tetrahedralizer), boxed);
+  auto all_labels = labels;
+  all_labels.resize(mesh.tetrahedra.size(), 0);
+  return internal::make_in_frame<Complex>(mesh, all_labels, boxed.frame, np);
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Makes a complex in a box from a function that tells labels, such as one of implicit functions:
+almost regular tetrahedra get the labels of their barycenters, then `fit_interface()` moves the
+interface to where labels change.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+\param box the domain, of positive size
+\param edge about how long edges are to be, more than 0
+\param label_at `label_at(p)` tells the label at an `Approximate_point_3` in the box
+\param np the named parameters of `deform_interface()`, for `fit_interface()`
+\throws Error if `edge` is not positive, or too short, or the box is
+        empty; or Invalid_cells_error if it is smaller or larger than complexes can be
+
+Linear in the number of tetrahedra.
+*/
+template <class Complex, class LabelAt,
+          class NamedParameters = parameters::Default_named_parameters>
+Complex make_deformable_simplicial_complex_3(const Bbox_3& box, double edge,
+                                             const LabelAt& label_at,
+                                             const NamedParameters& np = NamedParameters()) {
+  return internal::fill_grid(Complex(), internal::box_grid(box, edge), label_at, np);
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Makes a complex on a flat torus from a function that tells labels: almost regular tetrahedra get the
+labels of their barycenters, then `fit_interface()` moves the interface to where labels change.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_3` with the domain `Torus_domain<3>`
+\param domain the torus
+\param edge about how long edges are to be, more than 0; there are at least three in each direction
+\param label_at `label_at(p)` tells the label at an `Approximate_point_3` in the box of the torus
+\param np the named parameters of `deform_interface()`, for `fit_interface()`
+\throws Error if `edge` is not positive, or is less than a millionth
+        of a period
+
+Linear in the number of tetrahedra.
+*/
+template <class Complex, class LabelAt,
+          class NamedParameters = parameters::Default_named_parameters>
+Complex make_deformable_simplicial_complex_3(const Torus_domain<3>& domain, double edge,
+                                             const LabelAt& label_at,
+                                             const NamedParameters& np = NamedParameters()) {
+  return internal::fill_torus<Complex>(domain, edge, label_at, np);
+}
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H

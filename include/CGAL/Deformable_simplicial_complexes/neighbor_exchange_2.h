@@ -1,0 +1,229 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_NEIGHBOR_EXCHANGE_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_NEIGHBOR_EXCHANGE_2_H
+
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Neighbor_exchange.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+/*
+The surroundings of a wall: an edge of the interface from a to b, at each of which three phases
+meet: A on the left of the wall, B on its right, C beyond a, D beyond b.
+
+In the exchange, a becomes the junction of A, C and D, and b that of B, C and D. The polygon around
+the two stays: its sides in A go to a, those in B to b, and those in C and D are divided between
+them where the triangles become best.
+*/
+template <class Complex> class Wall_surroundings
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Label = typename Complex::Label;
+  using Point = typename Complex::Approximate_point;
+  using Index = typename Cavity<Complex>::Index;
+
+  // The edge opposite to vertex i of a cell, which is A.
+  Wall_surroundings(const Complex& complex, Cell_handle cell, int i)
+      : m_complex(complex), m_a(cell->vertex((i + 1) % 3)), m_b(cell->vertex((i + 2) % 3)),
+        m_cell(cell), m_other(cell->neighbor(i)) {}
+
+  // Whether the surroundings are as described.
+  bool collect() {
+    if (m_complex.is_boundary(m_a) || m_complex.is_boundary(m_b))
+      return false;
+    walk(m_a, m_cell, m_other);
+    walk(m_b, m_other, m_cell);
+    const Label left = m_cell->label(), right = m_other->label();
+    std::size_t k = skip(0, left);
+    m_ends[0] = k;
+    if (k == m_sides.size())
+      return false;
+    m_beyond[0] = label(k);
+    m_ends[1] = skip(k, m_beyond[0]);
+    m_ends[2] = skip(m_ends[1], right);
+    if (m_ends[2] == m_sides.size())
+      return false;
+    m_beyond[1] = label(m_ends[2]);
+    m_ends[3] = skip(m_ends[2], m_beyond[1]);
+    const bool has_three_phases_at_each = m_beyond[0] != right && m_beyond[1] != left &&
+                                          m_ends[1] < m_sides_of_a + 1 &&
+                                          m_ends[2] + 1 > m_sides_of_a;
+    const bool a_has_sides = m_ends[0] > 0 || m_ends[3] < m_sides.size(),
+               b_has_sides = m_ends[1] < m_ends[2];
+    return has_three_phases_at_each && skip(m_ends[3], left) == m_sides.size() && a_has_sides &&
+           b_has_sides;
+  }
+
+  Label beyond(int end) const { return m_beyond[end]; }
+  Point middle() const { return m_complex.position(m_a) + m_complex.displacement(m_a, m_b) / 2; }
+
+  // The length of the wall as a part of the mean of the four other edges of the interface that end
+  // with it.
+  double relative_length() const {
+    double sum = 0;
+    for (int end = 0; end < 4; ++end)
+      sum += std::sqrt(
+          m_complex.displacement(end < 2 ? m_a : m_b, corner(m_ends[end])).squared_length());
+    return 4 * std::sqrt(m_complex.displacement(m_a, m_b).squared_length()) / sum;
+  }
+
+  // Plans the exchange with a wall of a part of the length, and returns by how much the interface
+  // gets longer; nothing if a cell would not be positive.
+  std::optional<double> plan(double part, Cavity<Complex>& cavity) const {
+    cavity.begin(Proposal_kind::replacement);
+    for (const auto& side : m_sides)
+      cavity.remove(side.cell);
+    cavity.remove(m_cell);
+    cavity.remove(m_other);
+    const auto wall = m_complex.displacement(m_a, m_b);
+    const Point m = middle();
+    const decltype(wall) across(-wall.y() * part / 2, wall.x() * part / 2);
+    const Point to_a = m + across, to_b = m - across;
+    const Index a = cavity.add(m_a, m_complex.exact(to_a)),
+                b = cavity.add(m_b, m_complex.exact(to_b));
+    for (std::size_t k = m_ends[3]; k < m_sides.size(); ++k)
+      create(cavity, k, a);
+    for (std::size_t k = 0; k < m_ends[0]; ++k)
+      create(cavity, k, a);
+    divide(cavity, m_ends[0], m_ends[1], a, b);
+    for (std::size_t k = m_ends[1]; k < m_ends[2]; ++k)
+      create(cavity, k, b);
+    divide(cavity, m_ends[2], m_ends[3], b, a);
+    if (!cavity.is_admissible())
+      return std::nullopt;
+
+    const auto length = [&](const Point& p, std::size_t k) {
+      return std::sqrt((m_complex.position_near(p, corner(k)) - p).squared_length());
+    };
+    const Point from_a = m_complex.position(m_a), from_b = m_complex.position(m_b);
+    const double old_wall = std::sqrt(wall.squared_length()),
+                 new_wall = m_beyond[0] == m_beyond[1] ? 0 : part * old_wall;
+    return new_wall - old_wall + length(to_a, m_ends[0]) - length(from_a, m_ends[0]) +
+           length(to_b, m_ends[1]) - length(from_a, m_ends[1]) + length(to_b, m_ends[2]) -
+           length(from_b, m_ends[2]) + length(to_a, m_ends[3]) - length(from_b, m_ends[3]);
+  }
+
+private:
+  // Of the polygon, counterclockwise, with the cell inside.
+  struct Side
+  {
+    Vertex_handle from, to;
+    Cell_handle cell;
+  };
+
+  // The sides opposite to v, counterclockwise, between two cells around it.
+  void walk(Vertex_handle v, Cell_handle first, Cell_handle last) {
+    for (Cell_handle c = next(v, first); c != last; c = next(v, c)) {
+      const int i = c->index(v);
+      m_sides.push_back({c->vertex((i + 1) % 3), c->vertex((i + 2) % 3), c});
+    }
+    if (v == m_a)
+      m_sides_of_a = m_sides.size();
+  }
+  static Cell_handle next(Vertex_handle v, Cell_handle c) {
+    return c->neighbor((c->index(v) + 1) % 3);
+  }
+
+  Label label(std::size_t k) const { return m_sides[k].cell->label(); }
+  std::size_t skip(std::size_t k, Label label) const {
+    while (k < m_sides.size() && this->label(k) == label)
+      ++k;
+    return k;
+  }
+
+  // Where side k begins.
+  Vertex_handle corner(std::size_t k) const { return m_sides[k % m_sides.size()].from; }
+
+  typename Cavity<Complex>::Indices triangle(Cavity<Complex>& cavity, std::size_t k,
+                                             Index apex) const {
+    return {apex, cavity.add(m_sides[k].from), cavity.add(m_sides[k].to)};
+  }
+  void create(Cavity<Complex>& cavity, std::size_t k, Index apex) const {
+    cavity.create(triangle(cavity, k, apex), m_sides[k].cell);
+  }
+
+  // Sides of a phase beyond an end, the first ones for one junction, the others for the next.
+  void divide(Cavity<Complex>& cavity, std::size_t first, std::size_t last, Index one,
+              Index other) const {
+    std::size_t best = first;
+    double best_quality = -std::numeric_limits<double>::infinity();
+    for (std::size_t j = first; j <= last; ++j) {
+      double quality = cavity.quality({one, cavity.add(corner(j)), other});
+      for (std::size_t k = first; k < last; ++k)
+        quality = (std::min)(quality, cavity.quality(triangle(cavity, k, k < j ? one : other)));
+      if (quality > best_quality) {
+        best = j;
+        best_quality = quality;
+      }
+    }
+    cavity.create({one, cavity.add(corner(best)), other}, m_sides[first].cell);
+    for (std::size_t k = first; k < last; ++k)
+      create(cavity, k, k < best ? one : other);
+  }
+
+  const Complex& m_complex;
+  Vertex_handle m_a, m_b;
+  Cell_handle m_cell, m_other;
+  std::vector<Side> m_sides; // from the corner of A opposite to the wall
+  std::size_t m_sides_of_a = 0;
+  std::array<std::size_t, 4> m_ends; // of the sides in A, C, B and D
+  std::array<Label, 2> m_beyond;     // C and D
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Proposes that the phases on both sides of a short wall part, and the two at its ends become
+neighbors (T1 event). The wall is one edge of the interface between two vertices, in each of which
+three phases meet; a wall across takes its place.
+
+\param complex is not changed.
+\param cell, i the edge opposite to the vertex i of a finite triangle.
+\param longest only a wall that is shorter is considered, as a part of the mean of the four other
+       edges of the interface that end with it.
+\param cavity filled with the proposal if there is one; its vertices move.
+\return what would be exchanged, if the interface gets shorter by it and all new triangles are
+        positive.
+
+Linear in the stars of the two vertices, but for the phases at the ends, where it is quadratic.
+*/
+template <class Complex>
+std::optional<Neighbor_exchange<Complex>>
+propose_neighbor_exchange(const Complex& complex, typename Complex::Cell_handle cell, int i,
+                          double longest,
+                          Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
+  using namespace internal;
+  if (!complex.is_interface(typename Complex::Facet(cell, i)))
+    return std::nullopt;
+  Wall_surroundings<Complex> surroundings(complex, cell, i);
+  if (!surroundings.collect() || !(surroundings.relative_length() < longest))
+    return std::nullopt;
+  for (double part : {1., .5, .25})
+    if (const auto growth = surroundings.plan(part, cavity); growth && *growth < 0)
+      return Neighbor_exchange<Complex>{{cell->label(), cell->neighbor(i)->label()},
+                                        {surroundings.beyond(0), surroundings.beyond(1)},
+                                        complex.domain().canonical(surroundings.middle())};
+  return std::nullopt;
+}
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_NEIGHBOR_EXCHANGE_2_H

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_QUALITY_MEASURES_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_QUALITY_MEASURES_2_H
+
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+Area over the mean square edge length, times 4 / sqrt(3): 1 for the regular triangle, 0 for a flat
+one, negative for an inverted one, invariant under similarities.
+*/
+struct Area_length_ratio_2
+{
+  /// returns the quality of pqr.
+  /// \tparam Point a point of a kernel whose coordinates are of type `double`
+  template <class Point> double operator()(const Point& p, const Point& q, const Point& r) const {
+    const double squared =
+        (q - p).squared_length() + (r - q).squared_length() + (p - r).squared_length();
+    return squared == 0 ? 0 : 2 * std::sqrt(3.) * determinant(q - p, r - p) / squared;
+  }
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_QUALITY_MEASURES_2_H

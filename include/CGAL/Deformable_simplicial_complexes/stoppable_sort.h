@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_STOPPABLE_SORT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_STOPPABLE_SORT_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Sparse_check.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// std::sort() that asks now and then whether to go on. The order is lost when it is stopped.
+template <class Iterator> void stoppable_sort(Iterator first, Iterator last) {
+  Sparse_check check;
+  std::sort(first, last, [&](const auto& a, const auto& b) {
+    check();
+    return a < b;
+  });
+}
+
+// Sorts items and keeps one of those that are equal.
+template <class Item> void sort_and_unify(std::vector<Item>& items) {
+  stoppable_sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_STOPPABLE_SORT_H

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_OPTIMIZATION_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_OPTIMIZATION_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/interface_directions_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Proposes to move a vertex to where the worst quality of its star is locally highest
+(optimisation-based smoothing, section 3.2.1 of the paper; Freitag, Jones and Plassmann 1995). An
+order of magnitude more expensive than `propose_smart_laplacian()`.
+
+\param complex is not changed.
+\param v a vertex that is not on the boundary of the domain. Where the interface around it is flat,
+       it stays in its plane; where the facets there have a line in common, such as
+       a straight edge between two planes or a straight triple line, it stays on that line. Other
+       vertices of the interface do not move.
+\param star the star of v.
+\param target the proposed position.
+\return whether there is one; commit with `complex.set_point(v, star, target)`. The interface moves
+        by less than a ten millionth of the way of the vertex, as planes count as the same up to
+        that.
+
+Linear in the star.
+*/
+template <class Complex>
+bool propose_optimal_position(const Complex& complex, typename Complex::Vertex_handle v,
+                              const std::vector<typename Complex::Cell_handle>& star,
+                              typename Complex::Point_3& target) {
+  std::vector<typename Complex::Approximate_vector_3> blocked;
+  if (complex.is_boundary(v) ||
+      (v->is_interface() && !internal::find_blocked_directions(complex, star, v, blocked)))
+    return false;
+  const auto from = complex.position(v);
+  internal::Star_optimizer<Complex> optimizer(complex, complex.quality_measure(), v, star);
+  for (const auto& direction : blocked)
+    optimizer.block(direction);
+  const auto to = optimizer.run();
+  if (to == from)
+    return false;
+  target = complex.geom_traits().construct_exact_point_3_object()(to);
+  return complex.is_positive_star(v, star, target);
+}
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_OPTIMIZATION_3_H

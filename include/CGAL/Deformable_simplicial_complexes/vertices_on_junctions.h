@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTICES_ON_JUNCTIONS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTICES_ON_JUNCTIONS_H
+
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// For each vertex, whether facets between different labels meet there.
+template <class Complex>
+std::vector<char> vertices_on_junctions(const Interface_snapshot<Complex>& interface_) {
+  std::vector<char> result(interface_.vertices.size(), false);
+  using Facet = typename Interface_vertices<Complex>::Facet;
+  std::vector<const Facet*> first(result.size(), nullptr);
+  for (const Facet& facet : interface_.facets())
+    for (std::size_t v : facet.vertices) {
+      if (first[v] == nullptr)
+        first[v] = &facet;
+      result[v] =
+          result[v] || facet.behind != first[v]->behind || facet.in_front != first[v]->in_front;
+    }
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTICES_ON_JUNCTIONS_H

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_ENERGY_CHECK_3_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_ENERGY_CHECK_3_H
+
+#include <CGAL/Incompressible_fluids_3/fluid_errors.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Energy_budget_3.h>
+
+#include <cstdint>
+#include <optional>
+#include <sstream>
+#include <string>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Judges an attempt at a time step by its energy.
+struct Energy_check_3
+{
+  std::optional<Energy_budget_3> budget;
+  std::optional<Fluid_failure_3> failure; // none as long as the energy is explained
+  double rise = 0;                        // that is not explained, see `Energy_budget_3::rise()`
+
+  // Looks at the energy of now. What the motion does not explain is due to the mesh. \pre there is
+  // a budget
+  template <class Report> void look(const Report& report, const Fluid_balance_3& now) {
+    rise = budget->rise(now, report.volume_error);
+    if (rise <= Energy_budget_3::tolerance)
+      return;
+    const double by_motion = report.moved.energy() - report.before.energy() - budget->supplied(),
+                 by_mesh = now.energy() - report.moved.energy() + report.before.energy() -
+                           budget->energy_at_begin();
+    if (by_mesh <= by_motion)
+      failure = Fluid_failure_3::motion;
+    else if (rise > Energy_budget_3::tolerance_of_mesh)
+      failure = Fluid_failure_3::mesh;
+  }
+};
+
+// Returns one line on a step that has failed for the last time.
+inline std::string message_of(const Fluid_repetition_3& failure, std::uint64_t step) {
+  const auto cause = [&]() -> std::string {
+    switch (failure.cause) {
+    case Fluid_failure_3::equations:
+      return "the equations of the flow have no accurate solution, with a relative residual of ";
+    case Fluid_failure_3::motion:
+      return "the motion raises the energy without a cause, by a part of ";
+    case Fluid_failure_3::mesh:
+      break;
+    }
+    return "changes of the mesh raise the energy without a cause, by a part of ";
+  }();
+  std::ostringstream message;
+  message << "step " << step << " of the fluid at time " << failure.time << " failed: " << cause
+          << failure.amount << ", near (" << failure.place.x() << ", " << failure.place.y() << ", "
+          << failure.place.z() << "), also after remeshing and with a time step of " << failure.dt
+          << "; choose shorter edges or another mesh";
+  return message.str();
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_ENERGY_CHECK_3_H

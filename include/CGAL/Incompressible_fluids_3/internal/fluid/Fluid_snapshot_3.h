@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FLUID_SNAPSHOT_3_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FLUID_SNAPSHOT_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The state of a fluid and of its complex at a moment, to be put back.
+template <class Fluid, class Complex> class Fluid_snapshot_3
+{
+public:
+  // n log n.
+  Fluid_snapshot_3(const Complex& complex, const Fluid& fluid)
+      : m_complex(complex.state()), m_fluid(fluid.state()) {}
+
+  // Restores both states, bit by bit. If the complex has changed since, its handles are
+  // invalidated. Is not interrupted. n log n.
+  void put_back(Complex& complex, Fluid& fluid) const {
+    const Progress_pause pause;
+    if (complex.state() != m_complex) {
+      complex.clear(); // as memory may be short
+      complex.restore(m_complex);
+    }
+    fluid.restore(m_fluid);
+  }
+
+private:
+  typename Complex::State m_complex;
+  typename Fluid::State m_fluid;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FLUID_SNAPSHOT_3_H

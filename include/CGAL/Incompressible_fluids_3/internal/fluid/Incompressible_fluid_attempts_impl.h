@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_ATTEMPTS_IMPL_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_ATTEMPTS_IMPL_H
+
+// Member functions of Incompressible_fluid that attempt a time step, judge it and undo it.
+// Included by the class.
+#include <CGAL/Incompressible_fluid_3.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+template <class Complex, class Solver>
+auto Incompressible_fluid<Complex, Solver>::advance_with(const Options& chosen, double dt)
+    -> Report {
+  require_step(dt);
+  if (!(m_time + dt > m_time))
+    throw Error("the step of time is too short to change the time");
+  const Snapshot start(m_complex, *this);
+  try {
+    const auto begin = Clock::now();
+    Report report = advance_in_parts(chosen, dt, start);
+    ++m_steps;
+    m_damped_steps -= m_damped_steps > 0;
+    if (!report.deformation.events.empty())
+      m_damped_steps = steps_after_change;
+    report.seconds_of_mesh = seconds_since(begin) - report.seconds_of_solver;
+    return report;
+  } catch (...) {
+    start.put_back(m_complex, *this);
+    throw;
+  }
+}
+
+// Attempts the step until it is done, in as few parts as possible. What fails is undone.
+// \throws Fluid_step_error if there is no attempt left
+template <class Complex, class Solver>
+auto Incompressible_fluid<Complex, Solver>::advance_in_parts(const Options& chosen, double dt,
+                                                             const Snapshot& start) -> Report {
+  const double begin = m_time;
+  const Snapshot* last = &start;
+  std::optional<Snapshot> middle; // the end of the last part
+  Report done;
+  Vectors forces(m_solids.size(), Eigen::Vector3d::Zero());
+  for (internal::Step_plan_3 plan; !plan.is_done();) {
+    Report report = done;
+    const auto failure = attempt(plan, begin, dt, chosen, report);
+    done.seconds_of_solver = report.seconds_of_solver;
+    if (failure) {
+      last->put_back(m_complex, *this);
+      done.repetitions.push_back(*failure);
+      if (!plan.fail(failure->cause))
+        throw Fluid_step_error(internal::message_of(*failure, m_steps + 1), m_steps + 1, *failure);
+      continue;
+    }
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      forces[k] += plan.length() * internal::eigen_vector(report.forces_on_solids[k]);
+    if (!plan.is_first())
+      report.before = done.before;
+    report.repetitions = std::move(done.repetitions);
+    done = std::move(report);
+    plan.succeed();
+    done.parts = plan.parts();
+    if (!plan.is_done())
+      last = &middle.emplace(m_complex, *this);
+  }
+  std::transform(forces.begin(), forces.end(), done.forces_on_solids.begin(), vector);
+  done.dt = dt;
+  return done;
+}
+
+// Attempts the next part of a step. Returns why it is not to stand.
+template <class Complex, class Solver>
+auto Incompressible_fluid<Complex, Solver>::attempt(const internal::Step_plan_3& plan, double begin,
+                                                    double dt, Options chosen, Report& report)
+    -> std::optional<Fluid_repetition_3> {
+  using Treatment = internal::Mesh_treatment_3;
+  const double from = m_time, length = plan.length() * dt;
+  if (m_damped_steps > 0)
+    chosen.implicitness = (std::max)(chosen.implicitness, implicitness_after_change);
+  if (plan.mesh() == Treatment::preserved)
+    chosen.preserve_mesh();
+  // The first adaptation makes the mesh fit for the flow, which begins afterwards.
+  const bool is_new = m_steps == 0;
+  const auto is_due = [&] {
+    switch (plan.mesh()) {
+    case Treatment::chosen:
+      return plan.is_first() && m_steps % chosen.adaptation_interval == 0;
+    case Treatment::preserved:
+      return plan.is_first() && is_new;
+    default:
+      return true;
+    }
+  };
+  Energy_judge judge;
+  try {
+    if (chosen.adaptation_interval > 0 && is_due()) {
+      if (!is_new && m_knows_accelerations)
+        judge.budget = Flow(*this, m_properties).budget(*this);
+      adapt(chosen, plan.mesh(), report);
+    }
+    if (!m_knows_accelerations)
+      make_admissible(length, chosen.number_of_threads, report);
+    step(length, begin + plan.end() * dt, chosen, std::numeric_limits<double>::infinity(), report,
+         &judge);
+    if (!judge.failure)
+      return std::nullopt;
+    return Fluid_repetition_3{*judge.failure, from, length, judge.rise, fastest_vertex()};
+  } catch (const Convergence_error& error) {
+    return Fluid_repetition_3{Fluid_failure_3::equations, from, length, error.residual(),
+                              flattest_cell()};
+  }
+}
+
+// Where the vertex of a liquid is that has the greatest velocity.
+template <class Complex, class Solver>
+auto Incompressible_fluid<Complex, Solver>::fastest_vertex() const -> Point {
+  Point result(0, 0, 0);
+  double greatest = -1;
+  for (Vertex_handle v : m_complex.vertices())
+    if (const double square = m_motion.velocity(v).squaredNorm(); square > greatest) {
+      greatest = square;
+      const auto p = m_complex.position(v);
+      result = Point(p.x(), p.y(), p.z());
+    }
+  return result;
+}
+
+// Where the cell of a liquid is that has the lowest quality.
+template <class Complex, class Solver>
+auto Incompressible_fluid<Complex, Solver>::flattest_cell() const -> Point {
+  Point result(0, 0, 0);
+  double lowest = std::numeric_limits<double>::infinity();
+  for (typename Complex::Cell_handle c : m_complex.cells())
+    if (m_properties.liquid(c->label()) && c->quality() < lowest) {
+      lowest = c->quality();
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (int i = 0; i < 4; ++i)
+        sum += internal::eigen_vector(m_complex.position(c->vertex(i))) / 4;
+      result = Point(sum.x(), sum.y(), sum.z());
+    }
+  return result;
+}
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_ATTEMPTS_IMPL_H

@@ -1,0 +1,338 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_IMPL_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_IMPL_H
+
+// Included by the class.
+#include <CGAL/Incompressible_fluid_3.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+template <class Complex, class Solver>
+double Incompressible_fluid<Complex, Solver>::relax_with(Options chosen, double dt,
+                                                         unsigned steps) {
+  static constexpr double rest = 1e-14;     // of the first step
+  static constexpr double longest_way = .3; // edges in a step, as forces change on it
+  chosen.implicitness = 1;
+  require_step(dt);
+  Report report;
+  const auto stop = [this](void*) {
+    m_motion = internal::Fluid_motion_3();
+    m_knows_accelerations = false;
+  };
+  const std::unique_ptr<void, decltype(stop)> stops_in_the_end(this, stop);
+  stop(this);
+  if (chosen.adaptation_interval > 0)
+    adapt(chosen, internal::Mesh_treatment_3::chosen, report);
+  double first = 0, velocity = 0;
+  internal::Fixed_point_accelerator accelerator;
+  for (unsigned k = 0; k < steps; ++k) {
+    const std::vector<std::size_t> before = stamps_of_interface();
+    const Eigen::VectorXd from = coordinates_of_interface();
+    report = {};
+    step(dt, m_time, chosen, longest_way, report, nullptr);
+    stop(this);
+    velocity = report.greatest_velocity;
+    first = k == 0 ? velocity : first;
+    if (velocity <= rest * first)
+      break;
+    if (before != stamps_of_interface()) {
+      accelerator.forget();
+      continue;
+    }
+    const Eigen::VectorXd to = coordinates_of_interface();
+    const double energy = balance().energy();
+    move_interface(Flow(*this, m_properties), accelerator.next(from, to), chosen, report);
+    if (before != stamps_of_interface()) {
+      accelerator.forget();
+      continue;
+    }
+    if (!(balance().energy() <= energy)) {
+      accelerator.forget();
+      move_interface(Flow(*this, m_properties), to, chosen, report);
+    }
+  }
+  return velocity;
+}
+
+template <class Complex, class Solver>
+std::vector<std::size_t> Incompressible_fluid<Complex, Solver>::stamps_of_interface() const {
+  std::vector<std::size_t> result;
+  for (Vertex_handle v : m_complex.interface_vertices())
+    result.push_back(v->time_stamp());
+  return result;
+}
+
+template <class Complex, class Solver>
+Eigen::VectorXd Incompressible_fluid<Complex, Solver>::coordinates_of_interface() const {
+  const auto vertices = m_complex.interface_vertices();
+  Eigen::VectorXd result(3 * Eigen::Index(vertices.size()));
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    result.segment<3>(3 * Eigen::Index(v)) =
+        internal::eigen_vector(m_complex.position(vertices[v]));
+  return result;
+}
+
+// Solids stand still if time does. Displacements are cut down to the longest one, in edges. If the
+// judge, which may be null, finds a failure before the mesh is changed, the rest is left out.
+template <class Complex, class Solver>
+void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Options& chosen,
+                                                 double longest_way, Report& report,
+                                                 Energy_judge* judge) {
+  const Flow flow(*this, m_properties);
+  report.dt = dt;
+  report.time = end;
+  report.before = report.moved = flow.balance(*this, flow.positions, flow.velocities, m_time);
+  report.after = report.before;
+  report.forces_on_solids.assign(m_solids.size(), Vector(0, 0, 0));
+  if (flow.mesh.facets.empty()) { // nothing is left that could move
+    m_time = end;
+    return;
+  }
+  const auto begin_of_solver = Clock::now();
+  Step step(flow.mesh, m_properties, m_solids, m_complex, m_solver, {dt, chosen.implicitness},
+            m_time, end, flow.positions, flow.velocities, flow.accelerations,
+            m_gas_ledger.bodies_of(flow.mesh), end > m_time ? m_source : typename Step::Source(),
+            chosen.number_of_threads);
+  step.solve(m_knows_accelerations);
+  report.seconds_of_solver += seconds_since(begin_of_solver);
+  own_gains(flow, step, dt, report);
+  m_time = end;
+  const Vectors after = step.final_velocities(),
+                destinations = shortened(step.destinations(), flow, longest_way, step.contacts());
+  store(flow, after, step.pressures(), dt);
+  report.moved = flow.balance(*this, destinations, after, m_time);
+  if (judge) {
+    if (!judge->budget)
+      judge->budget = flow.budget(*this);
+    judge->budget->supply(step.work_of_walls() + step.work_of_sources(judge->budget->level()));
+    // The volumes of gases are not restored yet, nor are their energies exact.
+    if (m_properties.gases().empty())
+      judge->look(report, report.moved);
+    if (judge->failure)
+      return;
+  }
+  note_momenta(flow, [&](const internal::Masses_3& masses) { return step.final_momentum(masses); });
+  auto events = std::move(report.deformation.events); // of the adaptation
+  report.deformation = move(flow, step.contacts(), destinations, chosen);
+  events.insert(events.end(), report.deformation.events.begin(), report.deformation.events.end());
+  report.deformation.events = std::move(events);
+  const Flow last = settle(chosen, report);
+  report.after = last.balance(*this, last.positions, last.velocities, m_time);
+  m_motion.keep(last.mesh.vertices);
+  report.depth_in_solids = last.depth_in_solids(*this);
+  describe(step, flow, report);
+  if (judge)
+    judge->look(report, energies_with_gases_of(report));
+}
+
+// Parts own what sources bring.
+template <class Complex, class Solver>
+void Incompressible_fluid<Complex, Solver>::own_gains(const Flow& flow, const Step& step, double dt,
+                                                      Report& report) {
+  Ledger::Volumes owned = m_ledger.volumes();
+  for (std::size_t k = 0; k < step.gains().size(); ++k) {
+    report.gained_volume += dt * step.gains()[k];
+    owned.at(flow.mesh.cells[k].component) += dt * step.gains()[k];
+  }
+  m_ledger.set_volumes(owned);
+}
+
+// Returns destinations at the end of the step, outside of walls, that are no farther than the
+// longest displacement, in edges.
+template <class Complex, class Solver>
+auto Incompressible_fluid<Complex, Solver>::shortened(Vectors destinations, const Flow& flow,
+                                                      double longest_way,
+                                                      const Contacts& contacts) const -> Vectors {
+  double part = 1;
+  for (std::size_t v = 0; v < destinations.size(); ++v)
+    part = (std::min)(part, longest_way * edge_at(flow.mesh.vertices[v]) /
+                                (destinations[v] - flow.positions[v]).norm());
+  for (std::size_t v = 0; v < destinations.size() && part < 1; ++v)
+    destinations[v] = flow.positions[v] + part * (destinations[v] - flow.positions[v]);
+  contacts.put_out(destinations, m_time);
+  return destinations;
+}
+
+// Adds what was solved to a report.
+template <class Complex, class Solver>
+void Incompressible_fluid<Complex, Solver>::describe(const Step& step, const Flow& flow,
+                                                     Report& report) const {
+  report.solutions += step.solutions();
+  report.iterations += step.iterations();
+  report.residual = (std::max)(report.residual, step.residual());
+  report.flat_cells = (std::max)(report.flat_cells, step.number_of_flat_cells());
+  report.contacts = step.contacts().number_of_held();
+  report.contacts_settled = step.is_settled();
+  const Vectors forces = step.contacts().forces(step.forces_on_vertices());
+  std::transform(forces.begin(), forces.end(), report.forces_on_solids.begin(), vector);
+  const Vectors& after = step.final_velocities();
+  for (std::size_t v = 0; v < after.size(); ++v) {
+    report.greatest_velocity = (std::max)(report.greatest_velocity, after[v].norm());
+    report.greatest_change_of_velocity =
+        (std::max)(report.greatest_change_of_velocity, (after[v] - flow.velocities[v]).norm());
+  }
+}
+
+// Returns the balance after a step. Where gases merged or split, their energies before and after
+// have no common origin; that before the changes of the mesh is used then.
+template <class Complex, class Solver>
+auto Incompressible_fluid<Complex, Solver>::energies_with_gases_of(const Report& report) const
+    -> Balance {
+  Balance result = report.after;
+  const auto& events = report.deformation.events;
+  if (std::any_of(events.begin(), events.end(),
+                  [this](const auto& event) { return m_properties.gas(event.label); }))
+    result.gas_energy = report.moved.gas_energy;
+  return result;
+}
+
+// Given velocities may change volumes and enter walls: the nearest ones that do not, as masses
+// weigh them, are those of a step in which nothing but pressure acts.
+template <class Complex, class Solver>
+void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, unsigned number_of_threads,
+                                                            Report& report) {
+  Properties inviscid;
+  for (const auto& [label, liquid] : m_properties.liquids())
+    inviscid.set_liquid(label, {liquid.density, 0});
+  const Flow flow(*this, inviscid);
+  if (std::all_of(flow.velocities.begin(), flow.velocities.end(),
+                  [](const Eigen::Vector3d& v) { return v.isZero(0); }))
+    return;
+  Step step(flow.mesh, inviscid, m_solids, m_complex, m_solver, {dt, 1}, m_time, m_time + dt,
+            flow.positions, flow.velocities, flow.accelerations, m_gas_ledger.bodies_of(flow.mesh),
+            {}, number_of_threads);
+  const auto begin = Clock::now();
+  step.solve(true);
+  report.seconds_of_solver += seconds_since(begin);
+  report.solutions += step.solutions();
+  report.iterations += step.iterations();
+  const Vectors& velocities = step.solved_velocities();
+  for (std::size_t v = 0; v < velocities.size(); ++v)
+    m_motion.set(flow.mesh.vertices[v], velocities[v], Eigen::Vector3d::Zero());
+  note_momenta(flow,
+               [&](const internal::Masses_3& masses) { return step.pushed_momentum(masses); });
+  Flow projected(*this, m_properties);
+  restore_momenta(projected);
+}
+
+template <class Complex, class Solver>
+double Incompressible_fluid<Complex, Solver>::largest_step(double part) const {
+  double result = std::numeric_limits<double>::infinity();
+  for (Vertex_handle v : m_complex.finite_vertices()) {
+    const auto motion = m_motion.at(v->time_stamp());
+    double velocity = 0, acceleration = 0; // squares
+    for (int axis = 0; axis < 3; ++axis)
+      if (!Boundary_class::fixes(v->boundary_class(), axis)) {
+        velocity += square(motion(axis));
+        acceleration += square(motion(3 + axis));
+      }
+    const double length = part * edge_at(v);
+    // length = velocity t + acceleration t^2 / 2
+    if (velocity > 0 || acceleration > 0)
+      result = (std::min)(result, 2 * length /
+                                      (std::sqrt(velocity) +
+                                       std::sqrt(velocity + 2 * std::sqrt(acceleration) * length)));
+  }
+  return result;
+}
+
+template <class Complex, class Solver>
+auto Incompressible_fluid<Complex, Solver>::state() const -> State {
+  State result;
+  result.time = m_time;
+  result.steps = m_steps;
+  result.damped_steps = m_damped_steps;
+  result.knows_accelerations = m_knows_accelerations;
+  for (Vertex_handle v : m_complex.vertices()) {
+    const auto value = m_motion.at(v->time_stamp());
+    result.motion.emplace_back();
+    std::copy(value.data(), value.data() + value.size(), result.motion.back().begin());
+  }
+  result.volumes.assign(m_ledger.volumes().begin(), m_ledger.volumes().end());
+  for (const auto& [part, body] : m_gas_ledger.bodies())
+    result.gases.emplace_back(
+        part, std::array<double, 2>{body.reference_pressure, body.reference_volume});
+  return result;
+}
+
+template <class Complex, class Solver>
+void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
+  const auto vertices = m_complex.vertices();
+  const Flow flow(*this, m_properties);
+  const auto present = flow.volumes();
+  bool fits = state.motion.size() == vertices.size() && state.volumes.size() == present.size() &&
+              std::isfinite(state.time);
+  const Ledger::Volumes volumes(state.volumes.begin(), state.volumes.end());
+  fits = fits && volumes.size() == present.size(); // none of them twice
+  for (const auto& [part, volume] : volumes)
+    fits = fits && present.count(part) > 0 && volume > 0 && std::isfinite(volume);
+  auto gases = Gas_bookkeeping::measure(flow.mesh, m_properties);
+  const std::map<Ledger::Part, std::array<double, 2>> references(state.gases.begin(),
+                                                                 state.gases.end());
+  fits = fits && state.gases.size() == gases.size() && references.size() == gases.size();
+  for (const auto& [part, reference] : references) {
+    const auto found = gases.find(part);
+    if (found != gases.end() && reference[0] >= 0 && reference[1] > 0 &&
+        std::isfinite(reference[0] * reference[1])) {
+      found->second.reference_pressure = reference[0];
+      found->second.reference_volume = reference[1];
+    } else
+      fits = false;
+  }
+  for (const auto& value : state.motion)
+    fits =
+        fits && std::all_of(value.begin(), value.end(), [](double x) { return std::isfinite(x); });
+  if (!fits)
+    throw Error("the state of the fluid does not fit the complex: restore the complex that it was "
+                "taken with first");
+  internal::Fluid_motion_3 motion;
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    motion.put(vertices[v]->time_stamp(), internal::Fluid_motion_3::Value(state.motion[v].data()));
+  m_motion = std::move(motion);
+  m_ledger.set_volumes(volumes);
+  m_gas_ledger.set_bodies(gases);
+  m_complex.take_component_lineage();
+  m_time = state.time;
+  m_steps = state.steps;
+  m_damped_steps = state.damped_steps;
+  m_knows_accelerations = state.knows_accelerations;
+}
+
+template <class Complex, class Solver>
+template <class NamedParameters>
+auto Incompressible_fluid<Complex, Solver>::options(const NamedParameters& np) const -> Options {
+  namespace tags = internal_np;
+  using Defaults = internal::defaults::Adaptive_advection<3>;
+  const Options result = {
+      internal::deformation_options(m_complex, np),
+      internal::number_parameter(np, tags::implicitness, internal::defaults::implicitness),
+      internal::number_parameter(np, tags::interface_tolerance, Defaults::interface_tolerance),
+      internal::count_parameter(np, tags::adaptation_interval, "adaptation_interval",
+                                Defaults::adaptation_interval),
+      internal::count_parameter(np, tags::number_of_threads, "number_of_threads",
+                                internal::defaults::number_of_threads)};
+  if (!(result.implicitness >= .5 && result.implicitness <= 1))
+    throw Error("the implicitness is out of range: use 0.5 to 1");
+  if (!(result.interface_tolerance >= 0))
+    throw Error("the tolerance of the interface is out of range: use 0 or more");
+  return result;
+}
+
+template <class Complex, class Solver>
+void Incompressible_fluid<Complex, Solver>::store(const Flow& flow, const Vectors& velocities,
+                                                  const std::vector<double>& pressures, double dt) {
+  for (std::size_t v = 0; v < flow.mesh.vertices.size(); ++v) {
+    m_motion.set(flow.mesh.vertices[v], velocities[v], (velocities[v] - flow.velocities[v]) / dt);
+    m_motion.set_pressure(flow.mesh.vertices[v], pressures[v]);
+  }
+  m_knows_accelerations = true;
+}
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_IMPL_H

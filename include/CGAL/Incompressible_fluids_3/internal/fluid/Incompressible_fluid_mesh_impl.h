@@ -1,0 +1,260 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_MESH_IMPL_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_MESH_IMPL_H
+
+// Member functions of Incompressible_fluid that change the mesh, and what follows its changes.
+// Included by the class.
+#include <CGAL/Incompressible_fluid_3.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+// The interface where it is worn, and inside of liquids edges about as long as those of the
+// interface: in the beginning, and later where the flow has stretched them a lot. Tetrahedra are
+// improved in the beginning, and before a step that is repeated.
+template <class Complex, class Solver>
+void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
+                                                  internal::Mesh_treatment_3 treatment,
+                                                  Report& report) {
+  static constexpr double quality = .3; // of tetrahedra, as of new meshes
+  if (m_complex.interface_vertices().empty())
+    return;
+  internal::require_interface_edge(m_complex);
+  const Flow flow(*this, m_properties);
+  note_momenta(flow, [&](const internal::Masses_3& masses) {
+    return internal::momentum(flow.mesh, masses, flow.positions, flow.velocities);
+  });
+  using Treatment = internal::Mesh_treatment_3;
+  Improvement_report& result = report.adaptation;
+  change_followed([&](const auto& visitor) {
+    if (treatment != Treatment::improved)
+      result = result + adapt_lengths(chosen.interface_tolerance, visitor);
+    if (m_steps == 0 || treatment != Treatment::chosen)
+      result =
+          result + improve_mesh(m_complex, parameters::quality_threshold(quality).visitor(visitor));
+  });
+  settle(chosen, report);
+}
+
+// Adapts the interface, if it is worn, and the lengths of edges in liquids.
+template <class Complex, class Solver>
+template <class Visitor>
+Improvement_report Incompressible_fluid<Complex, Solver>::adapt_lengths(double tolerance,
+                                                                        const Visitor& visitor) {
+  // In mean edges of the interface. What is split later is collapsed to no less than it was.
+  static constexpr double longest_of_new = 1.7, longest = 2.5, shortest = .3;
+  using Defaults = internal::defaults::Adaptive_advection<3>;
+  const Improvement_report result = internal::keep_interface_fit(
+      m_complex, {tolerance, Defaults::feature_angle}, [](const auto&) { return true; }, visitor);
+  const double edge = m_complex.mean_interface_edge();
+  const auto is_liquid = [this](typename Complex::Cell_handle c) {
+    return m_properties.liquid(c->label()) != nullptr;
+  };
+  const bool is_new = m_steps == 0;
+  return result + control_detail(m_complex, parameters::sizing_field(
+                                                [edge](const Approximate_point&) { return edge; })
+                                                .where(is_liquid)
+                                                .split_length(is_new ? longest_of_new : longest)
+                                                .collapse_length(is_new ? 0. : shortest)
+                                                .visitor(visitor));
+}
+
+// Gives parts what they own, after changes of the mesh. Returns what is then.
+template <class Complex, class Solver>
+auto Incompressible_fluid<Complex, Solver>::settle(const Options& chosen, Report& report) -> Flow {
+  Flow result(*this, m_properties);
+  report.lost_volume += follow_parts(result);
+  restore_volumes(result, chosen, report);
+  report.greatest_correction = (std::max)(report.greatest_correction, restore_momenta(result));
+  return result;
+}
+
+template <class Complex, class Solver>
+Deformation_report<Complex>
+Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& contacts,
+                                            const Vectors& destinations, const Options& chosen) {
+  const Mesh& mesh = flow.mesh;
+  const Part_interface parts(m_complex, m_properties, flow.volumes());
+  const internal::Vertex_numbers number(m_complex, mesh.vertices);
+  const auto from = parts.snapshot().positions(m_complex);
+  auto to = from;
+  std::vector<char> is_held(to.size(), false);
+  for (std::size_t k = 0; k < to.size(); ++k)
+    if (const std::size_t i = number(parts.snapshot().vertices[k]); i < mesh.vertices.size()) {
+      to[k] = point(destinations[i]);
+      is_held[k] = contacts.is_held(i);
+    }
+  parts.restore(
+      m_ledger.volumes(), from, [&](std::size_t v) { return is_held[v] != 0; }, to);
+
+  std::unordered_map<std::size_t, Approximate_point> inside; // by time stamp
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    if (!mesh.is_on_interface[i])
+      inside.emplace(mesh.vertices[i]->time_stamp(), point(destinations[i]));
+  const auto inner_flow = [&inside](Vertex_handle v) {
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const auto found = inside.find(v->time_stamp());
+    return found != inside.end() ? found->second : Approximate_point(unknown, unknown, unknown);
+  };
+  return change_followed([&](const auto& visitor) {
+    return deform_interface_to(m_complex, parts.snapshot(), to,
+                               chosen.parameters().flow(inner_flow).visitor(visitor));
+  });
+}
+
+// Changes the mesh by a function of a visitor, which carries velocities. If that throws, parts are
+// still those of the ledger.
+template <class Complex, class Solver>
+template <class Change>
+auto Incompressible_fluid<Complex, Solver>::change_followed(const Change& change) {
+  Carrier carried = carrier();
+  try {
+    return change(std::ref(carried));
+  } catch (...) {
+    follow_parts(Flow(*this, m_properties));
+    throw;
+  }
+}
+
+// Where changes of the mesh have altered them.
+template <class Complex, class Solver>
+void Incompressible_fluid<Complex, Solver>::restore_volumes(Flow& flow, const Options& chosen,
+                                                            Report& report) {
+  static constexpr double rounding = 1e-14;
+  static constexpr int rounds = 3;
+  for (int k = 0; k <= rounds; ++k) {
+    report.volume_error = m_ledger.error(flow.volumes());
+    if (k == 0)
+      report.volume_correction = (std::max)(report.volume_correction, report.volume_error);
+    if (k == rounds || (report.volume_error <= rounding && !(flow.depth_in_solids(*this) > 0)))
+      break;
+    flow = move_interface(flow, coordinates_of_interface(), chosen, report);
+  }
+}
+
+// To about given coordinates: out of solids, and so that parts have their volumes. The mesh stays
+// as it is if it can. Returns what is then.
+template <class Complex, class Solver>
+auto Incompressible_fluid<Complex, Solver>::move_interface(const Flow& flow,
+                                                           const Eigen::VectorXd& coordinates,
+                                                           const Options& chosen, Report& report)
+    -> Flow {
+  const Mesh& mesh = flow.mesh;
+  Vectors positions = flow.positions;
+  const Contacts contacts(mesh, m_solids, m_complex, positions, m_time);
+  std::unordered_map<std::size_t, std::size_t> number; // in the mesh, by time stamp
+  for (std::size_t v = 0; v < positions.size(); ++v)
+    number.emplace(mesh.vertices[v]->time_stamp(), v);
+  const Part_interface parts(m_complex, m_properties, flow.volumes());
+  const auto& vertices = parts.snapshot().vertices;
+  for (std::size_t k = 0; k < vertices.size(); ++k)
+    if (const auto found = number.find(vertices[k]->time_stamp()); found != number.end())
+      positions[found->second] = coordinates.segment<3>(3 * Eigen::Index(k));
+  contacts.put_out(positions, m_time);
+
+  std::vector<Approximate_point> to;
+  std::vector<char> is_held(vertices.size(), false);
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    const auto found = number.find(vertices[k]->time_stamp());
+    to.push_back(found != number.end() ? point(positions[found->second])
+                                       : m_complex.position(vertices[k]));
+    is_held[k] = found != number.end() && contacts.touches(found->second);
+  }
+  parts.restore(
+      m_ledger.volumes(), parts.snapshot().positions(m_complex),
+      [&](std::size_t v) { return is_held[v] != 0; }, to);
+  const auto deformation = change_followed([&](const auto& visitor) {
+    return deform_interface_to(m_complex, parts.snapshot(), to,
+                               chosen.parameters()
+                                   .quality_threshold(0.)
+                                   .relabeling_threshold(0.)
+                                   .minimum_angle(0.)
+                                   .minimum_facet_angle(0.)
+                                   .visitor(visitor));
+  });
+  auto& events = report.deformation.events;
+  events.insert(events.end(), deformation.events.begin(), deformation.events.end());
+  Flow result(*this, m_properties);
+  report.lost_volume += follow_parts(result);
+  return result;
+}
+
+// Those of parts that touch, together.
+template <class Complex, class Solver>
+template <class MomentumOf>
+void Incompressible_fluid<Complex, Solver>::note_momenta(const Flow& flow,
+                                                         const MomentumOf& momentum_of) {
+  std::size_t size = 0;
+  for (const auto& cell : flow.mesh.cells)
+    size = (std::max)(size, std::size_t(cell.component) + 1);
+  internal::Number_groups touching(size + flow.mesh.vertices.size());
+  for (const auto& cell : flow.mesh.cells)
+    for (auto v : cell.vertices)
+      touching.join(size + v, cell.component);
+  std::vector<std::size_t> set_of_part;
+  for (std::size_t part = 0; part < size; ++part)
+    set_of_part.push_back(touching.of(part));
+  std::vector<internal::Momentum_3> momenta;
+  for (const auto& masses : internal::masses_of_sets(
+           flow.mesh, flow.positions, size, [&](std::uint32_t part) { return set_of_part[part]; }))
+    momenta.push_back(momentum_of(masses));
+  m_ledger.set_momenta(std::move(momenta), set_of_part);
+}
+
+// Returns the volume of parts that are gone.
+template <class Complex, class Solver>
+double Incompressible_fluid<Complex, Solver>::follow_parts(const Flow& now) {
+  const auto lineage = m_complex.take_component_lineage();
+  m_gas_ledger.follow(lineage, Gas_bookkeeping::measure(now.mesh, m_properties));
+  return m_ledger.follow(lineage, now.volumes());
+}
+
+// Gives parts the momenta that they own by a rigid motion. Returns the greatest change of a
+// velocity.
+template <class Complex, class Solver>
+double Incompressible_fluid<Complex, Solver>::restore_momenta(Flow& flow) {
+  // Of parts that touch by now, together, as their vertices are the same.
+  internal::Number_groups sets(m_ledger.momenta().size());
+  std::vector<std::size_t> set_of_vertex(flow.positions.size(), sets.size());
+  for (const auto& cell : flow.mesh.cells)
+    for (auto v : cell.vertices) {
+      const std::size_t set = m_ledger.set_of(cell.component);
+      if (set_of_vertex[v] < sets.size())
+        sets.join(set, set_of_vertex[v]);
+      set_of_vertex[v] = set;
+    }
+  std::vector<internal::Momentum_3> wanted(sets.size());
+  for (std::size_t k = 0; k < sets.size(); ++k) {
+    wanted[sets.of(k)].linear += m_ledger.momenta()[k].linear;
+    wanted[sets.of(k)].angular += m_ledger.momenta()[k].angular;
+  }
+  const auto bodies =
+      internal::masses_of_sets(flow.mesh, flow.positions, wanted.size(),
+                               [&](std::uint32_t part) { return sets.of(m_ledger.set_of(part)); });
+  double result = 0;
+  Vectors velocities = flow.velocities;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    internal::Momentum_3 missing =
+        internal::momentum(flow.mesh, bodies[k], flow.positions, flow.velocities);
+    missing.linear = wanted[k].linear - missing.linear;
+    missing.angular = wanted[k].angular - missing.angular;
+    const auto correction = internal::rigid_velocity(flow.mesh, bodies[k], flow.positions, missing);
+    for (const auto& [v, mass] : bodies[k].of_vertices)
+      velocities[v] = flow.velocities[v] + correction.at(flow.positions[v]);
+  }
+  flow.mesh.keep_on_sides(velocities);
+  for (std::size_t v = 0; v < velocities.size(); ++v) {
+    result = (std::max)(result, (velocities[v] - flow.velocities[v]).norm());
+    m_motion.set(flow.mesh.vertices[v], velocities[v], flow.accelerations[v]);
+  }
+  flow.velocities.swap(velocities);
+  return result;
+}
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_MESH_IMPL_H

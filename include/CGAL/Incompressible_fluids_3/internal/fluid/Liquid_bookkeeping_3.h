@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_BOOKKEEPING_3_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_BOOKKEEPING_3_H
+
+#include <CGAL/Incompressible_fluids_3/internal/solvers/Number_groups.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Component_momenta_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// What the connected parts of liquids own, by the numbers of their components: volumes, which
+// merged parts add and what a part falls into shares; and momenta, which parts that merged or split
+// in a step, or touch each other, have together.
+class Liquid_bookkeeping_3
+{
+public:
+  using Part = std::uint32_t;
+  using Volumes = std::map<Part, double>;
+  using Lineage = std::vector<std::pair<Part, Part>>; // parts then and now with common cells
+
+  // Of liquids as they are.
+  template <class Mesh> static Volumes measure(const Mesh& mesh, const Vectors_3& positions) {
+    Volumes result;
+    auto last = result.end(); // most cells are of the component of the one before
+    for (const auto& cell : mesh.cells) {
+      if (last == result.end() || last->first != cell.component)
+        last = result.emplace(cell.component, 0.).first;
+      last->second += volume(cell, positions);
+    }
+    return result;
+  }
+
+  const Volumes& volumes() const { return m_volumes; }
+  void set_volumes(const Volumes& volumes) { m_volumes = volumes; }
+
+  // By how much parts are off, the most, relative to what they are to have.
+  double error(const Volumes& present) const {
+    double result = 0;
+    for (const auto& [part, volume] : m_volumes)
+      result = (std::max)(result, std::abs(present.at(part) - volume) / volume);
+    return result;
+  }
+
+  // By set, and the set of each part by its number.
+  void set_momenta(std::vector<Momentum_3> momenta, const std::vector<std::size_t>& set_of_part) {
+    m_set_of_part.clear();
+    for (const auto& [part, volume] : m_volumes)
+      m_set_of_part[part] = set_of_part[part];
+    m_momenta = std::move(momenta);
+  }
+  const std::vector<Momentum_3>& momenta() const { return m_momenta; } // by set
+  std::size_t set_of(Part part) const { return m_set_of_part.at(part); }
+
+  // The parts of now, with their volumes, own what those of then did. Returns the volume of those
+  // that are gone.
+  double follow(const Lineage& lineage, const Volumes& present) {
+    // Then, now, and sets of momenta of then are joined, each of them by what it has to do with.
+    const std::size_t size = size_of(m_volumes, present, lineage);
+    Number_groups groups(2 * size), sets(2 * size + m_momenta.size());
+    for (const auto& [then, now] : lineage) {
+      groups.join(then, size + now);
+      sets.join(then, size + now);
+    }
+    for (const auto& [part, set] : m_set_of_part)
+      sets.join(part, 2 * size + set);
+
+    std::vector<double> owned(2 * size, 0), found(2 * size, 0);
+    for (const auto& [part, volume] : m_volumes)
+      owned[groups.of(part)] += volume;
+    for (const auto& [part, volume] : present)
+      found[groups.of(size + part)] += volume;
+    double lost = 0;
+    for (const auto& [part, volume] : m_volumes)
+      lost += found[groups.of(part)] > 0 ? 0 : volume;
+    std::vector<Momentum_3> momenta(sets.size());
+    for (std::size_t set = 0; set < m_momenta.size(); ++set) {
+      Momentum_3& sum = momenta[sets.of(2 * size + set)];
+      sum.linear += m_momenta[set].linear;
+      sum.angular += m_momenta[set].angular;
+    }
+    m_volumes.clear();
+    m_set_of_part.clear();
+    for (const auto& [part, volume] : present) {
+      const std::size_t group = groups.of(size + part);
+      m_volumes[part] = owned[group] > 0 ? volume / found[group] * owned[group] : volume;
+      m_set_of_part[part] = sets.of(size + part);
+    }
+    m_momenta.swap(momenta);
+    return lost;
+  }
+
+  // Above all numbers of parts, which things then and now are kept by.
+  template <class By_part>
+  static std::size_t size_of(const By_part& then, const By_part& now, const Lineage& lineage) {
+    Part result = 0;
+    for (const By_part* parts : {&then, &now})
+      if (!parts->empty())
+        result = (std::max)(result, parts->rbegin()->first);
+    for (const auto& [a, b] : lineage)
+      result = (std::max)({result, a, b});
+    return std::size_t(result) + 1;
+  }
+
+private:
+  Volumes m_volumes;
+  std::map<Part, std::size_t> m_set_of_part;
+  std::vector<Momentum_3> m_momenta;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_BOOKKEEPING_3_H

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_INTERFACE_3_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_INTERFACE_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/Volume_changer.h>
+#include <CGAL/Incompressible_fluids_3/Fluid_properties_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Liquid_bookkeeping_3.h>
+
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The interface as what separates connected parts of liquids from each other and from void.
+template <class Complex> class Liquid_interface_3
+{
+public:
+  using Snapshot = Interface_snapshot<Complex>;
+  using Point = typename Complex::Approximate_point;
+  using Points = std::vector<Point>;
+  using Volumes = Liquid_bookkeeping_3::Volumes;
+
+  // With the volumes of now. \pre components are up to date
+  Liquid_interface_3(const Complex& complex, const Fluid_properties_3& properties,
+                     const Volumes& present)
+      : m_snapshot(complex), m_present(present) {
+    const auto part = [&](typename Complex::Cell_handle c) {
+      return properties.liquid(c->label()) ? int(c->component()) : void_part;
+    };
+    const auto facets = complex.interface_facets();
+    for (std::size_t i = 0; i < facets.size(); ++i) {
+      m_snapshot.triangles[i].behind = part(facets[i].first);
+      m_snapshot.triangles[i].in_front = part(facets[i].first->neighbor(facets[i].second));
+    }
+  }
+
+  const Snapshot& snapshot() const { return m_snapshot; }
+
+  // Moves positions, to which vertices are to go, along normals so that parts have the volumes that
+  // they are to have: equally far for each part, but for vertices that are held.
+  template <class IsHeld>
+  void restore(const Volumes& wanted, const Points& from, const IsHeld& is_held, Points& to) const {
+    const Volume_changer<Complex> changer(m_snapshot);
+    const auto swept = changer.changes(from, to);
+    std::map<int, double> missing;
+    for (const auto& [part, volume] : wanted) {
+      const auto change = swept.find(int(part));
+      missing[int(part)] =
+          volume - m_present.at(part) - (change == swept.end() ? 0 : change->second);
+    }
+    auto directions = changer.gradients(missing, to);
+    std::vector<double> areas(to.size(), 0); // a third of each facet around
+    for (const auto& facet : m_snapshot.triangles) {
+      const Point &a = to[facet.vertices[0]], &b = to[facet.vertices[1]],
+                  &c = to[facet.vertices[2]];
+      const double area = std::sqrt(cross_product(b - a, c - a).squared_length()) / 6;
+      for (std::size_t v : facet.vertices)
+        areas[v] += area;
+    }
+    for (std::size_t v = 0; v < to.size(); ++v)
+      for (auto& [row, direction] : directions[v])
+        direction = is_held(v) || !(areas[v] > 0) ? typename Complex::Approximate_vector(0, 0, 0)
+                                                  : direction / areas[v];
+    changer.change_by(missing, directions, to);
+  }
+
+private:
+  static constexpr int void_part = -1;
+
+  Snapshot m_snapshot; // with numbers of parts for labels
+  Volumes m_present;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_INTERFACE_3_H

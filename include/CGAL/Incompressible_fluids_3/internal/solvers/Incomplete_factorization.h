@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_INCOMPLETE_FACTORIZATION_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_INCOMPLETE_FACTORIZATION_H
+
+#include <CGAL/Incompressible_fluids_3/internal/solvers/unit_of.h>
+
+#include <Eigen/Core>
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// About the inverse of a symmetric positive definite matrix, for one right side or some at once, by
+// incomplete Cholesky factorization. In single precision, which halves its time and changes no
+// number of iterations: a preconditioner need not be exact, but symmetric.
+template <int columns> class Incomplete_factorization
+{
+public:
+  using Matrix = Eigen::SparseMatrix<double>; // a lower triangle
+  using Vector = Eigen::VectorXd;
+
+  // Returns whether it exists.
+  bool compute(const Matrix& lower) {
+    m_unit = unit_of(lower.diagonal().size() > 0 ? lower.diagonal().maxCoeff() : 0);
+    m_scale = (lower.diagonal() / m_unit).cwiseSqrt().cwiseInverse();
+    if (!m_scale.allFinite())
+      return false;
+    const Eigen::SparseMatrix<float> scaled =
+        (m_scale.asDiagonal() * (lower / m_unit) * m_scale.asDiagonal()).cast<float>();
+    m_factorization.compute(scaled);
+    if (m_factorization.info() != Eigen::Success)
+      return false;
+    m_scale.array() *= m_factorization.scalingS().cast<double>().array();
+    m_values.resize(columns, m_scale.size());
+    return true;
+  }
+
+  // Of `columns` numbers for each row. One thread at a time.
+  template <class In, class Out> void solve(const In& in, Out&& out) {
+    const double size = in.template lpNorm<Eigen::Infinity>(); // within the range of floats
+    const auto& l = m_factorization.matrixL();
+    const Eigen::Index n = m_scale.size();
+    const auto* begin = l.outerIndexPtr();
+    const auto* row = l.innerIndexPtr();
+    const float* value = l.valuePtr();
+    for (Eigen::Index i = 0; i < n; ++i)
+      m_values.col(i) =
+          (m_scale(i) / (size > 0 ? size : 1) * in.template segment<columns>(columns * i))
+              .template cast<float>();
+    for (Eigen::Index j = 0; j < n; ++j) { // the diagonal is first
+      const Column x = m_values.col(j) /= value[begin[j]];
+      for (auto k = begin[j] + 1; k < begin[j + 1]; ++k)
+        m_values.col(row[k]) -= value[k] * x;
+    }
+    for (Eigen::Index j = n - 1; j >= 0; --j) {
+      Column x = m_values.col(j);
+      for (auto k = begin[j] + 1; k < begin[j + 1]; ++k)
+        x -= value[k] * m_values.col(row[k]);
+      m_values.col(j) = x / value[begin[j]];
+    }
+    for (Eigen::Index i = 0; i < n; ++i)
+      out.template segment<columns>(columns * i) =
+          size / m_unit * m_scale(i) * m_values.col(i).template cast<double>();
+  }
+
+private:
+  using Column = Eigen::Matrix<float, columns, 1>;
+
+  double m_unit; // of the entries of the matrix: what is in single precision has none
+  Vector m_scale;
+  Eigen::IncompleteCholesky<float, Eigen::Lower, Eigen::NaturalOrdering<int>> m_factorization;
+  Eigen::Matrix<float, columns, Eigen::Dynamic> m_values;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_INCOMPLETE_FACTORIZATION_H

@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_NUMBER_GROUPS_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_NUMBER_GROUPS_H
+
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Numbers that are joined.
+class Number_groups
+{
+public:
+  explicit Number_groups(std::size_t size) : m_parents(size) {
+    std::iota(m_parents.begin(), m_parents.end(), std::size_t(0));
+  }
+  std::size_t size() const { return m_parents.size(); }
+  // The number that stands for all that i is joined with.
+  std::size_t of(std::size_t i) {
+    while (m_parents[i] != i)
+      i = m_parents[i] = m_parents[m_parents[i]];
+    return i;
+  }
+  void join(std::size_t i, std::size_t j) { m_parents[of(i)] = of(j); }
+
+private:
+  std::vector<std::size_t> m_parents;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_NUMBER_GROUPS_H

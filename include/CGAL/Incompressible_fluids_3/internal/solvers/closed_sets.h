@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_CLOSED_SETS_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_CLOSED_SETS_H
+
+#include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
+#include <CGAL/Incompressible_fluids_3/internal/solvers/Number_groups.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The closed sets of a system, which knows all but them. Their weights are those that c has. About
+// linear.
+inline std::vector<Saddle_point_system::Closed_set> closed_sets(const Saddle_point_system& system) {
+  static constexpr double rounding = 1e-4; // of the area of the surface
+  using Vector = Saddle_point_system::Vector;
+  using Closed_set = Saddle_point_system::Closed_set;
+  const Eigen::Index n = system.nodal.rows(), m = system.c.rows();
+  if (system.held.empty())
+    return {};
+  // How much pressures that are one everywhere push vertices, freely.
+  const Vector pushes = system.b.transpose() * Vector::Ones(m);
+  Vector free_pushes = pushes;
+  system.project(free_pushes);
+  // What pushes a vertex in common is of one set.
+  const auto group_of_vertex = [m](Eigen::Index v) { return std::size_t(m + v); };
+  Number_groups groups(std::size_t(m + n));
+  for (Eigen::Index p = 0; p < m; ++p)
+    for (Saddle_point_system::Matrix::InnerIterator i(system.b, p); i; ++i)
+      groups.join(std::size_t(p), group_of_vertex(i.col() / 3));
+  struct Sums
+  {
+    double area = 0, free_area = 0; // squares
+    Closed_set set;
+  };
+  std::vector<Sums> sums(groups.size());
+  for (Eigen::Index v = 0; v < n; ++v) {
+    Sums& s = sums[groups.of(group_of_vertex(v))];
+    s.area += pushes.segment<3>(3 * v).squaredNorm();
+    s.free_area += free_pushes.segment<3>(3 * v).squaredNorm();
+  }
+  for (Eigen::Index p = 0; p < m; ++p) {
+    Sums& s = sums[groups.of(std::size_t(p))];
+    s.set.pressures.push_back(p);
+    s.set.weight += system.c.coeff(p, p);
+  }
+  std::vector<Closed_set> result;
+  for (Sums& s : sums)
+    if (!s.set.pressures.empty() && s.free_area <= rounding * rounding * s.area) {
+      s.set.weight /= double(s.set.pressures.size());
+      result.push_back(std::move(s.set));
+    }
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_CLOSED_SETS_H

@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_PRESSURE_MATRIX_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_PRESSURE_MATRIX_H
+
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
+#include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// What masses make of pressures, b P D^-1 P b^T + c with D the inertia of velocities, the lower
+// triangle; bt is b^T. Made by rows of b, not by a product of sparse matrices, which would not know
+// that three of its columns have the same pattern, nor that it is symmetric.
+inline Eigen::SparseMatrix<double> pressure_matrix(const For_each_index& for_each,
+                                                   const Saddle_point_system& system,
+                                                   const Saddle_point_system::Matrix& bt) {
+  // Where no surface is free, pressures may all grow by the same. Above the rounding of single
+  // precision, by which it is factorized.
+  static constexpr double above_zero = 1 + 1e-6;
+  static constexpr std::size_t parts = 16; // each of which takes a vector of all pressures
+  using Row = Saddle_point_system::Matrix::InnerIterator;
+  using Index = Eigen::SparseMatrix<double>::StorageIndex;
+  const Eigen::Index n = system.nodal.rows(), m = system.c.rows();
+  std::vector<const Eigen::Matrix3d*> projections(std::size_t(n), nullptr);
+  for (const auto& h : system.held)
+    projections[std::size_t(h.vertex)] = &h.projection;
+
+  Eigen::SparseMatrix<double> result(m, m);
+  Index* const ends = result.outerIndexPtr() + 1;
+  std::array<std::vector<Index>, parts> rows;
+  std::array<std::vector<double>, parts> values;
+  for_each(
+      parts,
+      [&](std::size_t part) {
+        std::vector<double> sums(std::size_t(m), 0);
+        std::vector<char> is_met(std::size_t(m), false);
+        std::vector<Index> met;
+        const auto add = [&](Eigen::Index q, double value) {
+          if (!is_met[std::size_t(q)]) {
+            is_met[std::size_t(q)] = true;
+            met.push_back(Index(q));
+          }
+          sums[std::size_t(q)] += value;
+        };
+        const Eigen::Index end = m * Eigen::Index(part + 1) / Eigen::Index(parts);
+        for (Eigen::Index p = m * Eigen::Index(part) / Eigen::Index(parts); p < end; ++p) {
+          for (Row k(system.b, p); k;) {
+            const Eigen::Index v = k.col() / 3;
+            Eigen::Vector3d gradient;
+            for (int axis = 0; axis < 3; ++axis, ++k)
+              gradient(axis) = k.value();
+            if (projections[std::size_t(v)])
+              gradient = (*projections[std::size_t(v)] * gradient).eval();
+            gradient /= system.inertia(v);
+            for (Row x(bt, 3 * v), y(bt, 3 * v + 1), z(bt, 3 * v + 2); x; ++x, ++y, ++z)
+              if (x.col() >= p)
+                add(x.col(),
+                    gradient.x() * x.value() + gradient.y() * y.value() + gradient.z() * z.value());
+          }
+          for (Row k(system.c, p); k; ++k)
+            if (k.col() >= p)
+              add(k.col(), k.value());
+          sums[std::size_t(p)] *= above_zero;
+          std::sort(met.begin(), met.end());
+          for (Index q : met) {
+            rows[part].push_back(q);
+            values[part].push_back(std::exchange(sums[std::size_t(q)], 0.));
+            is_met[std::size_t(q)] = false;
+          }
+          ends[p] = Index(met.size());
+          met.clear();
+        }
+      },
+      2);
+  for (Eigen::Index p = 1; p < m; ++p)
+    ends[p] += ends[p - 1];
+  result.resizeNonZeros(m > 0 ? ends[m - 1] : 0);
+  Eigen::Index begin = 0;
+  for (std::size_t part = 0; part < parts; ++part) {
+    std::copy(rows[part].begin(), rows[part].end(), result.innerIndexPtr() + begin);
+    std::copy(values[part].begin(), values[part].end(), result.valuePtr() + begin);
+    begin += Eigen::Index(rows[part].size());
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_PRESSURE_MATRIX_H

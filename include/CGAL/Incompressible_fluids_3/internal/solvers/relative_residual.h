@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_RELATIVE_RESIDUAL_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_RELATIVE_RESIDUAL_H
+
+#include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The largest relative residual of a solution that is accepted, for any solver. Solvers are asked
+// for about 1e-11 in a norm of their own, which may differ by the condition of their
+// preconditioner.
+constexpr double largest_residual = 1e-8;
+
+// Computes norms of residuals of a saddle point system. The weight of an equation is the inverse of
+// the diagonal entry of the matrix, for pressures that of the Schur complement of the diagonal.
+// So all equations have the same unit.
+class Residual_norm
+{
+public:
+  using System = Saddle_point_system;
+  using Vector = System::Vector;
+
+  explicit Residual_norm(const System& system)
+      : m_velocities(system.nodal.diagonal().cwiseInverse()), m_pressures(system.c.diagonal()) {
+    std::vector<const Eigen::Matrix3d*> projections(std::size_t(system.nodal.rows()), nullptr);
+    for (const auto& h : system.held)
+      projections[std::size_t(h.vertex)] = &h.projection;
+    for (Eigen::Index p = 0; p < system.b.rows(); ++p)
+      for (System::Matrix::InnerIterator i(system.b, p); i;) {
+        const Eigen::Index v = i.col() / 3;
+        Eigen::Vector3d gradient;
+        for (int axis = 0; axis < 3; ++axis, ++i)
+          gradient(axis) = i.value();
+        if (projections[std::size_t(v)] != nullptr)
+          gradient = (*projections[std::size_t(v)] * gradient).eval();
+        m_pressures(p) += m_velocities(v) * gradient.squaredNorm();
+      }
+    for (double& weight : m_pressures)
+      weight = weight > 0 ? 1 / weight : 0;
+  }
+
+  double operator()(const Vector& of_velocities, const Vector& of_pressures) const {
+    double square = m_pressures.dot(of_pressures.cwiseAbs2());
+    for (Eigen::Index v = 0; v < m_velocities.size(); ++v)
+      square += m_velocities(v) * of_velocities.segment<3>(3 * v).squaredNorm();
+    return std::sqrt(square);
+  }
+
+private:
+  Vector m_velocities, m_pressures; // weights
+};
+
+// Returns the norm of the true residual of velocities v and pressures p, divided by the norm of the
+// largest of its terms. It is computed from the definition of the system alone. Returns infinity if
+// numbers are not finite. Linear.
+inline double relative_residual(const Saddle_point_system& system,
+                                const Saddle_point_system::Vector& f,
+                                const Saddle_point_system::Vector& s,
+                                const Saddle_point_system::Vector& v,
+                                const Saddle_point_system::Vector& p) {
+  using Vector = Saddle_point_system::Vector;
+  const auto free = [&system](Vector vector) {
+    system.project(vector);
+    return vector;
+  };
+  const Residual_norm norm(system);
+  const Vector given = free(f), motion = free(system.multiply_a(v)),
+               push = free(system.b.transpose() * p);
+  const Vector change = system.b * v;
+  Vector leveling = system.c * p;
+  for (const auto& set : system.closed)
+    set.add(set.weight * set.mean(p), leveling);
+  const Vector no_velocities = Vector::Zero(f.size()), no_pressures = Vector::Zero(s.size());
+  const double size = (std::max)({norm(given, s), norm(motion, change), norm(push, no_pressures),
+                                  norm(no_velocities, leveling)});
+  const double residual = norm(motion - push - given, change + leveling - s);
+  if (!std::isfinite(residual) || !std::isfinite(size))
+    return std::numeric_limits<double>::infinity();
+  return residual > 0 ? residual / size : 0;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_RELATIVE_RESIDUAL_H

@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_UNIT_OF_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_UNIT_OF_H
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Returns the power of two in which a positive number is from 1 to below 2, or 1 for others.
+// Division by it is exact, so that square roots and single precision see the same numbers in any
+// unit that is a power of two of another.
+inline double unit_of(double x) {
+  if (!(x > 0) || !std::isfinite(x))
+    return 1;
+  // Also the inverse of the unit is a normal number.
+  static constexpr int largest = std::numeric_limits<double>::max_exponent - 2;
+  return std::ldexp(1., (std::max)(-largest, (std::min)(std::ilogb(x), largest)));
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_UNIT_OF_H

@@ -1,0 +1,160 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_COMPONENT_MOMENTA_3_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_COMPONENT_MOMENTA_3_H
+
+#include <CGAL/Incompressible_fluids_3/Fluid_report_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_mesh_3.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Momentum and angular momentum about the origin.
+struct Momentum_3
+{
+  Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = Eigen::Vector3d::Zero();
+};
+
+// What a body consists of, see `Fluid_mesh_3::part_at_middle`: vertices, each once, and cells, and
+// their masses.
+struct Masses_3
+{
+  std::vector<std::pair<std::size_t, double>> of_vertices, of_middles;
+};
+
+// `f(mass, a, b)` with the values of two fields there.
+template <class Mesh, class Function>
+void for_each_mass(const Mesh& mesh, const Masses_3& masses, const Vectors_3& a, const Vectors_3& b,
+                   const Function& f) {
+  for (const auto& [v, m] : masses.of_vertices)
+    f(m, a[v], b[v]);
+  for (const auto& [k, m] : masses.of_middles)
+    f(m, mesh.middle(k, a), mesh.middle(k, b));
+}
+
+template <class Cell> double volume(const Cell& cell, const Vectors_3& positions) {
+  const auto& v = cell.vertices;
+  const Eigen::Vector3d& o = positions[v[0]];
+  return (positions[v[1]] - o).cross(positions[v[2]] - o).dot(positions[v[3]] - o) / 6;
+}
+
+// Of the cells of each set, by a function from components to sets. \pre no two sets share a vertex
+template <class Mesh, class SetOf>
+std::vector<Masses_3> masses_of_sets(const Mesh& mesh, const Vectors_3& positions,
+                                     std::size_t number_of_sets, const SetOf& set_of) {
+  std::vector<Masses_3> result(number_of_sets);
+  std::vector<double> masses(positions.size(), 0);
+  std::vector<std::size_t> set_of_vertex(positions.size(), number_of_sets);
+  for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
+    const auto& cell = mesh.cells[k];
+    const std::size_t set = set_of(cell.component);
+    const double mass = cell.liquid->density * volume(cell, positions);
+    result[set].of_middles.emplace_back(k, Mesh::part_at_middle * mass);
+    for (auto v : cell.vertices) {
+      masses[v] += (1 - Mesh::part_at_middle) * mass / 4;
+      set_of_vertex[v] = set;
+    }
+  }
+  for (std::size_t v = 0; v < positions.size(); ++v)
+    result[set_of_vertex[v]].of_vertices.emplace_back(v, masses[v]);
+  return result;
+}
+
+template <class Mesh>
+Momentum_3 momentum(const Mesh& mesh, const Masses_3& masses, const Vectors_3& positions,
+                    const Vectors_3& velocities) {
+  Momentum_3 result;
+  for_each_mass(mesh, masses, positions, velocities,
+                [&](double m, const Eigen::Vector3d& p, const Eigen::Vector3d& v) {
+                  result.linear += m * v;
+                  result.angular += m * p.cross(v);
+                });
+  return result;
+}
+
+// What all liquids have, but for the energy of gases. The tensions of facets, as in
+// `Fluid_equations_3`.
+template <class Mesh, class TensionOf>
+Fluid_balance_3 balance(const Mesh& mesh, const Fluid_properties_3& properties,
+                        const Vectors_3& positions, const Vectors_3& velocities,
+                        const TensionOf& tension_of) {
+  Fluid_balance_3 result;
+  const Masses_3 masses =
+      masses_of_sets(mesh, positions, 1, [](std::uint32_t) { return std::size_t(0); }).front();
+  const Eigen::Vector3d gravity(properties.gravity().data());
+  const Momentum_3 sum = momentum(mesh, masses, positions, velocities);
+  const auto vector = [](const Eigen::Vector3d& v) {
+    return Fluid_balance_3::Vector(v.x(), v.y(), v.z());
+  };
+  result.momentum = vector(sum.linear);
+  result.angular_momentum = vector(sum.angular);
+  for_each_mass(mesh, masses, positions, velocities,
+                [&](double m, const Eigen::Vector3d& p, const Eigen::Vector3d& v) {
+                  result.mass += m;
+                  result.kinetic_energy += m * v.squaredNorm() / 2;
+                  result.potential_energy -= m * gravity.dot(p);
+                });
+  for (const auto& cell : mesh.cells)
+    result.volume += volume(cell, positions);
+  for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
+    const auto& v = mesh.facets[f].vertices;
+    const Eigen::Vector3d a = positions[v[1]] - positions[v[0]],
+                          b = positions[v[2]] - positions[v[0]];
+    result.surface_energy += tension_of(f) * a.cross(b).norm() / 2;
+  }
+  return result;
+}
+
+// The motion as of a rigid body: its velocity at a point is linear + angular x (point - center).
+struct Rigid_velocity_3
+{
+  Eigen::Vector3d center = Eigen::Vector3d::Zero(), linear = Eigen::Vector3d::Zero(),
+                  angular = Eigen::Vector3d::Zero();
+
+  Eigen::Vector3d at(const Eigen::Vector3d& p) const { return linear + angular.cross(p - center); }
+};
+
+// That by which masses have a momentum.
+template <class Mesh>
+Rigid_velocity_3 rigid_velocity(const Mesh& mesh, const Masses_3& masses,
+                                const Vectors_3& positions, const Momentum_3& momentum) {
+  Rigid_velocity_3 result;
+  double mass = 0;
+  const auto for_each = [&](const auto& f) {
+    for_each_mass(mesh, masses, positions, positions,
+                  [&](double m, const Eigen::Vector3d& p, const Eigen::Vector3d&) { f(m, p); });
+  };
+  for_each([&](double m, const Eigen::Vector3d& p) {
+    mass += m;
+    result.center += m * p;
+  });
+  if (!(mass > 0))
+    return result;
+  result.center /= mass;
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  for_each([&](double m, const Eigen::Vector3d& p) {
+    const Eigen::Vector3d r = p - result.center;
+    inertia += m * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+  });
+  result.linear = momentum.linear / mass;
+  result.angular = inertia.completeOrthogonalDecomposition().solve(
+      momentum.angular - result.center.cross(momentum.linear));
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_COMPONENT_MOMENTA_3_H

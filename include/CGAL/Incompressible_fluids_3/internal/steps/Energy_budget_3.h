@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_ENERGY_BUDGET_3_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_ENERGY_BUDGET_3_H
+
+#include <CGAL/Incompressible_fluids_3/Fluid_report_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_mesh_3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The energy that liquids may have at the end of a time step: the energy at the beginning and what
+// moving walls and sources supply. The potential of gravity is 0 at the lowest vertex at the
+// beginning, so that the result does not depend on the place of the origin.
+class Energy_budget_3
+{
+public:
+  // Of the scale of energies, in a step: above the errors of a step that resolves the flow, which
+  // are below 1e-4, and far below the growth of a flow that explodes.
+  static constexpr double tolerance = 1e-3;
+  // The same for changes of the mesh: at a line of contact on a coarse mesh, they wet or dry whole
+  // facets.
+  static constexpr double tolerance_of_mesh = .05;
+
+  // The energy of gases as springs: the sum of their pressures times their volumes.
+  Energy_budget_3(const Fluid_balance_3& before, const Eigen::Vector3d& gravity,
+                  const Vectors_3& positions, double energy_of_springs)
+      : m_gravity(gravity), m_springs(energy_of_springs), m_given(before.energy()) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3d& p : positions)
+      if (const double potential = -gravity.dot(p); potential < least) {
+        least = potential;
+        m_level = p;
+      }
+    m_begin = energy(before);
+    m_scale = scale(before);
+  }
+
+  // Where the potential of gravity is 0.
+  const Eigen::Vector3d& level() const { return m_level; }
+
+  void supply(double energy) { m_supplied += energy; }
+
+  double supplied() const { return m_supplied; }
+  // As in `Fluid_balance_3::energy()`.
+  double energy_at_begin() const { return m_given; }
+
+  // Returns the rise of the energy that is not explained, in units of the scale: the sum of kinetic
+  // energy, the absolute energy of surfaces, the potential and the energy of springs, at the
+  // beginning or now. Infinite if numbers are not finite. Errors in volumes, relative, make errors
+  // in the energies of gases, which pressures that nothing feels may raise above all others.
+  double rise(const Fluid_balance_3& now, double error_of_volumes) const {
+    static constexpr double rounding = 1e-10; // of sums over cells
+    const double excess = energy(now) - m_begin - m_supplied,
+                 size = (std::max)(m_scale, scale(now)),
+                 noise = rounding * (size + std::abs(now.potential_energy)) +
+                         (rounding + error_of_volumes) * std::abs(now.gas_energy);
+    if (!std::isfinite(excess) || !std::isfinite(size))
+      return std::numeric_limits<double>::infinity();
+    return excess > noise ? excess / size : 0;
+  }
+
+private:
+  double potential(const Fluid_balance_3& balance) const {
+    return balance.potential_energy + balance.mass * m_gravity.dot(m_level);
+  }
+  double energy(const Fluid_balance_3& balance) const {
+    return balance.kinetic_energy + potential(balance) + balance.surface_energy +
+           balance.gas_energy;
+  }
+  double scale(const Fluid_balance_3& balance) const {
+    return balance.kinetic_energy + std::abs(potential(balance)) +
+           std::abs(balance.surface_energy) + m_springs;
+  }
+
+  Eigen::Vector3d m_gravity, m_level = Eigen::Vector3d::Zero();
+  double m_springs, m_given, m_begin = 0, m_scale = 0, m_supplied = 0;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_ENERGY_BUDGET_3_H

@@ -1,0 +1,331 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_EQUATIONS_3_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_EQUATIONS_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Facet_tension.h>
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
+#include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
+#include <CGAL/Incompressible_fluids_3/Fluid_properties_3.h>
+#include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
+#include <CGAL/Incompressible_fluids_3/internal/solvers/Cell_rows.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_mesh_3.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+/*
+The equations of a step of time dt of incompressible flow, by linear finite elements on tetrahedra
+that go with the flow. Unknown are the velocities v at the time theta dt, by which vertices go from
+x to x + dt v, and the pressures p:
+
+   A v - B^T p = f,   A = M / (theta dt) + K + theta dt L,  f = M (u / (theta dt) + g) - L x + w
+   B v + C p   = s + q
+
+M are masses, see `Fluid_mesh_3`, K is viscosity, L x the gradient of the energy of surfaces, w that
+of walls that are wet. Each row of B is the gradient of a quarter of the volume around a vertex, so
+that B v = 0 keeps it, or B v = q gives it what sources bring. That alone permits pressures that
+nothing feels: C, which sums up to nothing, is made of the residual of the equation of motion, and
+vanishes with it, where the gradient of p is that of gravity less acceleration (T. J. R. Hughes, L.
+P. Franca, M. Balestra, "A new finite element formulation for computational fluid dynamics: V.",
+1986). Pressure is constant in no cell: with one pressure for each cell, nothing would move that is
+not linear.
+*/
+template <class Complex> class Fluid_equations_3
+{
+public:
+  using Mesh = Fluid_mesh_3<Complex>;
+  using System = Saddle_point_system;
+  using Vector = Eigen::VectorXd;
+
+  // dt: step of time; theta: 1/2 for the implicit midpoint rule, 1 for Euler's backward one.
+  struct Step
+  {
+    double dt, theta;
+  };
+
+  // By `for_each`, on several threads.
+  Fluid_equations_3(const For_each_index& for_each, const Mesh& mesh,
+                    const Fluid_properties_3& properties, const Step& step,
+                    const Vectors_3& positions)
+      : m_for_each(for_each), m_mesh(mesh), m_gravity(properties.gravity().data()), m_step(step),
+        m_positions(positions), m_vertices(corners(&Mesh::Cell::vertices)),
+        m_pressures(corners(&Mesh::Cell::pressures)),
+        m_rows_of_vertices(m_vertices, mesh.vertices.size()),
+        m_rows_of_pressures(m_pressures, mesh.vertex_of_pressure.size()),
+        m_masses(mesh.vertices.size(), 0) {
+    bool is_viscous = false;
+    for (const auto& cell : mesh.cells) {
+      m_elements.push_back(element(cell, positions));
+      is_viscous = is_viscous || cell.liquid->viscosity > 0;
+      for (auto v : cell.vertices)
+        m_masses[v] += cell.liquid->density * m_elements.back().lumped_mass();
+    }
+    const std::size_t n = m_rows_of_vertices.size(), m = m_rows_of_pressures.size();
+    m_system.nodal = m_rows_of_vertices.zeros<1, 1>(m_vertices, n);
+    m_system.b = m_rows_of_pressures.zeros<1, 3>(m_vertices, n);
+    m_system.c = m_rows_of_pressures.zeros<1, 1>(m_pressures, m);
+    if (is_viscous)
+      m_system.coupling = m_rows_of_vertices.zeros<3, 3>(m_vertices, n);
+    m_terms.resize(mesh.cells.size());
+  }
+
+  // Of vertices, a quarter of those of the cells around.
+  const std::vector<double>& masses() const { return m_masses; }
+
+  // The matrices with the vertices at some positions, about half-way. The energies of facets that
+  // are wet are tensions in place of those of the mesh; gases push with some pressures.
+  template <class TensionOf>
+  void assemble(const Vectors_3& half_way, const TensionOf& tension_of,
+                const std::vector<double>& gas_pressures) {
+    m_for_each(m_terms.size(), [&](std::size_t k) { m_terms[k] = terms(k, half_way); });
+    using Scalar = Eigen::Matrix<double, 1, 1>;
+    m_rows_of_vertices.sum<1, 1>(
+        m_for_each, m_vertices,
+        [this](std::size_t k, std::size_t i, std::size_t j) {
+          const Terms& t = m_terms[k];
+          return Scalar(t.inertia + t.viscosity * t.gradients[i].dot(t.gradients[j]));
+        },
+        m_system.nodal);
+    if (m_system.coupling.rows() > 0)
+      m_rows_of_vertices.sum<3, 3>(
+          m_for_each, m_vertices,
+          [this](std::size_t k, std::size_t i, std::size_t j) {
+            const Terms& t = m_terms[k];
+            return Eigen::Matrix3d(t.viscosity * t.gradients[j] * t.gradients[i].transpose());
+          },
+          m_system.coupling);
+    m_rows_of_pressures.sum<1, 3>(
+        m_for_each, m_vertices,
+        [this](std::size_t k, std::size_t, std::size_t j) {
+          return Eigen::RowVector3d(m_terms[k].changes[j].transpose() / 4);
+        },
+        m_system.b);
+    m_rows_of_pressures.sum<1, 1>(
+        m_for_each, m_pressures,
+        [this](std::size_t k, std::size_t i, std::size_t j) {
+          const Terms& t = m_terms[k];
+          return Scalar(t.stabilization * t.gradients[i].dot(t.gradients[j]));
+        },
+        m_system.c);
+
+    m_system.inertia = Vector::Zero(Eigen::Index(m_masses.size()));
+    for (std::size_t v = 0; v < m_masses.size(); ++v) {
+      m_system.inertia(Eigen::Index(v)) = rate(m_masses[v]);
+      m_system.nodal.coeffRef(Eigen::Index(v), Eigen::Index(v)) +=
+          (1 - Mesh::part_at_middle) * rate(m_masses[v]);
+    }
+    m_system.viscosity = Vector::Zero(m_system.c.rows());
+    Vector volumes = m_system.viscosity;
+    for (std::size_t k = 0; k < m_mesh.cells.size(); ++k)
+      for (auto p : m_mesh.cells[k].pressures) {
+        volumes(p) += m_elements[k].lumped_mass();
+        m_system.viscosity(p) = m_mesh.cells[k].liquid->viscosity;
+      }
+    m_system.viscosity.array() /= volumes.array();
+    m_forces = m_pushes = Vector::Zero(3 * Eigen::Index(m_masses.size()));
+    for (std::size_t f = 0; f < m_mesh.facets.size(); ++f) {
+      const auto& facet = m_mesh.facets[f];
+      add_facet(facet, half_way, tension_of(f));
+      if (facet.gas != Mesh::no_gas)
+        add_push(facet, half_way, gas_pressures[facet.gas]);
+    }
+  }
+
+  // The number of cells that are too flat, at the beginning and half-way, to have gradients. They
+  // have mass and volume, but neither viscosity nor stabilization.
+  std::size_t number_of_flat_cells() const {
+    return std::size_t(
+        std::count_if(m_terms.begin(), m_terms.end(), [](const Terms& t) { return t.is_flat; }));
+  }
+
+  // Of velocities that are free; `held` is up to the caller.
+  const System& system() const { return m_system; }
+
+  // Of gases on vertices.
+  const Vector& pushes() const { return m_pushes; }
+
+  // f
+  Vector forces(const Vectors_3& velocities) const {
+    Vector result = m_forces + m_pushes;
+    for (std::size_t v = 0; v < m_masses.size(); ++v)
+      at(result, v) +=
+          (1 - Mesh::part_at_middle) * rate(m_masses[v]) * velocities[v] + m_masses[v] * m_gravity;
+    for (std::size_t k = 0; k < m_mesh.cells.size(); ++k) {
+      const Eigen::Vector3d share =
+          Mesh::part_at_middle * rate(quarter_mass(k)) * m_mesh.middle(k, velocities);
+      for (auto v : m_mesh.cells[k].vertices)
+        at(result, v) += share;
+    }
+    return result;
+  }
+
+  // s, with the accelerations of vertices.
+  Vector stabilization(const Vectors_3& accelerations) const {
+    Vector result = Vector::Zero(m_system.c.rows());
+    for (std::size_t k = 0; k < m_mesh.cells.size(); ++k) {
+      const auto& cell = m_mesh.cells[k];
+      const Eigen::Vector3d force =
+          cell.liquid->density * (m_gravity - m_mesh.middle(k, accelerations));
+      for (std::size_t i = 0; i < 4; ++i)
+        result(cell.pressures[i]) += m_terms[k].stabilization * m_terms[k].gradients[i].dot(force);
+    }
+    return result;
+  }
+
+  // q, with the volume that cells gain in a unit of time.
+  Vector sources(const std::vector<double>& gains) const {
+    Vector result = Vector::Zero(m_system.c.rows());
+    for (std::size_t k = 0; k < gains.size(); ++k)
+      for (auto p : m_mesh.cells[k].pressures)
+        result(p) += gains[k] / 4;
+    return result;
+  }
+
+  static Eigen::Ref<Eigen::Vector3d> at(Vector& vector, std::size_t v) {
+    return vector.segment<3>(3 * Eigen::Index(v));
+  }
+
+private:
+  // What changes a velocity in the step by 1.
+  double rate(double mass) const { return mass / (m_step.theta * m_step.dt); }
+  double quarter_mass(std::size_t k) const {
+    return m_mesh.cells[k].liquid->density * m_elements[k].lumped_mass();
+  }
+
+  using Element = Linear_element<Complex>;
+
+  static typename Complex::Approximate_point point(const Eigen::Vector3d& p) {
+    return {p.x(), p.y(), p.z()};
+  }
+  static Element element(const typename Mesh::Cell& cell, const Vectors_3& positions) {
+    typename Element::Corners corners;
+    for (std::size_t i = 0; i < 4; ++i)
+      corners[i] = point(positions[cell.vertices[i]]);
+    return Element(corners);
+  }
+
+  // What a cell adds to matrices, see `assemble()`.
+  struct Terms
+  {
+    std::array<Eigen::Vector3d, 4> gradients, changes; // of its functions, and of its volume
+    double inertia, viscosity, stabilization;
+    bool is_flat; // the gradients are 0
+  };
+
+  // Whether gradients of the functions of a cell can be computed. In any unit of length.
+  static bool has_gradients(const Element& e, const typename Mesh::Cell& cell,
+                            const Vectors_3& positions) {
+    // Of the cube of the longest edge, where a regular tetrahedron has 0.12. The gradients are then
+    // up to 1e6 times as steep as those of such a tetrahedron, which double precision permits.
+    static constexpr double flattest = 1e-6;
+    double square = 0; // of the longest edge
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        square = (std::max)(
+            square, (positions[cell.vertices[i]] - positions[cell.vertices[j]]).squaredNorm());
+    return e.measure() > flattest * square * std::sqrt(square);
+  }
+
+  Terms terms(std::size_t k, const Vectors_3& half_way) const {
+    // Of a step: how much of its time the pressure needs to level out what it feels not.
+    static constexpr double part = .05;
+    static constexpr double viscous = 12; // Hughes and others: of h^2 / viscosity
+    static constexpr double flat = .1;    // of the volume at the beginning
+    const auto& cell = m_mesh.cells[k];
+    const Element moved = element(cell, half_way);
+    // A cell that the prediction makes flat is none to divide by.
+    const bool uses_moved =
+        moved.measure() > flat * m_elements[k].measure() && has_gradients(moved, cell, half_way);
+    const Element& e = uses_moved ? moved : m_elements[k];
+    Terms result;
+    result.inertia = Mesh::part_at_middle / 4 * rate(quarter_mass(k));
+    for (std::size_t i = 0; i < 4; ++i)
+      result.changes[i] = eigen_vector(moved.measure_gradient(int(i)));
+    result.is_flat = !uses_moved && !has_gradients(e, cell, m_positions);
+    if (result.is_flat) {
+      result.gradients.fill(Eigen::Vector3d::Zero());
+      result.viscosity = result.stabilization = 0;
+      return result;
+    }
+    double steepest = 0; // 1 / steepest is the square of the least height
+    for (std::size_t i = 0; i < 4; ++i) {
+      result.gradients[i] = eigen_vector(e.gradient(int(i)));
+      steepest = (std::max)(steepest, result.gradients[i].squaredNorm());
+    }
+    result.viscosity = e.measure() * cell.liquid->viscosity;
+    result.stabilization = e.measure() / (cell.liquid->density / (part * m_step.dt) +
+                                          viscous * cell.liquid->viscosity * steepest);
+    return result;
+  }
+
+  void add_push(const typename Mesh::Facet& facet, const Vectors_3& half_way, double pressure) {
+    const auto& v = facet.vertices;
+    const Eigen::Vector3d a = half_way[v[1]] - half_way[v[0]], b = half_way[v[2]] - half_way[v[0]];
+    const Eigen::Vector3d share = (facet.is_gas_in_front ? -1 : 1) * pressure / 6 * a.cross(b);
+    for (auto corner : v)
+      at(m_pushes, corner) += share;
+  }
+
+  // Tensions that are negative, of wet walls, are forces of now, as they would not be definite.
+  void add_facet(const typename Mesh::Facet& facet, const Vectors_3& half_way, double tension) {
+    if (tension == 0)
+      return;
+    std::array<typename Complex::Approximate_point, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i)
+      corners[i] = point(half_way[facet.vertices[i]]);
+    const Facet_tension<3> cotangents(corners);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t v = facet.vertices[i], w = facet.vertices[(i + 1) % 3];
+      const double weight = tension * cotangents.weights[i],
+                   implicit = tension > 0 ? m_step.theta * m_step.dt * weight : 0;
+      const Vectors_3& from = tension > 0 ? m_positions : half_way;
+      const Eigen::Vector3d pull = weight * (from[w] - from[v]);
+      at(m_forces, v) += pull;
+      at(m_forces, w) -= pull;
+      for (const auto& [i, j] : {std::make_pair(v, w), std::make_pair(w, v)}) {
+        m_system.inertia(Eigen::Index(i)) += implicit;
+        m_system.nodal.coeffRef(i, i) += implicit;
+        m_system.nodal.coeffRef(i, j) -= implicit;
+      }
+    }
+  }
+
+  std::vector<Cell_rows::Corners> corners(Cell_rows::Corners Mesh::Cell::*of_cell) const {
+    std::vector<Cell_rows::Corners> result;
+    for (const auto& cell : m_mesh.cells)
+      result.push_back(cell.*of_cell);
+    return result;
+  }
+
+  const For_each_index& m_for_each;
+  const Mesh& m_mesh;
+  Eigen::Vector3d m_gravity;
+  Step m_step;
+  Vectors_3 m_positions;
+  std::vector<Cell_rows::Corners> m_vertices, m_pressures; // by cell
+  Cell_rows m_rows_of_vertices, m_rows_of_pressures;
+  std::vector<double> m_masses;    // by vertex
+  std::vector<Element> m_elements; // at the beginning
+  std::vector<Terms> m_terms;      // by cell
+  System m_system;
+  Vector m_forces, m_pushes; // of surfaces and gases
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_EQUATIONS_3_H

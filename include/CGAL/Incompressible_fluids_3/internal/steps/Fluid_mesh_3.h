@@ -1,0 +1,241 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_MESH_3_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_MESH_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/star_union.h>
+#include <CGAL/Incompressible_fluids_3/Fluid_properties_3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+using Vectors_3 = std::vector<Eigen::Vector3d>;
+
+template <class Point> Eigen::Vector3d eigen_vector(const Point& p) { return {p[0], p[1], p[2]}; }
+
+// The liquid part of a complex, numbered: vertices carry velocities; each of them carries a
+// pressure for each liquid around it, as pressures jump where liquids meet.
+template <class Complex> struct Fluid_mesh_3
+{
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Index = std::uint32_t;
+
+  struct Cell
+  {
+    std::array<Index, 4> vertices;
+    std::array<Index, 4> pressures;
+    const Liquid* liquid;
+    int label;
+    std::uint32_t component;
+  };
+
+  // Of the interface, with liquid on a side at least.
+  struct Facet
+  {
+    std::array<Index, 3> vertices; // counterclockwise seen from the front
+    double tension;                // energy of a unit of area
+    bool is_free;                  // between liquid and void, or a gas
+    Index gas;                     // `no_gas`, or which one
+    bool is_gas_in_front;
+  };
+  static constexpr Index no_gas = Index(-1);
+
+  // A connected part of a gas.
+  struct Gas_part
+  {
+    std::uint32_t component;
+    int label;
+    double volume;
+  };
+
+  std::vector<Vertex_handle> vertices; // along the x axis: neighbors are near in memory, too
+  std::vector<Cell> cells;             // in the order of their first vertices
+  std::vector<Facet> facets;           // in the order of interface_facets()
+  std::vector<Gas_part> gases;         // by component
+  std::vector<Index> vertex_of_pressure;
+  std::vector<char> is_on_interface; // by vertex
+  // Where the sides of the domain are, in the order of `Boundary_class`, if it is a box; not finite
+  // otherwise.
+  std::array<double, 6> sides;
+
+  // n log n. \pre components are up to date
+  Fluid_mesh_3(const Complex& complex, const Fluid_properties_3& properties) {
+    sides.fill(std::numeric_limits<double>::infinity());
+    for (Vertex_handle v : complex.finite_vertices()) {
+      for (std::size_t side = 0; side < sides.size(); ++side)
+        if (v->boundary_class() >> side & 1)
+          sides[side] = complex.position(v)[int(side / 2)];
+    }
+    std::vector<Cell_handle> liquid;
+    for (Cell_handle c : complex.finite_cells())
+      if (properties.liquid(c->label()))
+        liquid.push_back(c);
+    vertices = vertices_of(complex, liquid);
+    sort_along_axis(complex);
+    const Vertex_numbers numbers(complex, vertices);
+    for (Vertex_handle v : vertices)
+      is_on_interface.push_back(v->is_interface());
+    add_cells(liquid, numbers, properties);
+    number_pressures();
+    if (!properties.gases().empty())
+      add_gases(complex, properties);
+    add_facets(complex, numbers, properties);
+  }
+
+  Vectors_3 positions(const Complex& complex) const {
+    Vectors_3 result;
+    for (Vertex_handle v : vertices)
+      result.push_back(eigen_vector(complex.position(v)));
+    return result;
+  }
+
+  // The mass of a cell is that of its middle, which goes with the mean of its corners, for this
+  // part, and of its corners for the rest: 0.8 is that of linear elements, which makes short waves
+  // too fast, 0 makes them too slow (G. L. Goudreau and R. L. Taylor, "Evaluation of numerical
+  // integration methods in elastodynamics", 1973). The part by which waves as long as eight edges
+  // are least off, on regular meshes.
+  static constexpr double part_at_middle = .7;
+
+  // Of a cell, the mean of its corners.
+  Eigen::Vector3d middle(std::size_t cell, const Vectors_3& vectors) const {
+    Eigen::Vector3d result = Eigen::Vector3d::Zero();
+    for (Index v : cells[cell].vertices)
+      result += vectors[v] / 4;
+    return result;
+  }
+
+  // Velocities, or accelerations, without what would leave the sides of the domain.
+  void keep_on_sides(Vectors_3& vectors) const {
+    for (std::size_t v = 0; v < vectors.size(); ++v)
+      for (int axis = 0; axis < 3; ++axis)
+        if (Boundary_class::fixes(vertices[v]->boundary_class(), axis))
+          vectors[v][axis] = 0;
+  }
+
+private:
+  void sort_along_axis(const Complex& complex) {
+    std::vector<std::tuple<double, std::size_t, Vertex_handle>> keys; // no two stamps are the same
+    for (Vertex_handle v : vertices)
+      keys.emplace_back(complex.position(v)[0], v->time_stamp(), v);
+    std::sort(keys.begin(), keys.end(), [](const auto& a, const auto& b) {
+      return std::tie(std::get<0>(a), std::get<1>(a)) < std::tie(std::get<0>(b), std::get<1>(b));
+    });
+    vertices.clear();
+    for (const auto& key : keys)
+      vertices.push_back(std::get<2>(key));
+  }
+
+  // In the order of their first vertices, and then by time stamp.
+  void add_cells(const std::vector<Cell_handle>& liquid, const Vertex_numbers& numbers,
+                 const Fluid_properties_3& properties) {
+    std::vector<std::vector<std::pair<std::size_t, Cell_handle>>> by_first(vertices.size());
+    for (Cell_handle c : liquid) {
+      Index first = numbers(c->vertex(0));
+      for (int i = 1; i < 4; ++i)
+        first = (std::min)(first, Index(numbers(c->vertex(i))));
+      by_first[first].emplace_back(c->time_stamp(), c);
+    }
+    for (auto& around : by_first) {
+      std::sort(around.begin(), around.end(),
+                [](const auto& a, const auto& b) { return a.first < b.first; });
+      for (const auto& [stamp, c] : around) {
+        Cell cell{{}, {}, properties.liquid(c->label()), c->label(), c->component()};
+        for (std::size_t i = 0; i < 4; ++i)
+          cell.vertices[i] = numbers(c->vertex(int(i)));
+        cells.push_back(cell);
+      }
+    }
+  }
+
+  void add_gases(const Complex& complex, const Fluid_properties_3& properties) {
+    std::map<std::uint32_t, Gas_part> parts;
+    for (auto c : complex.cells())
+      if (properties.gas(c->label())) {
+        const auto part = parts.emplace(c->component(), Gas_part{c->component(), c->label(), 0.});
+        part.first->second.volume += complex.measure(c);
+      }
+    for (const auto& part : parts)
+      gases.push_back(part.second);
+  }
+
+  // Of a cell.
+  Index gas_of(Cell_handle c) const {
+    const auto found =
+        std::lower_bound(gases.begin(), gases.end(), c->component(),
+                         [](const Gas_part& a, std::uint32_t b) { return a.component < b; });
+    return found != gases.end() && found->component == c->component() ? Index(found - gases.begin())
+                                                                      : no_gas;
+  }
+
+  void add_facets(const Complex& complex, const Vertex_numbers& numbers,
+                  const Fluid_properties_3& properties) {
+    for (const auto& f : complex.interface_facets()) {
+      const int behind = f.first->label(), in_front = f.first->neighbor(f.second)->label();
+      const bool is_behind = properties.liquid(behind), is_in_front = properties.liquid(in_front);
+      if (!is_behind && !is_in_front)
+        continue;
+      const bool is_free = is_behind != is_in_front;
+      const Index gas =
+          !is_free ? no_gas : gas_of(is_behind ? f.first->neighbor(f.second) : f.first);
+      Facet facet{{}, properties.surface_tension(behind, in_front), is_free, gas, is_behind};
+      const auto corners = complex.facet_vertices(f);
+      for (std::size_t i = 0; i < 3; ++i)
+        facet.vertices[i] = numbers(corners[i]);
+      facets.push_back(facet);
+    }
+  }
+
+  // In the order of vertices. Most vertices have one.
+  void number_pressures() {
+    std::vector<char> has_first(vertices.size(), false);
+    std::vector<int> first(vertices.size()); // label
+    std::map<std::pair<Index, int>, Index> others;
+    for (const Cell& cell : cells)
+      for (Index v : cell.vertices)
+        if (!has_first[v]) {
+          has_first[v] = true;
+          first[v] = cell.label;
+        } else if (first[v] != cell.label)
+          others.emplace(std::make_pair(v, cell.label), 0);
+    std::vector<Index> number;
+    auto other = others.begin();
+    for (Index v = 0; v < vertices.size(); ++v) {
+      number.push_back(Index(vertex_of_pressure.size()));
+      vertex_of_pressure.push_back(v);
+      for (; other != others.end() && other->first.first == v; ++other) {
+        other->second = Index(vertex_of_pressure.size());
+        vertex_of_pressure.push_back(v);
+      }
+    }
+    for (Cell& cell : cells)
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Index v = cell.vertices[i];
+        cell.pressures[i] =
+            first[v] == cell.label ? number[v] : others.at(std::make_pair(v, cell.label));
+      }
+  }
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_MESH_3_H

@@ -1,0 +1,376 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_STEP_3_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_STEP_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Incompressible_fluids_3/fluid_errors.h>
+#include <CGAL/Incompressible_fluids_3/internal/solvers/closed_sets.h>
+#include <CGAL/Incompressible_fluids_3/internal/solvers/relative_residual.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Component_momenta_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_equations_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_mesh_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Gas_components_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Roughness_damper_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Vertex_constraints_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Wall_contacts_3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Solves the equations of a step: velocities and pressures at positions about half-way, which
+// follow from the velocities, and contacts with walls, which follow from both.
+template <class Complex, class Solver> class Fluid_step_3
+{
+public:
+  using Mesh = Fluid_mesh_3<Complex>;
+  using Equations = Fluid_equations_3<Complex>;
+  using Contacts = Wall_contacts_3<Complex>;
+  using System = Saddle_point_system;
+  using Vector = Eigen::VectorXd;
+
+  using Source = std::function<double(const Any_solid_3::Point&, double)>;
+
+  // Positions, velocities and accelerations of the vertices of the mesh at the beginning, and
+  // gases. Solids stand still if time does.
+  Fluid_step_3(const Mesh& mesh, const Fluid_properties_3& properties,
+               const typename Contacts::Solids& solids, const Complex& complex, Solver& solver,
+               const typename Equations::Step& step, double begin, double end,
+               const Vectors_3& positions, const Vectors_3& velocities,
+               const Vectors_3& accelerations, const std::vector<Gas_body_3>& gases,
+               const Source& source, unsigned number_of_threads)
+      : m_mesh(mesh), m_properties(properties), m_solver(solver),
+        m_number_of_threads(number_of_threads), m_for_each(number_of_threads), m_step(step),
+        m_begin(begin), m_end(end), m_positions(positions), m_before(velocities),
+        m_accelerations(accelerations), m_gases(gases), m_source(source),
+        m_equations(m_for_each, mesh, properties, step, positions),
+        m_contacts(mesh, solids, complex, positions, begin) {
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      m_velocities.push_back(velocities[v] + step.theta * step.dt * accelerations[v]);
+    m_pressures = Vector::Zero(Eigen::Index(mesh.vertex_of_pressure.size()));
+  }
+
+  // Accelerations that are not known, of a step before, are found by repetition.
+  // \throws Convergence_error if the equations have no solution, or none is found
+  void solve(bool knows_accelerations) {
+    static constexpr unsigned geometries = 2; // that of the prediction, and of the first solution
+    static constexpr unsigned most = 15;
+    static constexpr double tolerance = 5e-12; // of residuals
+    static constexpr double same = 1e-10;      // above what the solver leaves
+    for (unsigned k = 0; k < geometries; ++k) {
+      assemble();
+      if (k > 0 || knows_accelerations) {
+        solve_with_contacts(k + 1 < geometries ? tolerance_of_geometry() : tolerance);
+        continue;
+      }
+      double change = 1, size = 0;
+      for (unsigned i = 0; i < most && change > same * size; ++i) {
+        const Vectors_3 before = m_accelerations;
+        solve_with_contacts(tolerance);
+        change = size = 0;
+        for (std::size_t v = 0; v < before.size(); ++v) {
+          change = (std::max)(change, (before[v] - m_accelerations[v]).norm());
+          size = (std::max)(size, m_accelerations[v].norm());
+        }
+      }
+    }
+    check_residual();
+    end();
+  }
+
+  const Contacts& contacts() const { return m_contacts; }
+  unsigned iterations() const { return m_iterations; }
+  unsigned solutions() const { return m_solutions; }
+  // Whether what must hold at walls did in the end.
+  bool is_settled() const { return m_is_settled; }
+
+  // The true residual of the solution, relative to the largest term of the equations.
+  double residual() const { return m_residual; }
+  std::size_t number_of_flat_cells() const { return m_equations.number_of_flat_cells(); }
+
+  // The energy that moving walls give to liquids in the step, at the most.
+  double work_of_walls() const { return m_step.dt * m_contacts.power(forces_on_vertices()); }
+
+  // Returns the energy that sources give to liquids in the step, less what drains take, at the
+  // most: that of the liquid which they bring, in a gravity whose potential is 0 at the level
+  // given, and the work of its pressure.
+  double work_of_sources(const Eigen::Vector3d& level) const {
+    if (m_gains.empty())
+      return 0;
+    const Eigen::Vector3d gravity(m_properties.gravity().data());
+    double power = m_pressures.dot(m_equations.sources(m_gains));
+    for (std::size_t k = 0; k < m_gains.size(); ++k)
+      power += m_mesh.cells[k].liquid->density * m_gains[k] *
+               (m_mesh.middle(k, m_velocities).squaredNorm() / 2 -
+                gravity.dot(m_mesh.middle(k, m_half_way) - level));
+    static constexpr double error = .25; // of the power: sources are stabilized like volumes
+    return m_step.dt * (power + error * std::abs(power));
+  }
+
+  // Of the vertices of the mesh: the mean of the pressures of the liquids around.
+  std::vector<double> pressures() const {
+    std::vector<double> result(m_positions.size(), 0), number(m_positions.size(), 0);
+    for (std::size_t p = 0; p < m_mesh.vertex_of_pressure.size(); ++p) {
+      result[m_mesh.vertex_of_pressure[p]] += m_pressures(Eigen::Index(p));
+      ++number[m_mesh.vertex_of_pressure[p]];
+    }
+    for (std::size_t v = 0; v < result.size(); ++v)
+      result[v] /= number[v];
+    return result;
+  }
+
+  const Vectors_3& destinations() const { return m_destinations; }
+
+  // Where the step ends.
+  const Vectors_3& final_velocities() const { return m_final_velocities; }
+
+  // What the equations were solved for: where forces are taken.
+  const Vectors_3& solved_velocities() const { return m_velocities; }
+
+  // What sets of masses have in the end but for what walls stop: what they had, and what gravity,
+  // gases and walls have given them. What vertices of a set exchange sums up to nothing.
+  Momentum_3 pushed_momentum(const Masses_3& masses) const {
+    if (masses.of_vertices.empty())
+      return {};
+    Momentum_3 result = momentum(m_mesh, masses, m_positions, m_before);
+    // The places where pushes change angular momentum by what the whole step does.
+    const double time_of_arms = (1 - m_step.theta) * m_step.dt;
+    const Eigen::Vector3d gravity(m_properties.gravity().data());
+    for (const auto& [v, m] : masses.of_vertices) {
+      const double mass = m / (1 - Mesh::part_at_middle), share = mass / m_equations.masses()[v];
+      const Eigen::Vector3d pushed =
+          m_step.dt * (mass * gravity + share * m_reactions.segment<3>(3 * Eigen::Index(v)));
+      result.linear += pushed;
+      result.angular += (m_positions[v] + time_of_arms * m_velocities[v]).cross(pushed);
+      const Vector& pushes = m_equations.pushes();
+      const Eigen::Vector3d push = m_step.dt * share * pushes.segment<3>(3 * Eigen::Index(v));
+      result.linear += push;
+      result.angular += m_half_way[v].cross(push);
+    }
+    // What sources bring goes with the liquid there.
+    for (std::size_t i = 0; i < masses.of_middles.size() && !m_gains.empty(); ++i) {
+      const std::size_t k = masses.of_middles[i].first;
+      const Eigen::Vector3d brought =
+          m_step.dt * m_mesh.cells[k].liquid->density * m_gains[k] * m_mesh.middle(k, m_velocities);
+      result.linear += brought;
+      result.angular += m_mesh.middle(k, m_half_way).cross(brought);
+    }
+    return result;
+  }
+
+  // The volume that cells gain in a unit of time, in the order of the mesh; none without sources.
+  const std::vector<double>& gains() const { return m_gains; }
+
+  // And with that.
+  Momentum_3 final_momentum(const Masses_3& masses) const {
+    if (masses.of_vertices.empty())
+      return {};
+    Momentum_3 result = pushed_momentum(masses);
+    const Momentum_3 stopped = momentum(m_mesh, masses, m_destinations, m_final_velocities),
+                     unstopped = momentum(m_mesh, masses, m_destinations, m_unstopped_velocities);
+    result.linear += stopped.linear - unstopped.linear;
+    result.angular += stopped.angular - unstopped.angular;
+    return result;
+  }
+
+  // Of walls and sides of the domain on vertices, the mean of the step.
+  Vector forces_on_vertices() const {
+    Vector result = m_reactions;
+    for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
+      result.segment<3>(3 * Eigen::Index(v)) +=
+          m_equations.masses()[v] / m_step.dt * (m_final_velocities[v] - m_unstopped_velocities[v]);
+    return result;
+  }
+
+private:
+  // Of residuals, where another solution follows: as velocities change, in comparison to what they
+  // would by loads without pressures. So what rests stays where it is.
+  double tolerance_of_geometry() const {
+    static constexpr double part = 1e-4, finest = 1e-9, coarsest = 1e-4;
+    const Vector loads = m_equations.forces(Vectors_3(m_before.size(), Eigen::Vector3d::Zero()));
+    double changes = 0, all = 0; // squares, as masses weigh them
+    for (std::size_t v = 0; v < m_before.size(); ++v) {
+      const double mass = m_equations.masses()[v];
+      changes += mass * m_accelerations[v].squaredNorm();
+      all += loads.segment<3>(3 * Eigen::Index(v)).squaredNorm() / mass;
+    }
+    const double result = part * std::sqrt(changes / all);
+    return result < coarsest ? (std::max)(result, finest) : coarsest; // if no number, too
+  }
+
+  // Shares nothing with the solver but the system.
+  void check_residual() {
+    System system = m_equations.system();
+    system.held = m_constraints.held();
+    system.closed = m_closed;
+    const Solution& last = m_last_solution;
+    m_residual = relative_residual(system, last.f, last.s, last.v, last.p);
+    if (!(m_residual <= largest_residual))
+      throw Convergence_error(
+          "the solution of the equations of the flow is not accurate: cells may "
+          "be too flat, or the time step too long",
+          m_residual, largest_residual);
+  }
+
+  void end() {
+    Vectors_3 velocities;
+    for (std::size_t v = 0; v < m_before.size(); ++v)
+      velocities.push_back(m_before[v] + (m_velocities[v] - m_before[v]) / m_step.theta);
+    m_destinations = at_time(m_step.dt);
+    const Roughness_damper_3<Mesh> damper(m_mesh, m_destinations);
+    m_unstopped_velocities = damper.damped(velocities, m_equations.masses(), m_step.dt);
+    m_final_velocities = m_unstopped_velocities;
+    m_contacts.stop(m_final_velocities);
+    m_mesh.keep_on_sides(m_final_velocities);
+    for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
+      if (!m_final_velocities[v].allFinite() || !m_velocities[v].allFinite())
+        throw Convergence_error("the equations of the flow have no finite solution: the time step "
+                                "may be too short or too long for numbers, or cells flat",
+                                std::numeric_limits<double>::infinity(), largest_residual);
+  }
+
+  Vectors_3 at_time(double t) const {
+    Vectors_3 result;
+    for (std::size_t v = 0; v < m_positions.size(); ++v)
+      result.push_back(m_positions[v] + t * m_velocities[v]);
+    return result;
+  }
+
+  void assemble() {
+    m_contacts.predict(at_time(m_step.dt), m_end, m_step.dt, m_end > m_begin);
+    m_half_way = at_time(m_step.dt / 2);
+    const std::vector<double> volumes = volumes_of_gases(m_mesh, m_gases, m_positions, m_half_way);
+    std::vector<double> pressures;
+    for (std::size_t k = 0; k < m_gases.size(); ++k)
+      pressures.push_back(m_gases[k].pressure(volumes[k]));
+    m_equations.assemble(
+        m_half_way, [&](std::size_t f) { return m_contacts.tension(m_mesh.facets[f]); }, pressures);
+    m_gains.clear();
+    if (m_source)
+      for (std::size_t k = 0; k < m_mesh.cells.size(); ++k) {
+        const Eigen::Vector3d middle = m_mesh.middle(k, m_half_way);
+        const double divergence =
+            m_source({middle.x(), middle.y(), middle.z()}, (m_begin + m_end) / 2);
+        if (!(std::abs(divergence) * m_step.dt < 1))
+          throw Error("a source is not finite, or brings or drains more in the step than what is "
+                      "there: use shorter steps");
+        m_gains.push_back(divergence * volume(m_mesh.cells[k], m_half_way));
+      }
+    m_is_assembled = false;
+  }
+
+  void solve_with_contacts(double accuracy) {
+    static constexpr unsigned rounds = 30;
+    m_is_settled = false;
+    for (unsigned round = 0; round < rounds && !m_is_settled; ++round) {
+      solve_with_constraints(accuracy);
+      m_is_settled = !m_contacts.revise(flat(m_velocities), m_reactions, round);
+      m_is_assembled = m_is_assembled && m_is_settled;
+    }
+    for (std::size_t v = 0; v < m_velocities.size(); ++v)
+      m_accelerations[v] = (m_velocities[v] - m_before[v]) / (m_step.theta * m_step.dt);
+  }
+
+  void solve_with_constraints(double accuracy) {
+    if (!m_is_assembled)
+      assemble_constraints();
+    const auto& system = m_equations.system();
+    const Vector& known = m_constraints.prescribed();
+    const Vector f = m_equations.forces(m_before),
+                 s = m_equations.stabilization(m_accelerations) + m_equations.sources(m_gains);
+    Solution& last = m_last_solution;
+    last.f = f - system.multiply_a(known);
+    last.s = s - system.b * known;
+    Vector v = flat(m_velocities) - known;
+    m_iterations += m_solver.solve(last.f, last.s, v, m_pressures, accuracy);
+    ++m_solutions;
+    last.v = v;
+    last.p = m_pressures;
+    // By pressures whose least is 0, no wall has to pull for their sake.
+    for (const auto& set : m_closed) {
+      double least = std::numeric_limits<double>::infinity();
+      for (Eigen::Index p : set.pressures)
+        least = (std::min)(least, m_pressures(p));
+      set.add(-least, m_pressures);
+    }
+    v += known;
+    m_reactions = system.multiply_a(v) - system.b.transpose() * m_pressures - f;
+    for (std::size_t i = 0; i < m_velocities.size(); ++i)
+      m_velocities[i] = v.segment<3>(3 * Eigen::Index(i));
+  }
+
+  // What is factorized for the first geometry is good enough for the others.
+  void assemble_constraints() {
+    m_constraints = Vertex_constraints_3(m_positions.size());
+    for (std::size_t v = 0; v < m_positions.size(); ++v)
+      for (int axis = 0; axis < 3; ++axis)
+        if (Boundary_class::fixes(m_mesh.vertices[v]->boundary_class(), axis))
+          m_constraints.add(v, {Eigen::Vector3d::Unit(axis), 0});
+    m_contacts.constrain(m_constraints);
+    m_constraints.close();
+    System system = m_equations.system();
+    system.held = m_constraints.held();
+    system.closed = m_closed = closed_sets(system);
+    if (m_is_factorized)
+      m_solver.update(std::move(system));
+    else
+      m_solver.factorize(std::move(system), m_number_of_threads);
+    m_is_factorized = m_is_assembled = true;
+  }
+
+  static Vector flat(const Vectors_3& vectors) {
+    Vector result(3 * Eigen::Index(vectors.size()));
+    for (std::size_t i = 0; i < vectors.size(); ++i)
+      result.segment<3>(3 * Eigen::Index(i)) = vectors[i];
+    return result;
+  }
+
+  // Of a system: its right side, and what a solver found.
+  struct Solution
+  {
+    Vector f, s, v, p;
+  };
+
+  const Mesh& m_mesh;
+  const Fluid_properties_3& m_properties;
+  Solver& m_solver;
+  unsigned m_number_of_threads;
+  For_each_index m_for_each;
+  typename Equations::Step m_step;
+  double m_begin, m_end; // time
+  Vectors_3 m_positions, m_before, m_accelerations, m_velocities, m_unstopped_velocities,
+      m_final_velocities;
+  std::vector<Gas_body_3> m_gases;
+  Source m_source;
+  Vectors_3 m_destinations;
+  Vectors_3 m_half_way;        // positions that forces were assembled at
+  std::vector<double> m_gains; // volume in a unit of time, by cell
+  Vector m_pressures, m_reactions;
+  Equations m_equations;
+  Contacts m_contacts;
+  Vertex_constraints_3 m_constraints{0};
+  std::vector<System::Closed_set> m_closed;
+  bool m_is_factorized = false, m_is_assembled = false, m_is_settled = false;
+  unsigned m_iterations = 0, m_solutions = 0;
+  Solution m_last_solution;
+  double m_residual = 0;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_STEP_3_H

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_GAS_COMPONENTS_3_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_GAS_COMPONENTS_3_H
+
+#include <CGAL/Incompressible_fluids_3/Fluid_properties_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_mesh_3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// A connected component of a gas: its pressure times volume^exponent stays what it is. Powers are
+// taken of ratios of volumes only, so that no unit of length matters.
+struct Gas_body_3
+{
+  Gas gas;
+  double volume;
+  double reference_pressure, reference_volume; // a pressure, and the volume at which it has that
+
+  double pressure(double v) const {
+    return reference_pressure * std::pow(reference_volume / v, gas.exponent);
+  }
+  double pressure() const { return pressure(volume); }
+  // The potential of the pressure, for exponent 1 from the reference volume on.
+  double energy(double v) const {
+    return gas.exponent == 1
+               ? reference_pressure * reference_volume * std::log(reference_volume / v)
+               : pressure(v) * v / (gas.exponent - 1);
+  }
+};
+
+// The volumes of gases, a tenth of what they are at the least, when vertices of liquids have gone
+// from some positions to others.
+template <class Mesh>
+std::vector<double> volumes_of_gases(const Mesh& mesh, const std::vector<Gas_body_3>& gases,
+                                     const Vectors_3& from, const Vectors_3& to) {
+  std::vector<double> result;
+  for (const Gas_body_3& gas : gases)
+    result.push_back(gas.volume);
+  for (const auto& facet : mesh.facets)
+    if (facet.gas != Mesh::no_gas) {
+      // Half-way, the area times the mean way is what is swept but for terms of third order.
+      std::array<Eigen::Vector3d, 3> middle;
+      Eigen::Vector3d way = Eigen::Vector3d::Zero();
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto v = facet.vertices[i];
+        middle[i] = (from[v] + to[v]) / 2;
+        way += (to[v] - from[v]) / 3;
+      }
+      const double swept = (middle[1] - middle[0]).cross(middle[2] - middle[0]).dot(way) / 2;
+      result[facet.gas] -= facet.is_gas_in_front ? swept : -swept;
+    }
+  static constexpr double least = .1; // what a prediction may crush a gas to
+  for (std::size_t k = 0; k < gases.size(); ++k)
+    result[k] = (std::max)(result[k], least * gases[k].volume);
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_GAS_COMPONENTS_3_H

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_ROUGHNESS_DAMPER_3_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_ROUGHNESS_DAMPER_3_H
+
+#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_mesh_3.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+/*
+Damps what no mesh resolves: single vertices that drift among others, along a surface above all,
+where nothing holds them back but viscosity. Neighbors exchange momentum in proportion to what their
+velocities differ by, less what the mean gradients around both let expect (as A. Jameson, W. Schmidt
+and E. Turkel, AIAA Paper 81-1259, do on grids): nothing if velocities are linear, little if they
+are smooth; linear momentum stays.
+*/
+template <class Mesh> class Roughness_damper_3
+{
+public:
+  Roughness_damper_3(const Mesh& mesh, const Vectors_3& positions) : m_mesh(mesh) {
+    std::vector<double> tensions(positions.size(), 0);
+    for (const auto& facet : mesh.facets)
+      for (auto v : facet.vertices)
+        tensions[v] = (std::max)(tensions[v], facet.tension);
+    for (const auto& cell : mesh.cells) {
+      Part part;
+      const Eigen::Vector3d& o = positions[cell.vertices[0]];
+      for (int i = 0; i < 3; ++i)
+        part.edges.col(i) = positions[cell.vertices[std::size_t(i) + 1]] - o;
+      part.volume = (std::max)(0., part.edges.determinant() / 6); // not yet that of the mesh
+      part.tension = 0;
+      for (auto v : cell.vertices)
+        part.tension = (std::max)(part.tension, tensions[v]);
+      m_parts.push_back(part);
+    }
+  }
+
+  // Velocities after a time, with the masses of vertices.
+  Vectors_3 damped(const Vectors_3& velocities, const std::vector<double>& masses,
+                   double time) const {
+    const std::vector<Eigen::Matrix3d> gradients = mean_gradients(velocities);
+    Vectors_3 momenta(velocities.size(), Eigen::Vector3d::Zero());
+    for (std::size_t k = 0; k < m_parts.size(); ++k) {
+      const auto& cell = m_mesh.cells[k];
+      const Part& part = m_parts[k];
+      for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+          const auto v = cell.vertices[i], w = cell.vertices[j];
+          const Eigen::Vector3d way = part.corner(j) - part.corner(i);
+          const Eigen::Vector3d excess =
+              velocities[w] - velocities[v] -
+              (gradients[cell.pressures[i]] + gradients[cell.pressures[j]]) / 2 * way;
+          // Of a twelfth of the mass of the cell, so that edges have that of the vertex.
+          const Eigen::Vector3d exchanged =
+              exchange(excess.norm(), way.norm(), part.tension, cell.liquid->density, time) *
+              cell.liquid->density * part.volume / 12 * excess;
+          momenta[v] += exchanged;
+          momenta[w] -= exchanged;
+        }
+    }
+    Vectors_3 result = velocities;
+    for (std::size_t v = 0; v < velocities.size(); ++v)
+      result[v] += momenta[v] / masses[v];
+    return result;
+  }
+
+private:
+  struct Part
+  {
+    Eigen::Matrix3d edges; // from the first corner
+    double volume, tension;
+
+    Eigen::Vector3d corner(std::size_t i) const {
+      return i == 0 ? Eigen::Vector3d(Eigen::Vector3d::Zero())
+                    : Eigen::Vector3d(edges.col(Eigen::Index(i) - 1));
+    }
+  };
+
+  // The part of an excess that is exchanged: in the times that a vertex takes for an edge, or a
+  // wave as long as an edge.
+  static double exchange(double excess, double edge, double tension, double density, double time) {
+    static constexpr double times = .25, most = .5; // beyond, vertices would overshoot
+    const double rate = excess / edge + std::sqrt(tension / (density * edge * edge * edge));
+    return most * (1 - std::exp(-times / most * rate * time));
+  }
+
+  // By pressure, so that gradients may jump where liquids meet.
+  std::vector<Eigen::Matrix3d> mean_gradients(const Vectors_3& velocities) const {
+    std::vector<Eigen::Matrix3d> result(m_mesh.vertex_of_pressure.size(), Eigen::Matrix3d::Zero());
+    std::vector<double> volumes(result.size(), 0);
+    for (std::size_t k = 0; k < m_parts.size(); ++k) {
+      const auto& v = m_mesh.cells[k].vertices;
+      Eigen::Matrix3d differences;
+      for (int i = 0; i < 3; ++i)
+        differences.col(i) = velocities[v[std::size_t(i) + 1]] - velocities[v[0]];
+      // The adjugate is finite where the volume is about 0.
+      const Eigen::Matrix3d& e = m_parts[k].edges;
+      Eigen::Matrix3d adjugate;
+      adjugate.row(0) = e.col(1).cross(e.col(2));
+      adjugate.row(1) = e.col(2).cross(e.col(0));
+      adjugate.row(2) = e.col(0).cross(e.col(1));
+      for (auto p : m_mesh.cells[k].pressures) {
+        result[p] += differences * adjugate / 6;
+        volumes[p] += m_parts[k].volume;
+      }
+    }
+    // Cells that lie flat on a wall tell no gradient.
+    for (std::size_t p = 0; p < result.size(); ++p)
+      if (volumes[p] > 0)
+        result[p] /= volumes[p];
+      else
+        result[p].setZero();
+    return result;
+  }
+
+  const Mesh& m_mesh;
+  std::vector<Part> m_parts; // by cell
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_ROUGHNESS_DAMPER_3_H

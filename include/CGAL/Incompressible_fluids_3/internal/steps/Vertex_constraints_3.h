@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_VERTEX_CONSTRAINTS_3_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_VERTEX_CONSTRAINTS_3_H
+
+#include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
+
+#include <Eigen/Dense>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// What is known of the velocities of vertices: they are what is prescribed, and P v = v more, with
+// P projections onto what is free.
+class Vertex_constraints_3
+{
+public:
+  // Along a direction of unit length a velocity is known.
+  struct Known
+  {
+    Eigen::Vector3d direction;
+    double velocity;
+  };
+
+  explicit Vertex_constraints_3(std::size_t number_of_vertices) : m_known(number_of_vertices) {}
+
+  void add(std::size_t v, const Known& known) { m_known[v].push_back(known); }
+
+  const std::vector<Known>& known(std::size_t v) const { return m_known[v]; }
+
+  // To be called after the last `add()`.
+  void close() {
+    // The same direction may be known twice, as where two walls touch.
+    static constexpr double parallel = 1e-6;
+    m_prescribed = Eigen::VectorXd::Zero(3 * Eigen::Index(m_known.size()));
+    m_held.clear();
+    for (std::size_t v = 0; v < m_known.size(); ++v) {
+      if (m_known[v].empty())
+        continue;
+      Eigen::MatrixXd directions(3, m_known[v].size());
+      Eigen::VectorXd velocities(m_known[v].size());
+      for (std::size_t i = 0; i < m_known[v].size(); ++i) {
+        directions.col(Eigen::Index(i)) = m_known[v][i].direction;
+        velocities(Eigen::Index(i)) = m_known[v][i].velocity;
+      }
+      Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
+      qr.setThreshold(parallel);
+      qr.compute(directions);
+      const Eigen::Matrix3d base = qr.householderQ() * Eigen::Matrix3d::Identity();
+      const Eigen::MatrixXd known = base.leftCols(qr.rank()), free = base.rightCols(3 - qr.rank());
+      m_prescribed.segment<3>(3 * Eigen::Index(v)) =
+          known * (directions.transpose() * known).colPivHouseholderQr().solve(velocities);
+      m_held.push_back({Eigen::Index(v), free * free.transpose()});
+    }
+  }
+
+  const Eigen::VectorXd& prescribed() const { return m_prescribed; }
+  const std::vector<Saddle_point_system::Held_velocity>& held() const { return m_held; }
+
+private:
+  std::vector<std::vector<Known>> m_known;
+  Eigen::VectorXd m_prescribed;
+  std::vector<Saddle_point_system::Held_velocity> m_held;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_VERTEX_CONSTRAINTS_3_H

@@ -1,0 +1,386 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTERFACE_FLOWS_MEAN_CURVATURE_FLOW_H
+#define CGAL_INTERFACE_FLOWS_MEAN_CURVATURE_FLOW_H
+
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Facet_tension.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/Volume_changer.h>
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/vertices_on_junctions.h>
+
+#include <CGAL/Origin.h>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+/*
+How the facets of a snapshot contract: the forces along the edges of facets, and what they have to
+move. To a vertex belongs a share of the facets around it. Where two labels meet, all of it moves
+with the vertex. Where more meet, as in lines of 120 degrees, a facet takes part in motions along
+its normal only: it gives way to others in its own plane, where it just becomes shorter or longer
+(J. W. Barrett, H. Garcke, R. Nürnberg, *On the parametric finite element approximation of evolving
+hypersurfaces in R^3*, Journal of Computational Physics 227, 2008).
+*/
+template <class Complex> class Tensions
+{
+public:
+  static constexpr int d = Complex::dimension;
+  using Point = typename Complex::Approximate_point;
+  using Matrix = Eigen::Matrix<double, d, d>;
+  using Vector = Eigen::Matrix<double, d, 1>;
+
+  // weight times the way from a vertex to another: the force on that one, and its opposite on the
+  // other.
+  struct Pull
+  {
+    std::size_t from, to;
+    double weight;
+    Vector way;
+  };
+
+  Tensions(const Interface_snapshot<Complex>& interface_, const std::vector<Point>& positions)
+      : m_are_junctions(vertices_on_junctions(interface_)), m_shares(positions.size(), 0),
+        m_masses(positions.size(), Matrix::Zero()) {
+    for (const auto& facet : interface_.facets()) {
+      const auto& v = facet.vertices;
+      std::array<Point, d> corners;
+      for (int i = 0; i < d; ++i)
+        corners[i] = interface_.domain.near(positions[v[0]], positions[v[i]]);
+      const Facet_tension<d> tension(corners);
+      for (std::size_t k = 0; k < tension.weights.size(); ++k) {
+        const auto [i, j] = Complex::Space::facet_edges[k];
+        m_pulls.push_back({v[i], v[j], tension.weights[k], vector(corners[j] - corners[i])});
+      }
+      const Vector normal = vector(Complex::Space::facet_normal(corners)).normalized();
+      for (int i = 0; i < d; ++i) {
+        m_shares[v[i]] += tension.shares[i];
+        if (is_junction(v[i]))
+          m_masses[v[i]] += tension.shares[i] * normal * normal.transpose();
+      }
+    }
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      if (!is_junction(v))
+        m_masses[v] = m_shares[v] * Matrix::Identity();
+      else if (m_shares[v] > 0)
+        complete(m_masses[v], m_shares[v]);
+  }
+
+  const std::vector<Pull>& pulls() const { return m_pulls; }
+  // What a vertex has to move; not zero if `share()` is not.
+  const Matrix& mass(std::size_t v) const { return m_masses[v]; }
+  double share(std::size_t v) const { return m_shares[v]; }
+  // Whether more than two labels meet at a vertex, so that its mass ties the axes to each other.
+  bool is_junction(std::size_t v) const { return m_are_junctions[v]; }
+  bool has_junctions() const {
+    return std::find(m_are_junctions.begin(), m_are_junctions.end(), true) != m_are_junctions.end();
+  }
+
+private:
+  template <class V> static Vector vector(const V& v) {
+    return Vector(coordinates_of<d>(v).data());
+  }
+
+  // Along a line where labels meet no facet moves by its normal: there the whole share does.
+  static void complete(Matrix& mass, double share) {
+    static constexpr double along = .1; // of the share; across it is a half, in points a third
+    const Eigen::SelfAdjointEigenSolver<Matrix> solver(mass);
+    Vector values = solver.eigenvalues();
+    for (int i = 0; i < d; ++i)
+      if (!(values[i] > along * share))
+        values[i] = share;
+    mass = solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
+  }
+
+  std::vector<char> m_are_junctions;
+  std::vector<Pull> m_pulls;
+  std::vector<double> m_shares;
+  std::vector<Matrix> m_masses;
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgInterfaceFlowsRef
+
+Mean curvature flow, in the plane curve shortening flow, step by explicit step (section 4.1.2 of the
+paper): the velocity of a vertex is the negative gradient of the area of the whole interface, by the
+cotangent formula, divided by the mixed Voronoi area of the vertex; in the plane, of its length,
+divided by half of the edges there. Its length is that of the sum of the principal curvatures. Where
+several labels meet, all walls pull with the same force, so that they come to meet in angles of 120
+degrees.
+
+Stable only for steps of time below about half the area of the smallest triangles, or half the
+square of the shortest edges; `Mean_curvature_flow` is free of that.
+
+\cgalModels `InterfaceVelocity`
+*/
+struct Mean_curvature_velocity
+{
+  /// The flow decreases the measure of the interface: `advect_adaptively()` adapts in each step.
+  static constexpr bool contracts_interface = true;
+
+  /// computes the velocities of vertices at positions, as `InterfaceVelocity` says. Linear in the
+  /// size of the interface.
+  template <class Complex>
+  void operator()(const Interface_snapshot<Complex>& interface_,
+                  const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
+                  std::vector<typename Complex::Approximate_vector>& velocities) const {
+    using Tensions = internal::Tensions<Complex>;
+    const Tensions tensions(interface_, positions);
+    std::vector<typename Tensions::Vector> forces(positions.size(), Tensions::Vector::Zero());
+    for (const auto& pull : tensions.pulls()) {
+      forces[pull.from] += pull.weight * pull.way;
+      forces[pull.to] -= pull.weight * pull.way;
+    }
+    velocities.clear();
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+      std::array<double, Complex::dimension> coordinates = {};
+      if (tensions.share(v) > 0) {
+        const typename Tensions::Vector velocity = tensions.mass(v).ldlt().solve(forces[v]);
+        std::copy(velocity.data(), velocity.data() + velocity.size(), coordinates.begin());
+      }
+      velocities.push_back(internal::vector_of<Complex>(coordinates));
+    }
+  }
+};
+
+/*!
+\ingroup PkgInterfaceFlowsRef
+
+Mean curvature flow, in the plane curve shortening flow, semi-implicitly: the same forces as of
+`Mean_curvature_velocity`, but taken where a step ends, with the weights of where it begins
+(M. Desbrun, M. Meyer, P. Schröder, A. H. Barr, *Implicit fairing of irregular meshes using
+diffusion and curvature flow*, SIGGRAPH 1999). One such step and two of half the length are
+extrapolated. Stable for steps of any length, of the second order in it.
+
+\cgalModels `InterfaceStep`
+*/
+class Mean_curvature_flow
+{
+public:
+  /// The flow decreases the measure of the interface: `advect_adaptively()` adapts in each step.
+  static constexpr bool contracts_interface = true;
+
+  /// \param preserves_volumes whether every label keeps its volume, in the plane its area, up to
+  /// rounding for labels that do not reach the boundary of the domain. Each label then has the
+  /// pressure that it takes, so that what is in equilibrium, such as a cluster of soap bubbles,
+  /// stays where it is. Steps must then be shorter than the time in which a label would vanish
+  /// without it.
+  explicit Mean_curvature_flow(bool preserves_volumes = false)
+      : m_preserves_volumes(preserves_volumes) {}
+
+  /// Returns whether every label keeps its volume: `advect_adaptively()` then restores the volumes
+  /// that an adaptation changes.
+  bool preserves_volumes() const { return m_preserves_volumes; }
+
+  /// computes where vertices go, as `InterfaceStep` says. Three sparse Cholesky factorizations,
+  /// more where the interface ends on sides of the domain: about n log n in the size of the
+  /// interface. Volumes take time in proportion to its size times the number of labels, and memory
+  /// for each vertex and each label on the connected part of the interface that the vertex is on.
+  /// \throws Error if dt is negative, or all facets of a vertex are without area.
+  template <class Complex>
+  void operator()(const Interface_snapshot<Complex>& interface_,
+                  const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
+                  double dt, std::vector<typename Complex::Approximate_point>& destinations) const {
+    if (!(dt >= 0))
+      throw Error("mean curvature flow cannot go back in time: use a time step of 0 or more");
+    destinations.clear();
+    if (positions.empty())
+      return;
+    System<Complex> system(interface_);
+    const auto whole = implicit_step(system, interface_, positions, dt);
+    const auto half = implicit_step(system, interface_, positions, dt / 2);
+    destinations = implicit_step(system, interface_, half, dt / 2);
+    for (std::size_t i = 0; i < destinations.size(); ++i)
+      destinations[i] = destinations[i] + (destinations[i] - whole[i]);
+    if (m_preserves_volumes) {
+      const internal::Volume_changer<Complex> changer(interface_);
+      changer.change_by(changer.changes(destinations, positions), destinations);
+    }
+  }
+
+private:
+  template <class Complex> class System;
+
+  // One step of backward Euler with the weights of its beginning. Vertices on sides of the domain
+  // stay on them.
+  template <class Complex>
+  std::vector<typename Complex::Approximate_point>
+  implicit_step(System<Complex>& system, const Interface_snapshot<Complex>& interface_,
+                const std::vector<typename Complex::Approximate_point>& positions,
+                double dt) const {
+    static constexpr int d = Complex::dimension;
+    const internal::Tensions<Complex> tensions(interface_, positions);
+    // The forces of a pressure in each label, and where they take the vertices: nowhere on parts of
+    // the interface that are not connected with the label.
+    const internal::Volume_changer<Complex> changer(interface_);
+    const auto labels = m_preserves_volumes ? changer.changes(positions, positions)
+                                            : std::map<typename Complex::Label, double>();
+    typename internal::Volume_changer<Complex>::Directions forces, responses(positions.size());
+    if (m_preserves_volumes)
+      forces = changer.gradients(labels, positions);
+
+    // Junctions tie the axes to each other; without them, they are solved for one by one.
+    const int together = tensions.has_junctions() ? d : 1;
+    std::vector<std::array<double, d>> ways(positions.size());
+    system.set(tensions, dt);
+    for (int axis = 0; axis < d; axis += together) {
+      system.assemble(axis, axis + together);
+      system.for_each_solved(system.pulls(),
+                             [&](std::size_t v, int along, double x) { ways[v][along] = x; });
+      for (Eigen::Index label = 0; label < Eigen::Index(labels.size()); ++label)
+        system.for_each_solved(
+            system.forces(forces, label), [&](std::size_t v, int along, double x) {
+              if (x == 0)
+                return;
+              std::array<double, d> part = {};
+              part[along] = x;
+              auto& sum = responses[v].try_emplace(label, NULL_VECTOR).first->second;
+              sum = sum + internal::vector_of<Complex>(part);
+            });
+    }
+    std::vector<typename Complex::Approximate_point> result;
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      result.push_back(positions[v] + internal::vector_of<Complex>(ways[v]));
+    if (m_preserves_volumes)
+      changer.change_by(changer.changes(result, positions), responses, result);
+    return result;
+  }
+
+  // The linear systems of the steps of an interface: each of some axes, with a row for each of them
+  // and each vertex. Steps differ in their numbers only, so that rows need to be ordered again only
+  // where others are fixed.
+  template <class Complex> class System
+  {
+  public:
+    using Tensions = internal::Tensions<Complex>;
+
+    explicit System(const Interface_snapshot<Complex>& interface_)
+        : m_interface(interface_), m_size(interface_.vertices.size()) {}
+
+    // Another step, whose tensions stay as long as it is worked on.
+    void set(const Tensions& tensions, double dt) {
+      m_tensions = &tensions;
+      m_dt = dt;
+      m_is_factorized = false;
+    }
+
+    void assemble(int first_axis, int last_axis) {
+      m_first_axis = first_axis;
+      m_last_axis = last_axis;
+      std::vector<char> is_fixed;
+      for (int axis = first_axis; axis < last_axis; ++axis)
+        for (const auto& v : m_interface.vertices)
+          is_fixed.push_back(Boundary_class::fixes(v->boundary_class(), axis));
+      const bool has_other_rows = is_fixed != m_is_fixed;
+      m_is_fixed.swap(is_fixed);
+      if (has_other_rows || !m_is_factorized)
+        factorize(has_other_rows);
+      m_is_factorized = true;
+    }
+
+    Eigen::VectorXd pulls() const {
+      Eigen::VectorXd right = zero();
+      for (const auto& pull : m_tensions->pulls())
+        for (int axis = m_first_axis; axis < m_last_axis; ++axis) {
+          right(row(pull.from, axis)) += m_dt * pull.weight * pull.way[axis];
+          right(row(pull.to, axis)) -= m_dt * pull.weight * pull.way[axis];
+        }
+      return right;
+    }
+
+    template <class Directions>
+    Eigen::VectorXd forces(const Directions& forces, Eigen::Index label) const {
+      Eigen::VectorXd right = zero();
+      for (std::size_t v = 0; v < forces.size(); ++v)
+        if (const auto found = forces[v].find(label); found != forces[v].end())
+          for (int axis = m_first_axis; axis < m_last_axis; ++axis)
+            right(row(v, axis)) = found->second[axis];
+      return right;
+    }
+
+    // Calls f(vertex, axis, x) for each part of the solution; fixed ones are 0.
+    template <class Function> void for_each_solved(Eigen::VectorXd right, const Function& f) const {
+      for (Eigen::Index i = 0; i < right.size(); ++i)
+        if (m_is_fixed[std::size_t(i)])
+          right(i) = 0;
+      const Eigen::VectorXd solution = m_solver.solve(right);
+      for (int axis = m_first_axis; axis < m_last_axis; ++axis)
+        for (std::size_t v = 0; v < m_size; ++v)
+          f(v, axis, solution(row(v, axis)));
+    }
+
+  private:
+    Eigen::VectorXd zero() const { return Eigen::VectorXd::Zero(Eigen::Index(m_is_fixed.size())); }
+    Eigen::Index row(std::size_t v, int axis) const {
+      return Eigen::Index(std::size_t(axis - m_first_axis) * m_size + v);
+    }
+
+    // Rows of fixed vertices are those of the identity.
+    void factorize(bool has_other_rows) {
+      std::vector<Eigen::Triplet<double>> entries; // of the lower triangle
+      const auto add = [&](Eigen::Index i, Eigen::Index j, double x) {
+        if (i >= j && !m_is_fixed[std::size_t(i)] && !m_is_fixed[std::size_t(j)])
+          entries.emplace_back(i, j, x);
+      };
+      for (int axis = m_first_axis; axis < m_last_axis; ++axis) {
+        for (const auto& pull : m_tensions->pulls()) {
+          const Eigen::Index a = row(pull.from, axis), b = row(pull.to, axis);
+          add(a, a, m_dt * pull.weight);
+          add(b, b, m_dt * pull.weight);
+          add((std::max)(a, b), (std::min)(a, b), -m_dt * pull.weight);
+        }
+        for (std::size_t v = 0; v < m_size; ++v)
+          for (int other = m_first_axis; other <= axis; ++other)
+            if (other == axis || m_tensions->is_junction(v))
+              add(row(v, axis), row(v, other), m_tensions->mass(v)(axis, other));
+      }
+      for (std::size_t i = 0; i < m_is_fixed.size(); ++i)
+        if (m_is_fixed[i])
+          entries.emplace_back(Eigen::Index(i), Eigen::Index(i), 1);
+      Eigen::SparseMatrix<double> matrix(Eigen::Index(m_is_fixed.size()),
+                                         Eigen::Index(m_is_fixed.size()));
+      matrix.setFromTriplets(entries.begin(), entries.end());
+      if (has_other_rows)
+        m_solver.analyzePattern(matrix);
+      m_solver.factorize(matrix);
+      if (m_solver.info() != Eigen::Success)
+        throw Error(
+            "the step of mean curvature flow cannot be solved for: a vertex has only facets "
+            "without area; improve the interface, or take shorter steps");
+    }
+
+    const Interface_snapshot<Complex>& m_interface;
+    std::size_t m_size;
+    const Tensions* m_tensions = nullptr;
+    double m_dt = 0;
+    int m_first_axis = 0, m_last_axis = 0;
+    std::vector<char> m_is_fixed; // by row
+    bool m_is_factorized = false;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_solver;
+  };
+
+  bool m_preserves_volumes;
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INTERFACE_FLOWS_MEAN_CURVATURE_FLOW_H

@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTERFACE_FLOWS_INTERFACE_FLOWS_3_H
+#define CGAL_INTERFACE_FLOWS_INTERFACE_FLOWS_3_H
+
+#include <CGAL/Interface_flows/Normal_offset.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/tags.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgInterfaceFlowsRef
+
+Rotation about an axis with constant angular velocity (section 4.1.1 of the paper). It gives
+positions and not velocities, so that it is integrated exactly, whatever the scheme.
+
+\cgalModels `InterfaceFlowMap`
+*/
+class Rigid_rotation_3
+{
+public:
+  using Point_3 = Simple_cartesian<double>::Point_3;   ///< in the coordinates of the complex
+  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< in the coordinates of the complex
+  using Is_invertible = Tag_true;                      ///< space goes with it
+
+  /// \param center a point of the axis. \param axis its direction, not zero, of any length.
+  /// \param angular_velocity radians per unit of time, counterclockwise seen against the axis.
+  Rigid_rotation_3(const Point_3& center, const Vector_3& axis, double angular_velocity)
+      : m_center(center), m_axis(axis / std::hypot(axis.x(), axis.y(), axis.z())),
+        m_angular_velocity(angular_velocity) {}
+
+  /// Where a point at p at the time t is at t + dt.
+  Point_3 operator()(const Point_3& p, double /*t*/, double dt) const {
+    const double angle = m_angular_velocity * dt;
+    const Vector_3 r = p - m_center, along = (m_axis * r) * m_axis, across = r - along;
+    return m_center + along + std::cos(angle) * across +
+           std::sin(angle) * cross_product(m_axis, across);
+  }
+
+private:
+  Point_3 m_center;
+  Vector_3 m_axis;
+  double m_angular_velocity;
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INTERFACE_FLOWS_INTERFACE_FLOWS_3_H

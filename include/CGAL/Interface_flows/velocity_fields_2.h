@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTERFACE_FLOWS_VELOCITY_FIELDS_2_H
+#define CGAL_INTERFACE_FLOWS_VELOCITY_FIELDS_2_H
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgInterfaceFlowsRef
+
+The single vortex of Bell, Colella and Glaz, that is the curl of
+\f$\psi = -\sin^2(\pi x) \sin^2(\pi y) / \pi\f$, with time running backwards in every second half of
+the period. It keeps areas and the unit square. The twin of `Single_vortex_velocity_3`.
+
+\cgalModels `VelocityField`
+*/
+class Single_vortex_velocity_2
+{
+public:
+  using Point_2 = Simple_cartesian<double>::Point_2;   ///< in the coordinates of the unit square
+  using Vector_2 = Simple_cartesian<double>::Vector_2; ///< in the coordinates of the unit square
+
+  /// \param period velocities are multiplied by \f$\cos(\pi t / T)\f$ with this T.
+  /// \pre it is positive
+  explicit Single_vortex_velocity_2(double period = 8) : m_period(period) {}
+
+  /// The velocity at p at the time t.
+  Vector_2 operator()(const Point_2& p, double t) const {
+    const double sx = std::sin(CGAL_PI * p.x()), cx = std::cos(CGAL_PI * p.x());
+    const double sy = std::sin(CGAL_PI * p.y()), cy = std::cos(CGAL_PI * p.y());
+    const double f = 2 * sx * sy * std::cos(CGAL_PI * t / m_period);
+    return f * Vector_2(-sx * cy, cx * sy);
+  }
+
+private:
+  double m_period;
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INTERFACE_FLOWS_VELOCITY_FIELDS_2_H

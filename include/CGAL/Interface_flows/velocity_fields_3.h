@@ -1,0 +1,171 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTERFACE_FLOWS_VELOCITY_FIELDS_3_H
+#define CGAL_INTERFACE_FLOWS_VELOCITY_FIELDS_3_H
+
+#include <CGAL/Interface_flows/velocity_fields_2.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgInterfaceFlowsRef
+
+The deformation flow of LeVeque (*High-resolution conservative algorithms for advection in
+incompressible flow*, SIAM Journal on Numerical Analysis 33, 1996) that Enright and others made a
+test of interface tracking. It keeps volumes, stretches a ball into a thin sheet and, as time runs
+backwards in every second half of the period, back. It stays in the unit cube \f$[0, 1]^3\f$.
+
+\cgalModels `VelocityField`
+*/
+class Enright_velocity_3
+{
+public:
+  using Point_3 = Simple_cartesian<double>::Point_3;   ///< in the coordinates of the unit cube
+  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< in the coordinates of the unit cube
+
+  /// \param period velocities are multiplied by \f$\cos(\pi t / T)\f$ with this T, positive, so
+  /// that everything is back at t = T. 3 is customary; 1 is the flow of section 4.1.4 of the paper.
+  explicit Enright_velocity_3(double period = 3) : m_period(period) {}
+
+  /// The velocity at p at the time t.
+  Vector_3 operator()(const Point_3& p, double t) const {
+    const double sx = std::sin(CGAL_PI * p.x()), cx = std::cos(CGAL_PI * p.x());
+    const double sy = std::sin(CGAL_PI * p.y()), cy = std::cos(CGAL_PI * p.y());
+    const double sz = std::sin(CGAL_PI * p.z()), cz = std::cos(CGAL_PI * p.z());
+    const double f = 4 * sx * sy * sz * std::cos(CGAL_PI * t / m_period);
+    return f * Vector_3(2 * sx * cy * cz, -cx * sy * cz, -cx * cy * sz);
+  }
+
+private:
+  double m_period;
+};
+
+/*!
+\ingroup PkgInterfaceFlowsRef
+
+The single vortex of Bell, Colella and Glaz in each plane of constant z, that is the curl of
+\f$\psi = -\sin^2(\pi x) \sin^2(\pi y) / \pi\f$, with time running backwards in every second half of
+the period. It keeps volumes and the unit square.
+
+\cgalModels `VelocityField`
+*/
+class Single_vortex_velocity_3
+{
+public:
+  using Point_3 = Simple_cartesian<double>::Point_3;   ///< in the coordinates of the unit cube
+  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< in the coordinates of the unit cube
+
+  /// \param period velocities are multiplied by \f$\cos(\pi t / T)\f$ with this T, positive.
+  explicit Single_vortex_velocity_3(double period = 8) : m_in_plane(period) {}
+
+  /// The velocity at p at the time t.
+  Vector_3 operator()(const Point_3& p, double t) const {
+    const auto in_plane = m_in_plane({p.x(), p.y()}, t);
+    return {in_plane.x(), in_plane.y(), 0};
+  }
+
+private:
+  Single_vortex_velocity_2 m_in_plane;
+};
+
+/*!
+\ingroup PkgInterfaceFlowsRef
+
+A turbulent looking flow that keeps volumes: the curl of a random potential, here a sum of waves of
+one length in random directions (after R. Bridson, J. Houriham and M. Nordenstam, *Curl-noise for
+procedural fluid flow*, SIGGRAPH 2007). It is the same for the same seed, on every machine up to the
+rounding of sine and cosine.
+
+\cgalModels `VelocityField`
+*/
+class Curl_noise_velocity_3
+{
+public:
+  using Point_3 = Simple_cartesian<double>::Point_3;   ///< in the coordinates of the complex
+  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< in the coordinates of the complex
+
+  /// \param wave_length distance over which the flow varies, positive. \param speed root of its
+  /// mean square. \param seed of the random numbers. \param number_of_waves that are summed up.
+  Curl_noise_velocity_3(double wave_length, double speed, std::uint64_t seed = 0,
+                        unsigned number_of_waves = 16) {
+    std::mt19937_64 random(seed);
+    const auto uniform = [&] { return std::ldexp(double(random() >> 11), -53); };
+    const auto direction = [&] {
+      const double z = 2 * uniform() - 1, angle = 2 * CGAL_PI * uniform();
+      const double r = std::sqrt(1 - z * z);
+      return Vector_3(r * std::cos(angle), r * std::sin(angle), z);
+    };
+    double mean_square = 0;
+    for (unsigned i = 0; i < number_of_waves; ++i) {
+      const Vector_3 along = direction(), potential = direction();
+      m_waves.push_back({2 * CGAL_PI / wave_length * along, cross_product(along, potential),
+                         2 * CGAL_PI * uniform()});
+      mean_square += m_waves.back().velocity.squared_length() / 2; // of a cosine: 1/2
+    }
+    for (Wave& wave : m_waves)
+      wave.velocity = speed / std::sqrt(mean_square) * wave.velocity;
+  }
+
+  /// The velocity at p, which does not depend on the time.
+  Vector_3 operator()(const Point_3& p, double /*t*/) const {
+    Vector_3 result(0, 0, 0);
+    for (const Wave& wave : m_waves)
+      result = result + std::cos(wave.number * (p - ORIGIN) + wave.phase) * wave.velocity;
+    return result;
+  }
+
+private:
+  struct Wave
+  {
+    Vector_3 number;   // radians per length
+    Vector_3 velocity; // across it
+    double phase;
+  };
+
+  std::vector<Wave> m_waves;
+};
+
+/*!
+\ingroup PkgInterfaceFlowsRef
+
+A velocity field given in the coordinates of the user, for a complex that was normalized.
+
+\tparam Field model of `VelocityField`
+\cgalModels `VelocityField`
+*/
+template <class Complex, class Field> class Velocity_in_user_coordinates_3
+{
+public:
+  using Point_3 = typename Complex::Approximate_point_3;   ///< in the coordinates of the complex
+  using Vector_3 = typename Complex::Approximate_vector_3; ///< in the coordinates of the complex
+
+  /// \param complex whose normalization is taken over. \param field in the user's coordinates.
+  Velocity_in_user_coordinates_3(const Complex& complex, Field field)
+      : m_normalization(complex.normalization()), m_field(std::move(field)) {}
+
+  /// The velocity at p at the time t.
+  Vector_3 operator()(const Point_3& p, double t) const {
+    const Point_3 q = ORIGIN + (m_normalization.translation + m_normalization.scale * (p - ORIGIN));
+    return m_field(q, t) / m_normalization.scale;
+  }
+
+private:
+  typename Complex::Normalization m_normalization;
+  Field m_field;
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INTERFACE_FLOWS_VELOCITY_FIELDS_3_H

@@ -1,0 +1,264 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_POINT_CLOUD_3_H
+#define CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_POINT_CLOUD_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Solid_reconstruction_3/internal/clouds/local_fits_3.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Euclidean_distance.h>
+#include <CGAL/Kd_tree.h>
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Search_traits_adapter.h>
+#include <CGAL/Splitters.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <numeric>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// How far a point reaches, in distances of its sixth neighbor: facets within touch it.
+inline constexpr double reach_of_points = 2;
+
+// The elements whose marks are not 0, in their order.
+template <class T> void keep_marked(std::vector<T>& elements, const std::vector<char>& marks) {
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    if (marks[i] != 0)
+      elements[number++] = elements[i];
+  elements.erase(elements.begin() + std::ptrdiff_t(number), elements.end());
+}
+
+// Splits the nodes of a kd-tree as CGAL does by default, and can be stopped.
+template <class Traits> struct Stoppable_splitter : Sliding_midpoint<Traits>
+{
+  using Base = Sliding_midpoint<Traits>;
+
+  void operator()(typename Base::Separator& separator, typename Base::Container& low,
+                  typename Base::Container& high) const {
+    Progress_scope::check();
+    Base::operator()(separator, low, high);
+  }
+};
+
+// Points by lexicographic order, and what is near them. Of points that are equal, the first counts.
+class Point_cloud_3
+{
+public:
+  using Point = Cloud_kernel::Point_3;
+  using Vector = Cloud_kernel::Vector_3;
+  static constexpr unsigned ring = 6; // neighbors of a point of a surface
+
+  // Of equal points, that with the greatest vector counts, if there are any vectors; 0 is the
+  // least. Throws Invalid_points_error if coordinates are not finite, or too large or small, or the
+  // points lie in a plane.
+  Point_cloud_3(const std::vector<Point>& points, const std::vector<Vector>& vectors,
+                unsigned number_of_threads)
+      : m_for_each(number_of_threads) {
+    require_finite(points);
+    m_indices.resize(points.size());
+    std::iota(m_indices.begin(), m_indices.end(), std::size_t(0));
+    std::stable_sort(m_indices.begin(), m_indices.end(), [&](std::size_t i, std::size_t j) {
+      return points[i] == points[j] ? !vectors.empty() && less(vectors[j], vectors[i])
+                                    : points[i] < points[j];
+    });
+    m_indices.erase(
+        std::unique(m_indices.begin(), m_indices.end(),
+                    [&](std::size_t i, std::size_t j) { return points[i] == points[j]; }),
+        m_indices.end());
+    m_duplicates = points.size() - m_indices.size();
+    for (std::size_t i : m_indices)
+      m_points.push_back(points[i]);
+    require_extent();
+    plant();
+    measure();
+    drop_isolated();
+  }
+
+  Point_cloud_3(const Point_cloud_3&) = delete; // the tree refers to the points
+  Point_cloud_3& operator=(const Point_cloud_3&) = delete;
+
+  const std::vector<Point>& points() const { return m_points; }
+  std::size_t size() const { return m_points.size(); }
+  // The place of a point among those that were given.
+  std::size_t index(std::size_t i) const { return m_indices[i]; }
+  std::size_t number_of_duplicates() const { return m_duplicates; }
+  // Of points that were left out, as they were far from others.
+  std::size_t number_of_outliers() const { return m_outliers; }
+
+  // For what is asked for each of many points or facets.
+  const For_each_index& for_each() const { return m_for_each; }
+
+  // Leaves out the others. Throws Invalid_points_error if what is left lies in a plane.
+  void keep(const std::vector<char>& is_kept) {
+    const auto number = std::size_t(std::count(is_kept.begin(), is_kept.end(), 1));
+    if (number == size())
+      return;
+    m_outliers += size() - number;
+    keep_marked(m_points, is_kept);
+    keep_marked(m_indices, is_kept);
+    keep_marked(m_reaches, is_kept);
+    require_extent();
+    plant();
+    m_spacing = mean_distance();
+  }
+
+  // The mean distance of points from their six nearest neighbors.
+  double spacing() const { return m_spacing; }
+  // The distance of the sixth neighbor.
+  double reach(std::size_t i) const { return m_reaches[i]; }
+  const std::vector<double>& reaches() const { return m_reaches; }
+
+  // The nearest points, by distance.
+  std::vector<std::size_t> nearest(const Point& p, unsigned number) const {
+    const Search search(*m_tree, p, number, 0, true, Distance(map()));
+    std::vector<std::size_t> result;
+    for (const auto& item : search)
+      result.push_back(item.first);
+    return result;
+  }
+  std::size_t nearest(const Point& p) const {
+    return Search(*m_tree, p, 1, 0, true, Distance(map())).begin()->first;
+  }
+  double distance(const Point& p) const {
+    return std::sqrt((m_points[nearest(p)] - p).squared_length());
+  }
+
+private:
+  using Map = Pointer_property_map<Point>::const_type;
+  using Traits = Search_traits_adapter<std::size_t, Map, Search_traits_3<Cloud_kernel>>;
+  using Search = Orthogonal_k_neighbor_search<
+      Traits, Distance_adapter<std::size_t, Map, Euclidean_distance<Search_traits_3<Cloud_kernel>>>,
+      Stoppable_splitter<Traits>>;
+  using Tree = Search::Tree;
+  using Distance = Search::Distance;
+  using Reason = Invalid_points_error::Reason;
+  static bool less(const Vector& a, const Vector& b) {
+    return std::make_tuple(a != NULL_VECTOR, a.x(), a.y(), a.z()) <
+           std::make_tuple(b != NULL_VECTOR, b.x(), b.y(), b.z());
+  }
+
+  Map map() const { return make_property_map(m_points); }
+
+  static void require_finite(const std::vector<Point>& points) {
+    std::vector<std::size_t> wrong;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (!std::isfinite(points[i].x()) || !std::isfinite(points[i].y()) ||
+          !std::isfinite(points[i].z()))
+        wrong.push_back(i);
+    if (!wrong.empty())
+      throw Invalid_points_error(Reason::not_finite,
+                                 "the coordinates of point " + std::to_string(wrong.front()) +
+                                     " are not finite: leave it out",
+                                 wrong);
+  }
+
+  void require_extent() const {
+    static constexpr std::size_t least = 4;
+    static constexpr double thinnest = 1e-9; // of the extent
+    if (m_points.size() < least)
+      throw Invalid_points_error(
+          Reason::too_few, m_outliers == 0
+                               ? "there are fewer than four different points: they bound no solid"
+                               : "fewer than four points are near others: they bound no solid");
+    static constexpr double smallest = 1e-30, largest = 1e30; // extents of complexes
+    Bbox_3 box;
+    for (const Point& p : m_points)
+      box += p.bbox();
+    const double side = (std::max)({box.x_span(), box.y_span(), box.z_span()});
+    if (!(side >= smallest && side <= largest))
+      throw Invalid_points_error(
+          Reason::out_of_range,
+          "the extent of the points is not between 1e-30 and 1e30: scale them");
+    const Fitted_plane_3 plane = fit_plane(m_points);
+    double thickness = 0, extent = 0;
+    for (const Point& p : m_points) {
+      thickness = (std::max)(thickness, std::abs(plane.height(p)));
+      extent = (std::max)(extent, std::sqrt((p - plane.center).squared_length()));
+    }
+    if (!(thickness > thinnest * extent))
+      throw Invalid_points_error(Reason::flat, "all points lie in a plane: they bound no solid");
+  }
+
+  // The tree of the points.
+  void plant() {
+    std::vector<std::size_t> all(size());
+    std::iota(all.begin(), all.end(), std::size_t(0));
+    m_tree = std::make_unique<Tree>(all.begin(), all.end(), Tree::Splitter(), Traits(map()));
+    m_tree->build();
+  }
+
+  void measure() {
+    m_reaches.resize(size());
+    m_for_each(size(), [&](std::size_t i) {
+      Progress_scope::check();
+      const Point& p = m_points[i];
+      m_reaches[i] = std::sqrt((m_points[nearest(p, ring + 1).back()] - p).squared_length());
+    });
+    m_spacing = mean_distance();
+  }
+
+  // Of points from their neighbors.
+  double mean_distance() const {
+    std::vector<double> sums(size(), 0);
+    m_for_each(size(), [&](std::size_t i) {
+      Progress_scope::check();
+      for (std::size_t k : nearest(m_points[i], ring + 1)) // itself among them
+        sums[i] += std::sqrt((m_points[k] - m_points[i]).squared_length());
+    });
+    const double number = double((std::min)(std::size_t(ring), size() - 1));
+    return std::accumulate(sums.begin(), sums.end(), 0.) / (number * double(size()));
+  }
+
+  // A point is isolated if it is farther from its neighbors than most of those around are from
+  // theirs. What a point reaches is no more than what most of those around do.
+  void drop_isolated() {
+    static constexpr double far = 3;       // reaches of those around: their median
+    static constexpr unsigned around = 32; // more than outliers have among themselves
+    std::vector<char> is_kept(size());
+    std::vector<double> medians(size());
+    m_for_each(size(), [&](std::size_t i) {
+      Progress_scope::check();
+      std::vector<double> reaches;
+      for (std::size_t k : nearest(m_points[i], around))
+        reaches.push_back(m_reaches[k]);
+      const auto middle = reaches.begin() + std::ptrdiff_t(reaches.size() / 2);
+      std::nth_element(reaches.begin(), middle, reaches.end());
+      is_kept[i] = m_reaches[i] <= far * *middle;
+      medians[i] = *middle;
+    });
+    for (std::size_t i = 0; i < size(); ++i)
+      m_reaches[i] = (std::min)(m_reaches[i], medians[i]);
+    keep(is_kept);
+  }
+
+  For_each_index m_for_each;
+  std::vector<Point> m_points;
+  std::vector<std::size_t> m_indices; // among the points that were given
+  std::size_t m_duplicates = 0, m_outliers = 0;
+  std::unique_ptr<Tree> m_tree;
+  std::vector<double> m_reaches;
+  double m_spacing = 0;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_POINT_CLOUD_3_H

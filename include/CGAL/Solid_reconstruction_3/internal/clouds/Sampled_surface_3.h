@@ -1,0 +1,274 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_SAMPLED_SURFACE_3_H
+#define CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_SAMPLED_SURFACE_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Solid_reconstruction_3/internal/clouds/Cloud_holes_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/clouds/Cloud_sides_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/clouds/Point_cloud_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/clouds/local_fits_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/clouds/surface_points_3.h>
+
+#include <CGAL/Origin.h>
+#include <CGAL/jet_smooth_point_set.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// What a cloud tells of the surface that it samples: its sides and, at each point, the normal and
+// how strongly it bends.
+class Sampled_surface_3
+{
+public:
+  using Point = Point_cloud_3::Point;
+  using Vector = Point_cloud_3::Vector;
+
+  // Normals, if there are any, of any length and sign, in the order of the points. Throws
+  // Invalid_points_error if the points bound no solid, or sample an open sheet that is not
+  // accepted.
+  Sampled_surface_3(const std::vector<Point>& points, const std::vector<Vector>& normals,
+                    bool accepts_sheets, unsigned number_of_threads)
+      : m_cloud(points, normals, number_of_threads) {
+    m_cloud.keep(surface_points(m_cloud));
+    find_sides();
+    if (drop_outliers()) { // which had their say on what is inside
+      find_sides();
+      drop_outliers();
+    }
+    if (!m_sides->encloses_anything())
+      throw Invalid_points_error(Invalid_points_error::Reason::open,
+                                 "the points enclose nothing: they bound no solid");
+    m_holes = std::make_unique<Cloud_holes_3>(m_sides->boundary(m_cloud.reaches()));
+    if (!accepts_sheets)
+      require_solid();
+    measure_rooms();
+    for (std::size_t i = 0; i < m_cloud.size(); ++i) {
+      if (!normals.empty())
+        m_normals[i] = unit_vector(normals[m_cloud.index(i)], m_normals[i]);
+      if (vector_of(m_sides->outward(i)) * m_normals[i] < 0)
+        m_normals[i] = -m_normals[i];
+    }
+  }
+
+  const Point_cloud_3& cloud() const { return m_cloud; }
+  bool is_inside(const Point& p) const {
+    return m_sides->is_inside({p.x(), p.y(), p.z()}, m_cloud.nearest(p));
+  }
+
+  // The empty balls whose sides are known: they are large beside the distances of points, which a
+  // sampled surface cannot cross, and meet no hole of the cloud.
+  std::vector<Cloud_sides_3::Certain_ball> known_balls() const {
+    static constexpr double noisy = 4; // noises: so far may points be from the surface
+    std::vector<Cloud_sides_3::Certain_ball> result;
+    for (const auto& ball : m_sides->certain_balls(m_cloud.reaches())) {
+      const double depth = known_depth * ball.reach + noisy * m_noise;
+      if (ball.ball.squared_radius > depth * depth && !m_holes->meets(ball.ball))
+        result.push_back(ball);
+    }
+    return result;
+  }
+  // Of balls, in distances of points from their sixth neighbors: balls at gaps between random
+  // points of a sharp edge are up to 1.3 of them.
+  static constexpr double known_depth = 1.75;
+
+  // Of unit length; where planes meet, that of the neighbors on one side.
+  const Vector& normal(std::size_t i) const { return m_normals[i]; }
+  // Whether the normal points outwards, or else either way.
+  bool is_oriented(std::size_t i) const { return m_sides->outward(i) != NULL_VECTOR; }
+  // How large a ball outside may touch a point or one of its neighbors.
+  double room(std::size_t i) const { return m_rooms[i]; }
+  // The larger one of the absolute values of the principal curvatures.
+  double curvature(std::size_t i) const { return m_curvatures[i]; }
+  // Whether the surface is not smooth there, as at a crease, or else there is more noise.
+  bool is_rough(std::size_t i) const {
+    static constexpr double rough = .1; // spacings
+    return m_residuals[i] > (std::max)(rough * m_cloud.spacing(), 2 * m_noise);
+  }
+  // By how much points are off quadrics of their neighbors: the median.
+  double noise() const { return m_noise; }
+
+private:
+  static constexpr unsigned few = 10; // times as many points as are smoothed together
+
+  static Vector vector_of(const Cloud_sides_3::Vector& v) { return {v.x(), v.y(), v.z()}; }
+
+  // The other one if that has no direction.
+  static Vector unit_vector(const Vector& v, const Vector& otherwise) {
+    const double largest = (std::max)({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
+    if (!(largest > 0) || !std::isfinite(largest))
+      return otherwise;
+    const Vector w = v / largest;
+    const double squared = w.squared_length();
+    return std::isfinite(squared) ? w / std::sqrt(squared) : otherwise;
+  }
+
+  static unsigned neighbors_to_smooth(double layer) {
+    static constexpr double around = 24, most = 200; // of a layer of thickness 1, of any
+    return unsigned((std::min)(most, around * layer * layer));
+  }
+
+  // Makes a layer, of that thickness, a surface. CGAL loses digits far from the origin.
+  std::vector<Point> smoothed(double layer) const {
+    static constexpr int rounds = 3;
+    const Vector shift = m_cloud.points().front() - ORIGIN;
+    std::vector<Point> points;
+    for (const Point& p : m_cloud.points())
+      points.push_back(p - shift);
+    const std::function<bool(double)> go_on = [](double) {
+      Progress_scope::check();
+      return true;
+    };
+    for (int i = 0; i < rounds; ++i)
+      jet_smooth_point_set<Sequential_tag>(points, neighbors_to_smooth(layer),
+                                           CGAL::parameters::callback(go_on));
+    for (Point& p : points)
+      p = p + shift;
+    return points;
+  }
+
+  void require_solid() const {
+    static constexpr double most = .25; // of the boundary: a cube may lack one of its sides
+    if (m_holes->share() <= most)
+      return;
+    const auto percent = [](double share) { return std::to_string(std::lround(100 * share)); };
+    throw Invalid_points_error(
+        Invalid_points_error::Reason::sheet,
+        "the points sample an open sheet: " + percent(m_holes->share()) +
+            " % of the boundary of what they enclose has no points, and at most " + percent(most) +
+            " % are closed; add points of the missing sides, or ask for the sheet (keep_open, "
+            "--open)");
+  }
+
+  void find_sides() {
+    static constexpr double noisy = .25; // spacings: of layers, sides are decided by their middles
+    m_sides = std::make_unique<Cloud_sides_3>(m_cloud.points());
+    fit();
+    const double layer = m_noise / (noisy * m_cloud.spacing());
+    if (layer > 1 && m_cloud.size() > few * neighbors_to_smooth(layer)) {
+      auto sides = std::make_unique<Cloud_sides_3>(smoothed(layer));
+      if (sides->encloses_anything())
+        m_sides.swap(sides);
+      fit();
+    }
+  }
+
+  // A point of a surface has poles on both of its sides, or a neighbor that has, and is near one of
+  // the planes around. Returns whether there were others.
+  bool drop_outliers() {
+    static constexpr unsigned around = 6;
+    std::vector<char> is_kept(m_cloud.size());
+    m_cloud.for_each()(m_cloud.size(), [&](std::size_t i) {
+      Progress_scope::check();
+      const Point& p = m_cloud.points()[i];
+      is_kept[i] = is_oriented(i) && m_is_off[i] == 0;
+      if (!is_oriented(i) && m_is_off[i] == 0)
+        for (std::size_t k : m_cloud.nearest(p, around + 1))
+          if (is_oriented(k) && std::sqrt((m_cloud.points()[k] - p).squared_length()) <
+                                    reach_of_points * m_cloud.reach(k))
+            is_kept[i] = 1;
+    });
+    if (std::find(is_kept.begin(), is_kept.end(), 0) == is_kept.end())
+      return false;
+    m_cloud.keep(is_kept);
+    m_sides->keep(is_kept);
+    keep_marked(m_normals, is_kept);
+    keep_marked(m_residuals, is_kept);
+    keep_marked(m_curvatures, is_kept);
+    return true;
+  }
+
+  void fit() {
+    // Neighbors: two rings, almost; of thin parts those on one side, if they determine a quadric.
+    static constexpr unsigned around = 16, least = 6;
+    const std::vector<Point>& points = m_cloud.points();
+    std::vector<std::vector<std::size_t>> neighbors(points.size());
+    std::vector<Fitted_plane_3> planes(points.size());
+    m_normals.resize(points.size());
+    m_residuals.resize(points.size());
+    m_curvatures.resize(points.size());
+    m_cloud.for_each()(points.size(), [&](std::size_t i) {
+      Progress_scope::check();
+      neighbors[i] = m_cloud.nearest(points[i], around + 1); // itself among them
+      const auto is_on_other_side = [&](std::size_t k) {
+        return m_sides->outward(k) * m_sides->outward(i) < 0;
+      };
+      auto& indices = neighbors[i];
+      const auto end = std::stable_partition(indices.begin(), indices.end(),
+                                             [&](std::size_t k) { return !is_on_other_side(k); });
+      if (end - indices.begin() > least)
+        indices.erase(end, indices.end());
+      std::vector<Point> near;
+      for (std::size_t k : indices)
+        near.push_back(points[k]);
+      planes[i] = fit_plane(near);
+      const Fitted_quadric_3 quadric = fit_quadric(near, planes[i]);
+      m_normals[i] = quadric.normal;
+      m_residuals[i] = quadric.residual;
+      m_curvatures[i] = quadric.curvature;
+    });
+    std::vector<double> residuals = m_residuals;
+    const auto middle = residuals.begin() + std::ptrdiff_t(residuals.size() / 2);
+    std::nth_element(residuals.begin(), middle, residuals.end());
+    m_noise = *middle;
+    static constexpr double rounding = 1e-12; // spacings
+    static constexpr double in_plane = 2;     // residuals
+    static constexpr double off_plane = 3;    // residuals, and more than a spacing
+    m_is_off.resize(points.size());
+    m_cloud.for_each()(points.size(), [&](std::size_t i) {
+      Progress_scope::check();
+      m_is_off[i] = std::all_of(neighbors[i].begin(), neighbors[i].end(), [&](std::size_t k) {
+        return std::abs(planes[k].height(points[i])) >
+               (std::max)(m_cloud.spacing(), off_plane * planes[k].residual);
+      });
+      if (!is_rough(i))
+        return;
+      std::size_t best = i;
+      for (std::size_t k : neighbors[i])
+        if (planes[k].residual < planes[best].residual &&
+            std::abs(planes[k].height(points[i])) <=
+                in_plane * planes[k].residual + rounding * m_cloud.spacing())
+          best = k;
+      m_normals[i] = planes[best].normal;
+    });
+  }
+
+  // Of the points of a layer of noise, only some have large balls.
+  void measure_rooms() {
+    static constexpr unsigned around = 24; // within about three spacings
+    m_rooms.assign(m_cloud.size(), 0);
+    m_cloud.for_each()(m_cloud.size(), [&](std::size_t i) {
+      Progress_scope::check();
+      for (std::size_t k : m_cloud.nearest(m_cloud.points()[i], around))
+        if (is_oriented(k) && m_sides->outward(k) * m_sides->outward(i) >= 0)
+          m_rooms[i] = (std::max)(m_rooms[i], m_sides->room(k));
+    });
+  }
+
+  Point_cloud_3 m_cloud;
+  std::unique_ptr<Cloud_sides_3> m_sides;
+  std::unique_ptr<Cloud_holes_3> m_holes;
+  std::vector<Vector> m_normals;
+  std::vector<double> m_residuals, m_curvatures, m_rooms;
+  std::vector<char> m_is_off; // by what no plane around explains; before outliers are dropped
+  double m_noise = 0;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_SAMPLED_SURFACE_3_H

@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_SURFACE_POINTS_3_H
+#define CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_SURFACE_POINTS_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Disjoint_sets.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Solid_reconstruction_3/internal/clouds/Point_cloud_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/clouds/local_fits_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The clusters of a point cloud: two points are adjacent if they are close beside the distances of
+// both from their sixth neighbors. For each point, the least index of its cluster.
+inline std::vector<std::size_t> clusters_of(const Point_cloud_3& cloud) {
+  const std::vector<Point_cloud_3::Point>& points = cloud.points();
+  std::vector<std::vector<std::size_t>> adjacent(points.size());
+  cloud.for_each()(points.size(), [&](std::size_t i) {
+    Progress_scope::check();
+    for (std::size_t k : cloud.nearest(points[i], Point_cloud_3::ring + 1)) {
+      const double reach = reach_of_points * (std::min)(cloud.reach(i), cloud.reach(k));
+      if (k != i && (points[k] - points[i]).squared_length() <= reach * reach)
+        adjacent[i].push_back(k);
+    }
+  });
+  Disjoint_sets sets(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t k : adjacent[i])
+      sets.join(i, k);
+  std::vector<std::size_t> result(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    result[i] = sets.find(i);
+  return result;
+}
+
+// The middle one of some values.
+inline double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Marks the points that lie on surfaces. A cluster with few points, or whose points fill a volume,
+// consists of outliers. The largest cluster is a surface.
+inline std::vector<char> surface_points(const Point_cloud_3& cloud) {
+  static constexpr unsigned neighbors = 16; // two rings: those to which normals are fitted
+  static constexpr double filled =
+      .25; // of the width: thinner neighborhoods are layers, not volumes
+  static constexpr double noisy =
+      4; // residuals of the largest cluster: a thicker layer is no noise
+  const std::vector<std::size_t> clusters = clusters_of(cloud);
+  std::map<std::size_t, std::vector<std::size_t>> members;
+  for (std::size_t i = 0; i < clusters.size(); ++i)
+    members[clusters[i]].push_back(i);
+  std::vector<char> result(cloud.size(), 1);
+  if (members.size() == 1)
+    return result;
+
+  std::vector<Fitted_plane_3> planes(cloud.size());
+  cloud.for_each()(cloud.size(), [&](std::size_t i) {
+    Progress_scope::check();
+    std::vector<Point_cloud_3::Point> near;
+    for (std::size_t k : cloud.nearest(cloud.points()[i], neighbors + 1)) // itself among them
+      near.push_back(cloud.points()[k]);
+    planes[i] = fit_plane(near);
+  });
+  const auto median = [&](const std::vector<std::size_t>& cluster, double Fitted_plane_3::*value) {
+    std::vector<double> values;
+    for (std::size_t i : cluster)
+      values.push_back(planes[i].*value);
+    return median_of(std::move(values));
+  };
+  const auto& largest = std::max_element(members.begin(), members.end(), [](auto& a, auto& b) {
+                          return a.second.size() < b.second.size();
+                        })->second;
+  const double thickness = noisy * median(largest, &Fitted_plane_3::residual);
+  for (const auto& [first, cluster] : members) {
+    const double residual = median(cluster, &Fitted_plane_3::residual);
+    const bool has_volume =
+        residual > thickness && residual > filled * median(cluster, &Fitted_plane_3::width);
+    if (first != largest.front() && (cluster.size() <= neighbors || has_volume))
+      for (std::size_t i : cluster)
+        result[i] = 0;
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_SURFACE_POINTS_3_H

@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_CLOUD_APPROACH_3_H
+#define CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_CLOUD_APPROACH_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Solid_reconstruction_3/internal/clouds/Sampled_surface_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/reconstruction/Cloud_facets_3.h>
+
+#include <CGAL/Kernel/global_functions.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// How the vertices of an interface come nearer to a cloud: facets that touch points push them to
+// their planes, free ones inwards, as long as what is ahead is outside. (Section 4.3 of the paper.)
+class Cloud_approach_3
+{
+public:
+  using Point = Sampled_surface_3::Point;
+  using Vector = Sampled_surface_3::Vector;
+
+  std::vector<Vector> ways;     // of vertices
+  std::vector<char> is_free;    // whether a facet is on its way to points
+  std::vector<char> is_at_free; // whether a vertex is one of such a facet
+
+  template <class Facets>
+  Cloud_approach_3(const Sampled_surface_3& surface, const Facets& facets,
+                   const std::vector<Point>& positions, const Cloud_triangles_3& triangles,
+                   const Cloud_planes_3& planes) {
+    std::vector<Corner> corners(positions.size());
+    is_at_free.assign(positions.size(), 0);
+    const For_each_index& for_each = surface.cloud().for_each();
+    std::vector<double> steps(triangles.size(), 0);
+    for_each(triangles.size(), [&](std::size_t f) {
+      Progress_scope::check();
+      const auto& t = triangles[f];
+      const Vector across = cross_product(t[1] - t[0], t[2] - t[0]);
+      const double twice_area = std::sqrt(across.squared_length());
+      if (twice_area > 0 && !planes[f].touches)
+        steps[f] =
+            free_step(surface, CGAL::centroid(t), across / twice_area, std::sqrt(twice_area));
+    });
+    for (std::size_t f = 0; f < triangles.size(); ++f) {
+      const auto& t = triangles[f];
+      const Vector across = cross_product(t[1] - t[0], t[2] - t[0]);
+      const double twice_area = std::sqrt(across.squared_length()), step = steps[f];
+      is_free.push_back(step > 0);
+      if (!(twice_area > 0))
+        continue;
+      const Vector normal = across / twice_area;
+      for (int k = 0; k < 3; ++k) {
+        const Vector a = t[k + 1] - t[k], b = t[k + 2] - t[k];
+        const double angle = std::atan2(twice_area, a * b);
+        Corner& c = corners[facets[f].vertices[std::size_t(k)]];
+        if (step > 0)
+          is_at_free[facets[f].vertices[std::size_t(k)]] = 1;
+        c.edges += std::sqrt(a.squared_length());
+        ++c.number;
+        if (planes[f].touches)
+          c.add_plane(angle, planes[f].normal, planes[f].normal * (planes[f].center - t[k]));
+        else
+          c.add_push(angle, -step * normal);
+      }
+    }
+    ways.resize(positions.size());
+    for_each(positions.size(), [&](std::size_t v) {
+      Progress_scope::check();
+      ways[v] = corners[v].way();
+      if (is_at_free[v] != 0 && !surface.is_inside(positions[v]))
+        for (int i = 0; i < halvings && surface.is_inside(positions[v] + ways[v]); ++i)
+          ways[v] = i + 1 < halvings ? ways[v] / 2 : Vector(0, 0, 0);
+    });
+  }
+
+private:
+  static constexpr int halvings = 4; // of ways into the solid
+
+  // Sums over the facets at a vertex, weighted by their angles.
+  struct Corner
+  {
+    Eigen::Matrix3d quadric = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero(), push = Eigen::Vector3d::Zero();
+    double plane_angle = 0, push_angle = 0, edges = 0;
+    int number = 0;
+
+    void add_plane(double angle, const Vector& normal, double height) {
+      const Eigen::Vector3d n(normal.x(), normal.y(), normal.z());
+      quadric += angle * n * n.transpose();
+      sum += angle * height * n;
+      plane_angle += angle;
+    }
+    void add_push(double angle, const Vector& way) {
+      push += angle * Eigen::Vector3d(way.x(), way.y(), way.z());
+      push_angle += angle;
+    }
+    // To where the planes meet; where they leave it open, as the free facets push.
+    Vector way() const {
+      static constexpr double least_eigenvalue = .1; // of the largest
+      static constexpr double farthest = .4;         // edges
+      Eigen::Vector3d result = Eigen::Vector3d::Zero();
+      if (push_angle > 0)
+        result = push / push_angle;
+      if (plane_angle > 0) {
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(quadric);
+        const Eigen::Vector3d pushed = result;
+        result.setZero();
+        for (int k = 0; k < 3; ++k) {
+          const Eigen::Vector3d axis = solver.eigenvectors().col(k);
+          const double value = solver.eigenvalues()[k];
+          result += (value > least_eigenvalue * solver.eigenvalues()[2] ? axis.dot(sum) / value
+                                                                        : axis.dot(pushed)) *
+                    axis;
+        }
+      }
+      const double bound = number > 0 ? farthest * edges / number : 0;
+      if (result.norm() > bound)
+        result *= bound / result.norm();
+      return {result[0], result[1], result[2]};
+    }
+  };
+
+  // How far a facet without a plane goes inwards: not into the solid.
+  static double free_step(const Sampled_surface_3& surface, const Point& middle,
+                          const Vector& normal, double edge) {
+    static constexpr double push = .35, part = .7; // edges, distances from points
+    static constexpr double near = 1;              // spacings: nearer ones need no push
+    const double distance = surface.cloud().distance(middle);
+    if (distance < near * surface.cloud().spacing() || surface.is_inside(middle))
+      return 0;
+    double result = (std::min)(push * edge, part * distance);
+    for (int i = 0; i < halvings && surface.is_inside(middle - result * normal); ++i)
+      result = i + 1 < halvings ? result / 2 : 0;
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_CLOUD_APPROACH_3_H

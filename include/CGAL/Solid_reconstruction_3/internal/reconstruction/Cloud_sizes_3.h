@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_CLOUD_SIZES_3_H
+#define CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_CLOUD_SIZES_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Solid_reconstruction_3/internal/clouds/Sampled_surface_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/reconstruction/Cloud_facets_3.h>
+
+#include <CGAL/Kernel/global_functions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// How large the facets of an interface are to be that is to find a surface: smaller where it bends,
+// and where they do not fit; larger away from points.
+class Cloud_sizes_3
+{
+public:
+  using Point = Sampled_surface_3::Point;
+  using Vector = Sampled_surface_3::Vector;
+
+  // At most an edge at the points, if that is not too short for them; the tolerance, of distances
+  // of points from facets, in spacings.
+  Cloud_sizes_3(const Sampled_surface_3& surface, double edge, double tolerance)
+      : m_surface(surface), m_sizes(surface.cloud().size()) {
+    static constexpr double radii = 1.2; // of curvature: 10 facets around a ball
+    static constexpr double least = 4;   // spacings; where that does not fit, they are refined
+    // Spacings: so that facets have points, and tell on which side of a crease these are.
+    static constexpr double smooth_floor = 2, crease_floor = 3;
+    // Noises: to average over tens of points, or where a curved surface needs it, over ten.
+    static constexpr double flat_noise = 24, curved_noise = 14;
+    static constexpr double fits = 1.3; // noises: facets of ten points that fit are rarely off more
+    const double spacing = surface.cloud().spacing(), noise = surface.noise();
+    m_bound = (std::max)(tolerance * spacing, fits * noise);
+    m_smooth_floor = smooth_floor * spacing + curved_noise * noise;
+    m_crease_floor = crease_floor * spacing + flat_noise * noise;
+    for (std::size_t i = 0; i < m_sizes.size(); ++i)
+      m_sizes[i] = (std::max)(m_smooth_floor,
+                              (std::min)(edge, (std::max)(least * spacing + flat_noise * noise,
+                                                          radii / surface.curvature(i))));
+  }
+
+  template <class P> double operator()(const P& q) const {
+    static constexpr double grading = .7; // of the distance from points
+    const Point p(q.x(), q.y(), q.z());
+    const std::size_t i = m_surface.cloud().nearest(p);
+    return (std::max)(m_sizes[i],
+                      grading * std::sqrt((m_surface.cloud().points()[i] - p).squared_length()));
+  }
+
+  // Asks for smaller facets where one at rest does not fit its points, once the approach has ended,
+  // or cannot go on.
+  void refine(const Cloud_triangles_3& triangles, const Cloud_planes_3& planes,
+              const std::vector<char>& rests, bool fits) {
+    static constexpr double least = .4, half = .5; // of an edge; without points
+    for (std::size_t f = 0; f < triangles.size(); ++f) {
+      Progress_scope::check();
+      if (rests[f] == 0 || (planes[f].is_near && (!fits || planes[f].residual <= m_bound)))
+        continue;
+      const auto& t = triangles[f];
+      double edge = 0;
+      for (int k = 0; k < 3; ++k)
+        edge = (std::max)(edge, std::sqrt((t[k] - t[k + 1]).squared_length()));
+      // Distances go with the squares of edges.
+      const double part = planes[f].is_near ? std::sqrt(m_bound / planes[f].residual) : half;
+      const double wanted = (std::max)(planes[f].has_crease ? m_crease_floor : m_smooth_floor,
+                                       (std::max)(least, part) * edge);
+      for (std::size_t i : planes[f].points)
+        ask(i, wanted);
+      if (planes[f].points.empty())
+        ask(m_surface.cloud().nearest(CGAL::centroid(t)), wanted);
+    }
+  }
+
+private:
+  void ask(std::size_t i, double size) { m_sizes[i] = (std::min)(m_sizes[i], size); }
+
+  const Sampled_surface_3& m_surface;
+  std::vector<double> m_sizes; // of edges of facets near the points
+  double m_bound, m_smooth_floor, m_crease_floor;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_CLOUD_SIZES_3_H

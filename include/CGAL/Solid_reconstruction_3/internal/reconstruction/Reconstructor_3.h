@@ -1,0 +1,349 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_RECONSTRUCTOR_3_H
+#define CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_RECONSTRUCTOR_3_H
+
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_split.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+#include <CGAL/Solid_reconstruction_3/Reconstruction_report_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/clouds/Sampled_surface_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/reconstruction/Cloud_approach_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/reconstruction/Cloud_facets_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/reconstruction/Cloud_sizes_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/reconstruction/Crease_planes_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/reconstruction/Least_squares_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/reconstruction/Misplaced_balls_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/reconstruction/Small_handles_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/reconstruction/edges_across_creases_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Takes the interface of a complex from around a cloud to the surface that it samples, and divides
+// its facets where they do not fit.
+template <class Complex> class Reconstructor_3
+{
+public:
+  using Point = Sampled_surface_3::Point;
+  using Vector = Sampled_surface_3::Vector;
+
+  // The longest edges to begin with; the tolerance in spacings.
+  Reconstructor_3(Complex& complex, const Sampled_surface_3& surface, double edge, double tolerance,
+                  unsigned number_of_threads)
+      : m_complex(complex), m_surface(surface), m_sizes(surface, edge, tolerance),
+        m_tolerance(tolerance * surface.cloud().spacing()), m_threads(number_of_threads) {}
+
+  // Steps until it comes to rest, as long as the observer agrees. To be called once.
+  template <class Observer>
+  Reconstruction_report_3<Complex> run(unsigned steps, Observer& observer) {
+    bool goes_on = observer(std::as_const(m_complex), m_report.number_of_steps);
+    while (goes_on && !m_report.is_complete && m_report.number_of_steps < steps) {
+      m_report.is_complete = !advance();
+      if (m_report.is_complete)
+        finish();
+      goes_on = observer(std::as_const(m_complex), ++m_report.number_of_steps);
+    }
+    m_complex.measure_interface_edges();
+    m_complex.take_component_events();
+    const Front front(m_complex, m_surface);
+    measure(front);
+    if (m_report.is_complete)
+      certify(front);
+    return m_report;
+  }
+
+private:
+  // Moves the vertices: while many facets are free, by what the facets around them know; then where
+  // all facets are nearest to all points. Returns whether that is not the end.
+  bool advance() {
+    static constexpr double many = .1;                 // of the facets
+    static constexpr std::size_t steps_to_coarsen = 5; // what the interface has left behind
+    const Front front(m_complex, m_surface);
+    const Cloud_planes_3 planes(m_surface, front.triangles);
+    Cloud_approach_3 approach(m_surface, front.facets(), front.positions, front.triangles, planes);
+    std::vector<Vector>& ways = approach.ways;
+    calm(front.snapshot, ways);
+    const auto free = std::count(approach.is_free.begin(), approach.is_free.end(), 1);
+    const bool fits = double(free) < many * double(front.triangles.size());
+    if (fits) {
+      const std::vector<Vector> best = fit(front).ways();
+      for (std::size_t v = 0; v < ways.size(); ++v)
+        if (approach.is_at_free[v] == 0)
+          ways[v] = best[v];
+    }
+    refine(front, planes, ways, fits);
+    deform(front.snapshot, front.positions, ways);
+    improve();
+    if (m_report.number_of_steps % steps_to_coarsen == 0)
+      control_detail(m_complex);
+    if (fits) {
+      m_residuals.push_back(front.triangles.residual(m_surface));
+      m_free.push_back(std::size_t(free));
+    }
+    return !has_settled();
+  }
+
+  // Moves vertices once more, without other changes.
+  void finish() {
+    static constexpr int fits = 2;   // by when vertices stay where they are
+    static constexpr int rounds = 4; // fins are rarely wider than two edges
+    for (int i = 0; i < fits + rounds; ++i) {
+      const Front front(m_complex, m_surface);
+      const auto best = fit(front);
+      deform(front.snapshot, front.positions, i < fits ? best.ways() : best.ways_of_loose());
+    }
+    sharpen();
+  }
+
+  // Moves vertices beside creases onto them, and splits edges that cut across.
+  void sharpen() {
+    static constexpr int rounds = 8;      // each halves the edges that cut across
+    static constexpr double shortest = 1; // spacings: halves of shorter edges would have no points
+    // Degrees: small facets at a sharp corner stay, as removing them would cut it off again.
+    static constexpr double smallest_angle = 0;
+    // Spacings: planes through more noise cut edges off instead of meeting in them.
+    static constexpr double noisiest = .1;
+    if (m_surface.noise() > noisiest * m_surface.cloud().spacing())
+      return;
+    const Crease_planes_3 planes(m_surface);
+    std::map<typename Complex::Vertex_handle, Point> destinations; // of new vertices
+    for (int i = 0; i < rounds; ++i) {
+      const Snapshot front(m_complex);
+      const std::vector<Point> positions = cloud_points(front.positions(m_complex));
+      std::vector<Vector> ways(positions.size());
+      m_surface.cloud().for_each()(ways.size(), [&](std::size_t v) {
+        Progress_scope::check();
+        const auto found = destinations.find(front.vertices[v]);
+        ways[v] = found == destinations.end() ? planes.to_crease(positions[v])
+                                              : found->second - positions[v];
+      });
+      const bool moves = std::any_of(ways.begin(), ways.end(),
+                                     [](const Vector& way) { return way != NULL_VECTOR; });
+      if (moves)
+        deform(front, positions, ways, smallest_angle);
+      const Snapshot moved(m_complex);
+      const auto splits = edges_across_creases(
+          planes, moved.facets(), cloud_points(moved.positions(m_complex)),
+          shortest * m_surface.cloud().spacing(), m_surface.cloud().for_each());
+      destinations.clear();
+      for (const Crease_split_3& s : splits)
+        if (const auto v = split(moved.vertices[s.edge[0]], moved.vertices[s.edge[1]]))
+          destinations[*v] = s.destination;
+      if (!moves && splits.empty())
+        return;
+    }
+  }
+
+  // Returns the new vertex, or nothing if the edge cannot be split.
+  std::optional<typename Complex::Vertex_handle> split(typename Complex::Vertex_handle v,
+                                                       typename Complex::Vertex_handle w) {
+    typename Complex::Cell_handle c;
+    int i, j;
+    Cavity<Complex> cavity(m_complex);
+    if (!m_complex.triangulation().is_edge(v, w, c, i, j) ||
+        !propose_edge_split(m_complex, c, i, j, .5, cavity))
+      return std::nullopt;
+    Any_visitor<Complex> nobody;
+    commit_split(m_complex, cavity, v, w, nobody, m_report.changes);
+    return cavity.vertices().back().handle;
+  }
+
+  using Snapshot = Interface_snapshot<Complex>;
+
+  struct Front
+  {
+    Snapshot snapshot;
+    std::vector<Point> positions;
+    Cloud_triangles_3 triangles;
+
+    Front(const Complex& complex, const Sampled_surface_3& surface)
+        : snapshot(complex), positions(cloud_points(snapshot.positions(complex))),
+          triangles(surface, snapshot.facets(), positions) {
+      if (positions.empty())
+        throw Invalid_points_error(
+            Invalid_points_error::Reason::open,
+            "nothing is left of the solid: it is too thin for the distances of its points");
+    }
+
+    const auto& facets() const { return snapshot.facets(); }
+  };
+
+  auto fit(const Front& front) const {
+    return Least_squares_3(m_surface, front.facets(), front.positions, front.triangles);
+  }
+
+  // How a vertex was to move last by the facets around it.
+  struct Motion
+  {
+    Vector way;
+    double part; // of it that the vertex went
+  };
+
+  // A vertex that goes back and forth goes half as far each time; short ways are none.
+  void calm(const Snapshot& front, std::vector<Vector>& ways) {
+    static constexpr double half = .5, more = 1.2;
+    static constexpr double rest = .01; // spacings
+    std::map<std::size_t, Motion> motions;
+    for (std::size_t v = 0; v < ways.size(); ++v) {
+      const std::size_t time_stamp = front.vertices[v]->time_stamp();
+      const auto last = m_motions.find(time_stamp);
+      Motion motion{ways[v], 1};
+      if (last != m_motions.end())
+        motion.part = last->second.way * ways[v] < 0 ? half * last->second.part
+                                                     : (std::min)(1., more * last->second.part);
+      ways[v] = motion.part * ways[v];
+      if (std::sqrt(ways[v].squared_length()) < rest * m_surface.cloud().spacing())
+        ways[v] = NULL_VECTOR;
+      motions[time_stamp] = motion;
+    }
+    m_motions.swap(motions);
+  }
+
+  void refine(const Front& front, const Cloud_planes_3& planes, const std::vector<Vector>& ways,
+              bool fits) {
+    static constexpr double rest = .1; // edges
+    std::vector<char> rests;
+    for (std::size_t f = 0; f < front.triangles.size(); ++f) {
+      double edge = 0, way = 0; // squared
+      for (int k = 0; k < 3; ++k) {
+        const auto& t = front.triangles[f];
+        edge = (std::max)(edge, (t[k] - t[k + 1]).squared_length());
+        way = (std::max)(way, ways[front.facets()[f].vertices[std::size_t(k)]].squared_length());
+      }
+      rests.push_back(way <= rest * rest * edge);
+    }
+    m_sizes.refine(front.triangles, planes, rests, fits);
+  }
+
+  void deform(const Snapshot& front, const std::vector<Point>& positions,
+              const std::vector<Vector>& ways, double minimum_angle = defaults::minimum_angle) {
+    std::vector<typename Complex::Approximate_point> destinations;
+    for (std::size_t v = 0; v < ways.size(); ++v) {
+      const Point q = positions[v] + ways[v];
+      destinations.emplace_back(q.x(), q.y(), q.z());
+    }
+    static constexpr unsigned passes = 3; // who is not there by then is sent anew
+    const Deformation_report<Complex> report =
+        deform_interface_to(m_complex, front, destinations,
+                            parameters::manifold_interface(true)
+                                .maximum_number_of_passes(passes)
+                                .number_of_threads(m_threads)
+                                .minimum_angle(minimum_angle)
+                                .minimum_facet_angle(minimum_angle));
+    m_report.changes =
+        m_report.changes + Improvement_report{report.split, report.collapsed, report.flipped,
+                                              report.smoothed, report.inserted};
+    m_report.relabeled += report.relabeled;
+    m_report.topology_changes += report.events.size();
+    m_report.held_back += report.unfinished.size();
+  }
+
+  void improve() {
+    static constexpr double longest = 1.5, shortest = .4; // of what is asked for
+    static constexpr double crease = 40;                  // degrees
+    m_report.changes =
+        m_report.changes + improve_interface(m_complex, parameters::sizing_field(std::cref(m_sizes))
+                                                            .interface_split_length(longest)
+                                                            .interface_collapse_length(shortest)
+                                                            .feature_angle(crease));
+  }
+
+  // Whether points come no nearer, or are much nearer than they have to be.
+  bool has_settled() const {
+    static constexpr std::size_t steps = 5;
+    static constexpr double part = .9;   // of what was before these steps
+    static constexpr double enough = .2; // of the tolerance
+    const std::size_t n = m_residuals.size();
+    // Narrow tunnels have few points.
+    if (n <= steps || double(m_free[n - 1]) < part * double(m_free[n - 1 - steps]))
+      return false;
+    return (m_residuals[n - 1] >= part * m_residuals[n - 1 - steps] ||
+            m_residuals[n - 1] <= enough * m_tolerance);
+  }
+
+  // Compares the interface with the sides of the points, which are known independently of it.
+  void certify(const Front& front) {
+    static constexpr double radius =
+        2; // known depths: two tunnels and what is between them are wider
+    const auto tell = [&](const Point& p) {
+      m_report.doubtful_places.emplace_back(p.x(), p.y(), p.z());
+    };
+    for (const Point& p : misplaced_balls(m_surface, front.triangles.all()))
+      tell(p);
+    std::vector<double> radii;
+    for (const Point& p : front.positions)
+      radii.push_back(radius * Sampled_surface_3::known_depth *
+                      m_surface.cloud().reach(m_surface.cloud().nearest(p)));
+    for (std::size_t v : Small_handles_3(front.facets(), front.positions).find(radii))
+      tell(front.positions[v]);
+    m_report.is_complete = m_report.doubtful_places.empty();
+  }
+
+  void measure(const Front& front) {
+    static constexpr double unfit = 4; // noises
+    Reconstruction_report_3<Complex>& report = m_report;
+    const Point_cloud_3& cloud = m_surface.cloud();
+    report.number_of_points = cloud.size();
+    report.number_of_duplicates = cloud.number_of_duplicates();
+    report.number_of_outliers = cloud.number_of_outliers();
+    report.spacing = cloud.spacing();
+    report.noise = m_surface.noise();
+    report.root_mean_square = front.triangles.residual(m_surface);
+    const double bound = (std::max)(report.spacing, unfit * report.noise);
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      Progress_scope::check();
+      const double distance =
+          std::sqrt((front.triangles.foot(i) - cloud.points()[i]).squared_length());
+      report.maximum_distance = (std::max)(report.maximum_distance, distance);
+      if (distance > bound)
+        report.unfit_points.push_back(cloud.index(i));
+    }
+    std::sort(report.unfit_points.begin(), report.unfit_points.end());
+    const Cloud_planes_3 planes(m_surface, front.triangles);
+    const auto facets = m_complex.interface_facets(); // in the order of the front's
+    for (std::size_t f = 0; f < facets.size(); ++f)
+      if (!planes[f].is_near)
+        report.facets_without_points.push_back(facets[f]);
+  }
+
+  Complex& m_complex;
+  const Sampled_surface_3& m_surface;
+  Cloud_sizes_3 m_sizes;
+  double m_tolerance;
+  unsigned m_threads;
+  Reconstruction_report_3<Complex> m_report;
+  std::map<std::size_t, Motion> m_motions; // by the time stamps of vertices
+  // After the approach, in each step.
+  std::vector<double> m_residuals; // of points
+  std::vector<std::size_t> m_free; // facets on their way to points
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_RECONSTRUCTOR_3_H
