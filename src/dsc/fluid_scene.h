@@ -6,8 +6,8 @@
 #define DSC_FLUID_SCENE_H
 
 #include "expression.h"
-#include "options.h"
 #include "report_json.h"
+#include "run_start.h"
 
 #include <array>
 #include <optional>
