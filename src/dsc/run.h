@@ -15,7 +15,7 @@
 
 namespace dsc {
 
-/// What a run writes and prints.
+/// The files that a run writes, and whether it prints its progress and result.
 struct Output_options
 {
   std::string folder;   ///< empty for no files
