@@ -5,15 +5,13 @@
 #ifndef DSC_COMMAND_LINE_H
 #define DSC_COMMAND_LINE_H
 
-#include "options.h"
-
-#include <optional>
+#include <CLI/CLI.hpp>
 
 namespace dsc {
 
-/// Reads and checks the command line, but opens no file. Returns nothing if help was asked for and
-/// has been printed. \throws Usage_error
-std::optional<Options> parse_command_line(int argc, char** argv);
+/// Reads the command line and runs its command, a subcommand of `app`. Prints the help if it is
+/// asked for. \throws Usage_error, and what the command throws
+void run_command_line(CLI::App& app, int argc, char** argv);
 
 } // namespace dsc
 

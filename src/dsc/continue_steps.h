@@ -5,7 +5,7 @@
 #ifndef DSC_CONTINUE_STEPS_H
 #define DSC_CONTINUE_STEPS_H
 
-#include "options.h"
+#include "motion.h"
 
 #include <set>
 #include <string>

@@ -6,16 +6,17 @@
 
 #include "errors.h"
 #include "fluid_scene_checks.h"
-#include "fluid_scenes.h"
 #include "json_fields.h"
 #include "json_text.h"
 #include "nearest_name.h"
+#include "scene_files.h"
 
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace dsc {
@@ -338,27 +339,32 @@ std::vector<std::pair<int, const Fluid_shape*>> shapes_of(const Fluid_scene& sce
 }
 
 Fluid_scene find_scene(const std::string& name) {
-  std::string text;
-  for (const Named_scene& scene : named_scenes())
-    if (scene.name == name)
-      text = scene.json;
-  if (text.empty()) {
-    if (!std::filesystem::exists(name)) {
-      std::vector<std::string> names;
-      for (const Named_scene& scene : named_scenes())
-        names.push_back(scene.name);
-      throw Input_error("there is no file and no scene '" + name + "'" +
-                        advice_on_name(name, names, "scenes"));
-    }
-    text = CGAL::Deformable_simplicial_complexes::internal::file_contents(name);
+  const std::map<std::string, std::string> scenes = scene_files();
+  const auto found = scenes.find(name);
+  if (found == scenes.end() && !std::filesystem::exists(name)) {
+    std::vector<std::string> names;
+    for (const auto& scene : scenes)
+      names.push_back(scene.first);
+    throw Input_error("there is no file and no scene '" + name + "'" +
+                      (scenes.empty() ? "; no scenes are in " + searched_scene_folders()
+                                      : advice_on_name(name, names, "scenes")));
   }
-  return read_scene(parse_json(text, name));
+  const std::string& path = found == scenes.end() ? name : found->second;
+  return read_scene(
+      parse_json(CGAL::Deformable_simplicial_complexes::internal::file_contents(path), name));
 }
 
 std::vector<std::array<std::string, 2>> scene_names() {
+  const std::map<std::string, std::string> scenes = scene_files();
+  if (scenes.empty())
+    throw Input_error("the program finds none of its scenes: no scenes are in " +
+                      searched_scene_folders() + "; install the program again");
   std::vector<std::array<std::string, 2>> result;
-  for (const Named_scene& scene : named_scenes())
-    result.push_back({scene.name, Json::parse(scene.json).at("title").get<std::string>()});
+  for (const auto& [name, path] : scenes) {
+    const Json json =
+        parse_json(CGAL::Deformable_simplicial_complexes::internal::file_contents(path), path);
+    result.push_back({name, json.value("title", "")});
+  }
   return result;
 }
 

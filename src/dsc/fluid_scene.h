@@ -6,8 +6,8 @@
 #define DSC_FLUID_SCENE_H
 
 #include "expression.h"
-#include "options.h"
 #include "report_json.h"
+#include "run_start.h"
 
 #include <array>
 #include <optional>
@@ -152,7 +152,8 @@ Fluid_scene read_scene(const Json& json);
 /// \throws Input_error if there is neither; Usage_error as above
 Fluid_scene find_scene(const std::string& name);
 
-/// Name and title of each scene that the program has.
+/// Name and title of each scene that the program has, sorted by name.
+/// \throws Input_error if the program finds none of its scenes
 std::vector<std::array<std::string, 2>> scene_names();
 
 } // namespace dsc

@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <map>
+#include <vector>
 
 namespace dsc {
 
@@ -83,85 +85,138 @@ Surface surface_of(const Box_shape& shape, double edge) {
 
 /// The caps are of rings around their centers, of six triangles, eighteen and so on, so that all
 /// are about equilateral; those of the mantle are turned by half an edge from ring to ring.
-Surface surface_of(const Cylinder_shape& shape, double edge) {
-  const Surface_point from(shape.from[0], shape.from[1], shape.from[2]),
-      to(shape.to[0], shape.to[1], shape.to[2]);
-  const auto axis = to - from;
-  const double length = std::sqrt(axis.squared_length());
-  const auto along = axis / length;
-  // Across the axis, from the coordinate that it has least of.
-  std::array<double, 3> unit = {};
-  unit[std::size_t(std::abs(along.x()) <= std::min(std::abs(along.y()), std::abs(along.z())) ? 0
-                   : std::abs(along.y()) <= std::abs(along.z())                              ? 1
-                                                                : 2)] = 1;
-  auto u = CGAL::cross_product(along, decltype(along)(unit[0], unit[1], unit[2]));
-  u = u / std::sqrt(u.squared_length());
-  const auto v = CGAL::cross_product(along, u);
+namespace {
 
-  const std::size_t rings = number_of_parts(shape.radius / edge), around = 6 * rings,
-                    layers = number_of_parts(length / (std::sqrt(.75) * edge));
-  number_of_parts(double(around) * double(layers + rings));
-  Surface surface;
-  const auto add = [&](double height, double radius, double angle) {
-    const double scale =
-        radius *
-        (1 + shape.amplitude *
-                 (shape.wave_length > 0 ? std::cos(2 * CGAL_PI * height / shape.wave_length) : 1));
-    surface.points.push_back(from + height * along + scale * std::cos(angle) * u +
-                             scale * std::sin(angle) * v);
-    return surface.points.size() - 1;
-  };
+/// The surface of a cylinder, in layers of triangles about its axis and two caps.
+class Cylinder_surface
+{
+public:
+  Cylinder_surface(const Cylinder_shape& shape, double edge);
+
+  /// Returns the triangles, oriented outwards.
+  Surface surface();
+
+private:
   using Ring = std::vector<std::size_t>;
-  const auto ring = [&](double height, double radius, std::size_t size, double first_angle) {
-    Ring result;
-    for (std::size_t k = 0; k < size; ++k)
-      result.push_back(add(height, radius, first_angle + 2 * CGAL_PI * double(k) / double(size)));
-    return result;
-  };
-  const auto add_triangle = [&](std::size_t a, std::size_t b, std::size_t c, bool is_turned) {
-    surface.triangles.push_back(is_turned ? std::array<std::size_t, 3>{a, c, b}
+  using Vector = decltype(Surface_point() - Surface_point());
+
+  std::size_t add(double height, double radius, double angle);
+  Ring ring(double height, double radius, std::size_t size, double first_angle);
+  void add_triangle(std::size_t a, std::size_t b, std::size_t c, bool is_turned);
+  void add_sector(const Ring& inner, const Ring& outer, std::size_t i, std::size_t sector,
+                  bool is_turned);
+  void add_cap(double height, double first_angle, const Ring& rim, bool is_turned);
+  void add_layer(const Ring& below, const Ring& above, bool is_ahead);
+
+  const Cylinder_shape& m_shape;
+  Surface_point m_from;
+  double m_length;
+  Vector m_along, m_u, m_v; // of length 1, at right angles
+  std::size_t m_rings, m_around, m_layers;
+  Surface m_surface;
+};
+
+Cylinder_surface::Cylinder_surface(const Cylinder_shape& shape, double edge)
+    : m_shape(shape), m_from(shape.from[0], shape.from[1], shape.from[2]) {
+  const Vector axis = Surface_point(shape.to[0], shape.to[1], shape.to[2]) - m_from;
+  m_length = std::sqrt(axis.squared_length());
+  m_along = axis / m_length;
+  // Across the axis, from the coordinate that it has least of.
+  const double x = std::abs(m_along.x()), y = std::abs(m_along.y()), z = std::abs(m_along.z());
+  std::array<double, 3> unit = {};
+  unit[x <= std::min(y, z) ? 0 : y <= z ? 1 : 2] = 1;
+  m_u = CGAL::cross_product(m_along, Vector(unit[0], unit[1], unit[2]));
+  m_u = m_u / std::sqrt(m_u.squared_length());
+  m_v = CGAL::cross_product(m_along, m_u);
+
+  m_rings = number_of_parts(shape.radius / edge);
+  m_around = 6 * m_rings;
+  m_layers = number_of_parts(m_length / (std::sqrt(.75) * edge));
+  number_of_parts(double(m_around) * double(m_layers + m_rings));
+}
+
+std::size_t Cylinder_surface::add(double height, double radius, double angle) {
+  const double scale =
+      radius * (1 + m_shape.amplitude * (m_shape.wave_length > 0
+                                             ? std::cos(2 * CGAL_PI * height / m_shape.wave_length)
+                                             : 1));
+  m_surface.points.push_back(m_from + height * m_along + scale * std::cos(angle) * m_u +
+                             scale * std::sin(angle) * m_v);
+  return m_surface.points.size() - 1;
+}
+
+Cylinder_surface::Ring Cylinder_surface::ring(double height, double radius, std::size_t size,
+                                              double first_angle) {
+  Ring result;
+  for (std::size_t k = 0; k < size; ++k)
+    result.push_back(add(height, radius, first_angle + 2 * CGAL_PI * double(k) / double(size)));
+  return result;
+}
+
+void Cylinder_surface::add_triangle(std::size_t a, std::size_t b, std::size_t c, bool is_turned) {
+  m_surface.triangles.push_back(is_turned ? std::array<std::size_t, 3>{a, c, b}
                                           : std::array<std::size_t, 3>{a, b, c});
+}
+
+/// Adds a sixth of the triangles between the rings i - 1 and i of a cap.
+void Cylinder_surface::add_sector(const Ring& inner, const Ring& outer, std::size_t i,
+                                  std::size_t sector, bool is_turned) {
+  const auto at = [&](const Ring& r, std::size_t size, std::size_t index) {
+    return size == 0 ? r[0] : r[(sector * size + index) % r.size()];
   };
-  const auto add_cap = [&](double height, double first_angle, const Ring& rim, bool is_turned) {
-    Ring inner = {add(height, 0, 0)};
-    for (std::size_t i = 1; i <= rings; ++i) {
-      const Ring outer =
-          i == rings ? rim
-                     : ring(height, shape.radius * double(i) / double(rings), 6 * i, first_angle);
-      for (std::size_t sector = 0; sector < 6; ++sector)
-        for (std::size_t k = 0; k < i; ++k) {
-          const auto at = [&](const Ring& r, std::size_t size, std::size_t index) {
-            return size == 0 ? r[0] : r[(sector * size + index) % r.size()];
-          };
-          add_triangle(at(inner, i - 1, k), at(outer, i, k), at(outer, i, k + 1), is_turned);
-          if (k + 1 < i)
-            add_triangle(at(inner, i - 1, k), at(outer, i, k + 1), at(inner, i - 1, k + 1),
-                         is_turned);
-        }
-      inner = outer;
+  for (std::size_t k = 0; k < i; ++k) {
+    add_triangle(at(inner, i - 1, k), at(outer, i, k), at(outer, i, k + 1), is_turned);
+    if (k + 1 < i)
+      add_triangle(at(inner, i - 1, k), at(outer, i, k + 1), at(inner, i - 1, k + 1), is_turned);
+  }
+}
+
+void Cylinder_surface::add_cap(double height, double first_angle, const Ring& rim, bool is_turned) {
+  Ring inner = {add(height, 0, 0)};
+  for (std::size_t i = 1; i <= m_rings; ++i) {
+    const Ring outer = i == m_rings ? rim
+                                    : ring(height, m_shape.radius * double(i) / double(m_rings),
+                                           6 * i, first_angle);
+    for (std::size_t sector = 0; sector < 6; ++sector)
+      add_sector(inner, outer, i, sector, is_turned);
+    inner = outer;
+  }
+}
+
+/// Adds the triangles between two rings; `above` is ahead by half an edge, or behind.
+void Cylinder_surface::add_layer(const Ring& below, const Ring& above, bool is_ahead) {
+  for (std::size_t k = 0; k < m_around; ++k) {
+    const std::size_t next = (k + 1) % m_around;
+    if (is_ahead) {
+      add_triangle(below[k], below[next], above[k], false);
+      add_triangle(below[next], above[next], above[k], false);
+    } else {
+      add_triangle(below[k], above[next], above[k], false);
+      add_triangle(below[k], below[next], above[next], false);
     }
-  };
-  const double half = CGAL_PI / double(around);
-  Ring below = ring(0, shape.radius, around, 0);
+  }
+}
+
+Surface Cylinder_surface::surface() {
+  const double half = CGAL_PI / double(m_around);
+  Ring below = ring(0, m_shape.radius, m_around, 0);
   add_cap(0, 0, below, true);
-  for (std::size_t layer = 1; layer <= layers; ++layer) {
+  for (std::size_t layer = 1; layer <= m_layers; ++layer) {
     const bool is_ahead = layer % 2 == 1;
-    const Ring above = ring(layer == layers ? length : length * double(layer) / double(layers),
-                            shape.radius, around, is_ahead ? half : 0);
-    for (std::size_t k = 0; k < around; ++k) {
-      const std::size_t next = (k + 1) % around;
-      if (is_ahead) {
-        add_triangle(below[k], below[next], above[k], false);
-        add_triangle(below[next], above[next], above[k], false);
-      } else {
-        add_triangle(below[k], above[next], above[k], false);
-        add_triangle(below[k], below[next], above[next], false);
-      }
-    }
+    const Ring above =
+        ring(layer == m_layers ? m_length : m_length * double(layer) / double(m_layers),
+             m_shape.radius, m_around, is_ahead ? half : 0);
+    add_layer(below, above, is_ahead);
     below = above;
   }
-  add_cap(length, layers % 2 == 1 ? half : 0, below, false);
-  return surface;
+  add_cap(m_length, m_layers % 2 == 1 ? half : 0, below, false);
+  return m_surface;
+}
+
+} // namespace
+
+Surface surface_of(const Cylinder_shape& shape, double edge) {
+  return Cylinder_surface(shape, edge).surface();
 }
 
 namespace {

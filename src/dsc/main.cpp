@@ -3,12 +3,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "command_line.h"
-#include "commands.h"
+#include "commands/commands.h"
 #include "errors.h"
 #include "interrupt.h"
-#include "unused.h"
 
 #include <CGAL/assertions.h>
+
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -37,8 +38,22 @@ bool flush_output() {
   return std::cout.good() && std::ferror(stdout) == 0;
 }
 
-bool is_quiet(const dsc::Info_options&) { return false; }
-template <class Command> bool is_quiet(const Command& command) { return command.quiet; }
+/// Adds the commands, in the order of the help.
+void add_commands(CLI::App& app, int& exit_code) {
+  dsc::add_info(app, exit_code);
+  dsc::add_rotate(app, exit_code);
+  dsc::add_offset(app, exit_code);
+  dsc::add_enright(app, exit_code);
+  dsc::add_vortex(app, exit_code);
+  dsc::add_advect(app, exit_code);
+  dsc::add_mean_curvature(app, exit_code);
+  dsc::add_zalesak(app, exit_code);
+  dsc::add_convert(app, exit_code);
+  dsc::add_improve(app, exit_code);
+  dsc::add_cut_locus(app, exit_code);
+  dsc::add_reconstruct(app, exit_code);
+  dsc::add_fluid(app, exit_code);
+}
 
 } // namespace
 
@@ -47,17 +62,16 @@ int main(int argc, char** argv) {
   CGAL::set_error_handler(print_nothing);
   CGAL::set_warning_handler(print_nothing);
   try {
-    const std::optional<dsc::Options> options = dsc::parse_command_line(argc, argv);
-    if (options && std::visit([](const auto& command) { return is_quiet(command); }, *options))
-      dsc::keep_silent_about_unused();
-    const int code =
-        options ? std::visit([](const auto& command) { return dsc::execute(command); }, *options)
-                : 0;
+    CLI::App app("Deformable simplicial complexes: moving interfaces with topology changes", "dsc");
+    app.require_subcommand(1);
+    int exit_code = 0;
+    add_commands(app, exit_code);
+    dsc::run_command_line(app, argc, argv);
     if (!flush_output())
       return fail("cannot write to standard output; check that its disk has space left and that "
                   "its reader is there",
                   bad_input);
-    return code;
+    return exit_code;
   } catch (const dsc::Usage_error& error) {
     return fail(error.what(), bad_usage);
   } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {

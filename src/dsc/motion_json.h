@@ -5,7 +5,7 @@
 #ifndef DSC_MOTION_JSON_H
 #define DSC_MOTION_JSON_H
 
-#include "options.h"
+#include "motion.h"
 #include "report_json.h"
 
 namespace dsc {

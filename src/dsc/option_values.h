@@ -5,7 +5,9 @@
 #ifndef DSC_OPTION_VALUES_H
 #define DSC_OPTION_VALUES_H
 
-#include "options.h"
+#include "distance.h"
+
+#include <CGAL/Interface_flows/Integration_scheme.h>
 
 #include <array>
 #include <initializer_list>
@@ -14,6 +16,8 @@
 #include <vector>
 
 namespace dsc {
+
+constexpr int most_subdivisions = 5; ///< of a surface: each makes four triangles of one
 
 /// The values of options, whose numbers are read in the same way in every locale. All functions
 /// throw Usage_error, with what they expect.

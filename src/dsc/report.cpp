@@ -22,8 +22,8 @@ Json parameters_json(const Run_options& options, const Run_start& start) {
   json["aggressiveness"] =
       options.step.aggressiveness ? Json(*options.step.aggressiveness) : Json();
   json["threads"] = options.threads;
-  json["output"] = value_or_null(options.output);
-  json["every"] = options.every;
+  json["output"] = value_or_null(options.output.folder);
+  json["every"] = options.output.every;
   json["resume"] = value_or_null(options.resume);
   return json;
 }
@@ -52,7 +52,7 @@ Json repairs_json(const Repairs& repairs) {
 
 Report::Report(const Run_options& options, const Run_start& start, const Repairs& repairs,
                double sweep_seconds)
-    : m_path(options.report), m_sweep_seconds(sweep_seconds),
+    : m_path(options.output.report), m_sweep_seconds(sweep_seconds),
       m_json({{"input", start.inputs},
               {"parameters", parameters_json(options, start)},
               {"repairs", repairs_json(repairs)},

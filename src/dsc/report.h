@@ -6,8 +6,8 @@
 #define DSC_REPORT_H
 
 #include "motion_json.h"
-#include "options.h"
 #include "report_json.h"
+#include "run.h"
 #include "run_position.h"
 #include "statistics.h"
 #include "surface.h"

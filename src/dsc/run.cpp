@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "commands.h"
+#include "run.h"
+
 #include "continue_steps.h"
 #include "errors.h"
 #include "files.h"
@@ -17,6 +18,7 @@
 #include "start_distance.h"
 #include "surface.h"
 #include "tracked_complex.h"
+#include "unused.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +46,8 @@ void print_changes(const Run_position& position, const std::string& changes) {
 
 /// Builds or reads the complex; a run that is resumed goes on as before where `options` do not say
 /// how.
-std::unique_ptr<Tracked_complex> start(Run_options& options, Run_position& position,
-                                       Repairs& repairs) {
+std::unique_ptr<Tracked_complex> start_or_resume(Run_options& options, Run_position& position,
+                                                 Repairs& repairs) {
   if (options.resume.empty()) {
     position.start = options.start;
     return start_complex(options, repairs);
@@ -61,7 +63,7 @@ std::unique_ptr<Tracked_complex> start(Run_options& options, Run_position& posit
   const std::string changes = continue_steps(run->step, options.given, options.step);
   if (complex->dimension() == 2 && options.given.count("--axis") > 0)
     throw Usage_error("--axis has no meaning in the plane; leave it out");
-  if (!options.quiet && !changes.empty())
+  if (!options.output.quiet && !changes.empty())
     print_changes(position, changes);
   return complex;
 }
@@ -162,113 +164,162 @@ void print_interruption(const Run_position& position, const std::string& checkpo
   std::cerr << '\n';
 }
 
-} // namespace
+/// A run: the complex, its position, and everything that is written and printed of it.
+class Run
+{
+public:
+  explicit Run(const Run_options& options) : m_options(options) {}
 
-int execute(const Run_options& asked) {
-  Run_options options = asked;
+  /// Checks the files that will be written. \throws Usage_error, Input_error
+  void check_places();
 
-  // What cannot work is refused before anything is computed.
-  std::optional<Output_folder> folder;
-  if (!options.output.empty())
-    folder.emplace(options.output, options.resume, options.subdivisions);
-  std::vector<std::string> precious = options.start.inputs;
-  precious.push_back(options.resume);
-  if (folder)
-    precious.push_back(folder->checkpoint());
-  require_place("--report", options.report, precious);
-  precious.push_back(options.report);
-  if (!options.picture.empty())
-    require_extension(options.picture, {"png"});
-  require_place("--picture", options.picture, precious);
+  /// Builds or reads the complex, and writes its state.
+  void start();
 
-  Run_position position;
+  /// Does the steps, or those before an interrupt.
+  void do_steps();
+
+  /// Writes and prints the result, and returns the exit code.
+  int finish();
+
+private:
+  void advance();
+  void write_files();
+  void report_interruption();
+
+  Run_options m_options;
+  std::optional<Output_folder> m_folder;
+  std::unique_ptr<Tracked_complex> m_complex;
+  Run_position m_position;
+  double m_time_step = 0;
+  std::optional<Start_distance> m_from_start;
+  std::optional<Report> m_report;
+  Statistics m_statistics;
+  unsigned m_done = 0;
+  std::size_t m_unfinished = 0, m_stopped_at_boundary = 0;
+  double m_seconds = 0;
+  Flat_cells m_flat_cells;
+};
+
+void Run::check_places() {
+  const Output_options& output = m_options.output;
+  if (!output.folder.empty())
+    m_folder.emplace(output.folder, m_options.resume, output.subdivisions);
+  std::vector<std::string> precious = m_options.start.inputs;
+  precious.push_back(m_options.resume);
+  if (m_folder)
+    precious.push_back(m_folder->checkpoint());
+  require_place("--report", output.report, precious);
+  precious.push_back(output.report);
+  if (!output.picture.empty())
+    require_extension(output.picture, {"png"});
+  require_place("--picture", output.picture, precious);
+}
+
+void Run::start() {
   Repairs repairs;
-  std::optional<Interruptible> interruptible(std::in_place, options.quiet);
-  const std::unique_ptr<Tracked_complex> tracked = start(options, position, repairs);
-  if (!options.quiet)
-    print_repairs(options.start.inputs, repairs);
-  Tracked_complex& complex = *tracked;
-  if (!options.picture.empty() && complex.dimension() == 2)
+  const Interruptible interruptible(m_options.output.quiet);
+  m_complex = start_or_resume(m_options, m_position, repairs);
+  if (!m_options.output.quiet)
+    print_repairs(m_options.start.inputs, repairs);
+  if (!m_options.output.picture.empty() && m_complex->dimension() == 2)
     throw Usage_error("--picture is for runs in space; in the plane, --output writes pictures");
-  if (folder && !options.resume.empty())
-    folder->keep_until(position.time);
+  if (m_folder && !m_options.resume.empty())
+    m_folder->keep_until(m_position.time);
 
-  const double time_step = complex.time_step(options.step.motion);
-  if (!(position.time + time_step > position.time))
-    throw Input_error("a step is too short for the time " + Json(position.time).dump() +
+  m_time_step = m_complex->time_step(m_options.step.motion);
+  if (!(m_position.time + m_time_step > m_position.time))
+    throw Input_error("a step is too short for the time " + Json(m_position.time).dump() +
                       " of the run; choose a longer --dt");
-  const std::optional<Start_distance> from_start = start_distance(options, position);
-  Report report(options, position.start, repairs, complex.sweep_seconds());
-  Statistics statistics = complex.statistics();
-  report.add(position, Step_outcome(), statistics);
-  const auto write_files = [&] {
-    if (folder)
-      folder->write(complex, position, to_metadata(position, options.step));
-  };
+  m_from_start = start_distance(m_options, m_position);
+  m_report.emplace(m_options, m_position.start, repairs, m_complex->sweep_seconds());
+  m_statistics = m_complex->statistics();
+  m_report->add(m_position, Step_outcome(), m_statistics);
   write_files();
-  interruptible.reset();
+}
 
-  unsigned done = 0;
-  std::size_t unfinished = 0, stopped_at_boundary = 0;
-  double seconds = 0;
-  Flat_cells flat_cells;
-  Progress_line progress(options.steps, options.quiet);
-  progress.show(done);
-  const auto advance = [&] {
-    Step_outcome outcome = step_with_room(complex, options, position.time);
-    const double time = position.time + time_step;
-    if (from_start && is_whole_period(time, time_step, period(options.step.motion)))
-      outcome.distance_to_start = from_start->of(complex.interface_points(), complex.mean_edge());
-    statistics = complex.statistics();
-    complex.forget();
-    ++done;
-    ++position.step;
-    position.time = time;
-    unfinished += outcome.unfinished_vertices;
-    stopped_at_boundary += outcome.stopped_at_boundary;
-    flat_cells.add(outcome, statistics);
-    seconds += outcome.seconds;
-    report.add(position, outcome, statistics);
-    if (position.step % options.every == 0)
-      write_files();
-  };
+void Run::write_files() {
+  if (m_folder)
+    m_folder->write(*m_complex, m_position, to_metadata(m_position, m_options.step));
+}
+
+void Run::advance() {
+  Step_outcome outcome = step_with_room(*m_complex, m_options, m_position.time);
+  const double time = m_position.time + m_time_step;
+  if (m_from_start && is_whole_period(time, m_time_step, period(m_options.step.motion)))
+    outcome.distance_to_start =
+        m_from_start->of(m_complex->interface_points(), m_complex->mean_edge());
+  m_statistics = m_complex->statistics();
+  m_complex->forget();
+  ++m_done;
+  ++m_position.step;
+  m_position.time = time;
+  m_unfinished += outcome.unfinished_vertices;
+  m_stopped_at_boundary += outcome.stopped_at_boundary;
+  m_flat_cells.add(outcome, m_statistics);
+  m_seconds += outcome.seconds;
+  m_report->add(m_position, outcome, m_statistics);
+  if (m_position.step % m_options.output.every == 0)
+    write_files();
+}
+
+void Run::do_steps() {
+  Progress_line progress(m_options.steps, m_options.output.quiet);
+  progress.show(m_done);
   try {
     const Interruptible steps(true);
-    while (done < options.steps && !interrupted()) {
+    while (m_done < m_options.steps && !interrupted()) {
       advance();
-      progress.show(done);
+      progress.show(m_done);
     }
   } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {
-    complex.go_back();
+    m_complex->go_back();
   } catch (...) {
     // A step that cannot be done, for whatever reason. Those before it are worth keeping.
     progress.clear();
-    complex.go_back();
+    m_complex->go_back();
     write_files();
-    report.write();
+    m_report->write();
     throw;
   }
   progress.clear();
   write_files();
+}
 
+void Run::report_interruption() {
+  std::string checkpoint = unused_name("dsc_interrupted", ".dsc");
+  if (m_folder)
+    checkpoint = m_folder->checkpoint();
+  else
+    m_complex->write_checkpoint(checkpoint, to_metadata(m_position, m_options.step));
+  print_interruption(m_position, checkpoint, m_options.steps - m_done);
+}
+
+int Run::finish() {
   const bool stopped = interrupted();
-  if (stopped) {
-    std::string checkpoint = unused_name("dsc_interrupted", ".dsc");
-    if (folder)
-      checkpoint = folder->checkpoint();
-    else
-      complex.write_checkpoint(checkpoint, to_metadata(position, options.step));
-    print_interruption(position, checkpoint, options.steps - done);
-  }
-  report.write();
-  if (!options.picture.empty())
-    complex.write(options.picture);
-  if (!options.quiet) {
-    print_boundary(stopped_at_boundary);
-    print_flat_cells(flat_cells);
-    print_summary(position, statistics, unfinished, seconds);
+  if (stopped)
+    report_interruption();
+  m_report->write();
+  if (!m_options.output.picture.empty())
+    m_complex->write(m_options.output.picture);
+  if (!m_options.output.quiet) {
+    print_boundary(m_stopped_at_boundary);
+    print_flat_cells(m_flat_cells);
+    print_summary(m_position, m_statistics, m_unfinished, m_seconds);
   }
   return stopped ? exit_code_of_interrupt : 0;
+}
+
+} // namespace
+
+int run(const Run_options& options) {
+  if (options.output.quiet)
+    keep_silent_about_unused();
+  Run run(options);
+  run.check_places(); // before anything is computed
+  run.start();
+  run.do_steps();
+  return run.finish();
 }
 
 } // namespace dsc

@@ -5,7 +5,8 @@
 #ifndef DSC_RUN_POSITION_H
 #define DSC_RUN_POSITION_H
 
-#include "options.h"
+#include "motion.h"
+#include "run_start.h"
 
 #include <optional>
 #include <string>

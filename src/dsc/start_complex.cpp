@@ -118,7 +118,7 @@ std::unique_ptr<Tracked_complex> track_surfaces_of_run(const Run_options& option
                                                        const std::vector<std::string>& names,
                                                        Repairs& repairs) {
   std::vector<Surface> surfaces = start_surfaces(options.start, &repairs);
-  std::ostream* notes = options.quiet ? nullptr : &std::cout;
+  std::ostream* notes = options.output.quiet ? nullptr : &std::cout;
   try {
     return track_surfaces(surfaces, names, options.domain, notes);
   } catch (const Tetrahedralization_error& error) {

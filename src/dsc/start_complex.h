@@ -5,7 +5,7 @@
 #ifndef DSC_START_COMPLEX_H
 #define DSC_START_COMPLEX_H
 
-#include "options.h"
+#include "run.h"
 #include "surface.h"
 #include "tracked_complex.h"
 

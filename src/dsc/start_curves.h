@@ -5,7 +5,7 @@
 #ifndef DSC_START_CURVES_H
 #define DSC_START_CURVES_H
 
-#include "options.h"
+#include "run_start.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Labelled_curve_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Seeded_segments_2.h>

@@ -5,7 +5,8 @@
 #ifndef DSC_SURFACE_H
 #define DSC_SURFACE_H
 
-#include "options.h"
+#include "distance.h"
+#include "run_start.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Labelled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Surface_repair_report_3.h>

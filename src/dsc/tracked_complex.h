@@ -5,7 +5,7 @@
 #ifndef DSC_TRACKED_COMPLEX_H
 #define DSC_TRACKED_COMPLEX_H
 
-#include "options.h"
+#include "motion.h"
 #include "statistics.h"
 #include "surface.h"
 

@@ -21,6 +21,13 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 
+/// How tetrahedra are improved.
+struct Improvement_options
+{
+  bool aggressive = false;         ///< takes minutes instead of seconds
+  std::optional<double> threshold; ///< of the quality, in (0, 1]; that of the library if not set
+};
+
 class Tracked_complex_3 : public Tracked_complex
 {
 public:
@@ -57,7 +64,7 @@ public:
   /// \param content of the vertices and cells follows: entities stay as they are, averages over
   /// cells keep their integral, values at vertices are interpolated, and integers of cells stay
   /// where they are
-  Improvement_outcome improve(const Improve_options& options, Mesh_content& content);
+  Improvement_outcome improve(const Improvement_options& options, Mesh_content& content);
 
   /// Writes the tetrahedra (.mesh, .vtu) with what follows them.
   void write(const std::string& path, const Mesh_content& content) const;

@@ -33,7 +33,7 @@ using State = DSC::State<3>;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 template <class NamedParameters>
-DSC::Improvement_report improve(Complex_at_rest& complex, const Improve_options& options,
+DSC::Improvement_report improve(Complex_at_rest& complex, const Improvement_options& options,
                                 const NamedParameters& np) {
   return options.threshold ? DSC::improve_mesh(complex, np.quality_threshold(*options.threshold))
                            : DSC::improve_mesh(complex, np);
@@ -98,7 +98,7 @@ void require_entities(const Complex_at_rest& complex, const Mesh_entities& entit
 
 } // namespace
 
-Improvement_outcome Tracked_complex_3::improve(const Improve_options& options,
+Improvement_outcome Tracked_complex_3::improve(const Improvement_options& options,
                                                Mesh_content& content) {
   const auto aggressive = parameters::aggressive(options.aggressive);
   const auto start = Clock::now();

@@ -2,6 +2,8 @@
 # against what was installed.
 file(REMOVE_RECURSE "${work_dir}")
 set(prefix "${work_dir}/prefix")
+set(program "${prefix}/${program_in_prefix}")
+set(scenes "${prefix}/${scenes_in_prefix}")
 set(components)
 if(with_compiled)
   list(APPEND components Compiled)
@@ -15,6 +17,9 @@ function(run)
 endfunction()
 
 run("${CMAKE_COMMAND}" --install "${build_dir}" --config "${config}" --prefix "${prefix}")
+# The program finds the scenes that were installed with it, not those of the source tree.
+file(COPY_FILE "${scenes}/droplet.json" "${scenes}/copy_of_droplet.json")
+run("${program}" fluid --print copy_of_droplet)
 run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${work_dir}/build" -G "${generator}"
   "-DCMAKE_CXX_COMPILER=${cxx_compiler}"
   "-DCMAKE_BUILD_TYPE=${config}"

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -59,6 +62,11 @@ TEST_F(Fluids, scenes_are_listed_and_printed) {
     EXPECT_EQ(scene.exit_code, 0) << scene.err;
     EXPECT_TRUE(Json::parse(scene.out).contains("liquids"));
   }
+  std::vector<std::string> names;
+  std::istringstream lines(list.out);
+  for (std::string line; std::getline(lines, line);)
+    names.push_back(line.substr(0, line.find(' ')));
+  EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
 }
 
 TEST_F(Fluids, droplet_falls_onto_a_floor) {

@@ -3,10 +3,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Surface_by_differences.h"
-#include "commands.h"
+#include "commands/commands.h"
 #include "errors.h"
 #include "files.h"
 #include "interrupt.h"
+#include "option_values.h"
 #include "report_json.h"
 #include "surface_expressions.h"
 
@@ -18,6 +19,8 @@
 #include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/VTU_2.h>
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,14 +28,37 @@
 #include <cstdio>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
+
+/// The numbers of the command line, as they are written.
+struct Written_numbers
+{
+  std::string point, periods = "6.283185307179586,6.283185307179586", spacing, step, radius;
+};
+
+struct Cut_locus_options
+{
+  Written_numbers written;
+  std::string surface = "torus"; ///< that, ellipsoid, or three expressions in u and v, or x, y, z
+  std::vector<double> point;     ///< u and v, or the x, y and z of a direction
+  std::array<double, 2> periods;
+  double spacing =
+      0; ///< in the chart; a fortieth of the shorter period, or of half a chart's width, if 0
+  double step = 0;    ///< of the front; half the spacing, measured on the surface, if 0
+  double radius = 0;  ///< of a ball, instead of the cut locus
+  std::string output; ///< picture; empty for none
+  std::string report; ///< file; empty for none
+  bool quiet = false;
+};
 
 using Domain = CGAL::Deformable_simplicial_complexes::Torus_domain<2>;
 using Point = CGAL::Simple_cartesian<double>::Point_2;
@@ -237,8 +263,6 @@ int run_like_sphere(const Cut_locus_options& options, const Embedding& embedding
                           embedding, {options.point[0], options.point[1], options.point[2]})));
 }
 
-} // namespace
-
 int execute(const Cut_locus_options& options) {
   if (!options.output.empty())
     require_writable(options.output);
@@ -252,6 +276,81 @@ int execute(const Cut_locus_options& options) {
     return run_like_sphere<Surface_expressions, Surface_by_differences>(options, expressions);
   return run_on_torus(options,
                       Surface_by_differences<Surface_expressions>(expressions, options.periods));
+}
+
+/// A ball may be all on a surface that does not repeat itself.
+void require_periods(const Cut_locus_options& options, bool are_given) {
+  if (options.surface == "torus")
+    return;
+  const bool is_ellipsoid = options.surface == "ellipsoid";
+  if (is_ellipsoid && !are_given)
+    return;
+  if (is_ellipsoid || Surface_expressions(options.surface).is_of_sphere()) {
+    if (are_given)
+      throw Usage_error("--periods has a meaning for a surface in u and v only; leave it out");
+  } else if (options.radius == 0 &&
+             !Surface_expressions(options.surface).repeats_after(options.periods))
+    throw Usage_error("the surface '" + options.surface +
+                      "' does not repeat itself after the periods; choose others by --periods");
+}
+
+/// Reads the numbers that are written as text. \throws Usage_error
+void read(const CLI::App& command, Cut_locus_options& options) {
+  const Written_numbers& written = options.written;
+  options.point = parse_point(written.point);
+  options.periods = parse_pair(written.periods, "--periods");
+  if (command.count("--spacing") > 0)
+    options.spacing = parse_positive(written.spacing, "--spacing");
+  if (command.count("--step") > 0)
+    options.step = parse_positive(written.step, "--step");
+  if (command.count("--radius") > 0)
+    options.radius = parse_positive(written.radius, "--radius");
+  require_periods(options, command.count("--periods") > 0);
+  if (!options.output.empty() && options.radius > 0)
+    require_extension(options.output, {"svg", "vtu"});
+  else if (!options.output.empty())
+    require_extension(options.output, {"svg"});
+}
+
+} // namespace
+
+void add_cut_locus(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<Cut_locus_options>();
+  CLI::App* command = app.add_subcommand(
+      "cut-locus", "Find where the shortest ways end that begin in a point of a surface");
+  command
+      ->add_option(
+          "--surface", options->surface,
+          "'torus', of the radii 2 and 1, 'ellipsoid', of the half axes 1, 0.8 and 0.6, or the "
+          "three coordinates as expressions: in u and v, as of a torus, like "
+          "'(2+cos(v))*cos(u),(2+cos(v))*sin(u),2*sin(v)', or in x, y and z, those of the unit "
+          "sphere, like 'x,y,z*(1+0.2*x)'")
+      ->capture_default_str();
+  command
+      ->add_option("--point", options->written.point,
+                   "u and v of the point, like 0,0.3; its direction, like 1,0.5,0, for a "
+                   "surface in x, y and z")
+      ->required();
+  command->add_option("--periods", options->written.periods,
+                      "after which a surface in u and v repeats itself; 2 pi each if not given");
+  command->add_option("--spacing", options->written.spacing,
+                      "Length of edges in u and v; a fortieth of a period if not given; 0.1 for a "
+                      "surface in x, y and z, whose chart is 8 wide");
+  command->add_option("--radius", options->written.radius,
+                      "Draw the ball of this radius instead, as seen in u and v");
+  command->add_option("--step", options->written.step,
+                      "By how much the front of all ways advances at once; half "
+                      "the spacing, as long as that is on the surface, if not given");
+  command->add_option(
+      "-o,--output", options->output,
+      "Picture in u and v, or of what is opposite to the point of a surface in x, y and "
+      "z (.svg); of a ball its triangles, too (.vtu)");
+  command->add_option("--report", options->report, "JSON file with points, distances and arcs");
+  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
+  command->callback([command, options, &exit_code] {
+    read(*command, *options);
+    exit_code = execute(*options);
+  });
 }
 
 } // namespace dsc

@@ -2,10 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "commands.h"
+#include "commands/commands.h"
 #include "errors.h"
 #include "files.h"
 #include "interrupt.h"
+#include "option_values.h"
 #include "progress_line.h"
 #include "report_json.h"
 #include "tracked_complex_3.h"
@@ -19,11 +20,15 @@
 #include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 #include <CGAL/property_map.h>
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
+#include <climits>
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,6 +38,21 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
+
+struct Reconstruct_options
+{
+  std::string input;                      ///< points
+  std::string output;                     ///< surface or tetrahedra
+  std::string written_tolerance = "0.03"; ///< as in the command line
+  double tolerance = 0;                   ///< in spacings of the points
+  bool keeps_open = false; ///< writes the sheet that the points sample, and not the closed surface
+  unsigned steps = 80;     ///< at the most
+  unsigned threads = 1;
+  std::string folder;  ///< for the steps; empty for none
+  std::string report;  ///< file; empty for none
+  std::string picture; ///< file; empty for none
+  bool quiet = false;
+};
 
 namespace fs = std::filesystem;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
@@ -180,9 +200,18 @@ void print_summary(const Reconstruction_report& report, std::size_t normals,
       report.facets_without_points.size(), what_is_incomplete(report), seconds);
 }
 
-} // namespace
+void write_report(const Reconstruct_options& options, const Reconstruction_report& report,
+                  const Tracked_complex_3& tracked, std::size_t normals, double seconds) {
+  Json json = {{"input", options.input}, {"seconds", seconds}};
+  json.update(json_of(report, tracked.complex));
+  json["normals"] = normals;
+  json["state"] = statistics_json(tracked.statistics());
+  write_json(options.report, json);
+}
 
 int execute(const Reconstruct_options& options) {
+  if (options.quiet)
+    keep_silent_about_unused();
   // Ends before anything is written: the result appears whole or not at all.
   std::optional<Interruptible> interruptible(std::in_place, options.quiet);
   // What cannot work is refused before anything is computed.
@@ -226,13 +255,8 @@ int execute(const Reconstruct_options& options) {
   const double seconds = seconds_since(begin);
   const Statistics statistics = tracked.statistics();
   const std::size_t normals = number_of_normals(points);
-  if (!options.report.empty()) {
-    Json json = {{"input", options.input}, {"seconds", seconds}};
-    json.update(json_of(report, tracked.complex));
-    json["normals"] = normals;
-    json["state"] = statistics_json(statistics);
-    write_json(options.report, json);
-  }
+  if (!options.report.empty())
+    write_report(options, report, tracked, normals, seconds);
   if (!options.quiet) {
     if (!options.keeps_open)
       warn_of_openness(report, statistics.interface_facets);
@@ -240,6 +264,58 @@ int execute(const Reconstruct_options& options) {
     print_summary(report, normals, statistics, seconds);
   }
   return 0;
+}
+
+void read(Reconstruct_options& options) {
+  require_extension(options.input, {"xyz", "pwn", "ply", "off"});
+  require_extension(options.output, {"off", "obj", "ply", "stl", "vtu", "mesh"});
+  if (!options.picture.empty())
+    require_extension(options.picture, {"png"});
+  if (options.keeps_open) {
+    require_extension(options.output, {"off", "obj", "ply", "stl"});
+    if (!options.picture.empty())
+      throw Usage_error("--picture draws closed surfaces only; leave it out, or --open");
+  }
+  options.tolerance = parse_positive(options.written_tolerance, "--tolerance");
+}
+
+} // namespace
+
+void add_reconstruct(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<Reconstruct_options>();
+  CLI::App* command =
+      app.add_subcommand("reconstruct", "Find the solid whose surface points sample");
+  command
+      ->add_option("POINTS", options->input,
+                   "Points, with or without normals (.xyz, .pwn, .ply, .off)")
+      ->required();
+  command
+      ->add_option("-o", options->output,
+                   "Surface (.off, .obj, .ply, .stl) or tetrahedra (.vtu, .mesh)")
+      ->required();
+  command
+      ->add_option("--tolerance", options->written_tolerance,
+                   "How far triangles may be from their points, in mean distances of a point from "
+                   "its neighbors")
+      ->capture_default_str();
+  command->add_flag("--open", options->keeps_open,
+                    "Accept points of an open sheet, and write the triangles that have points");
+  command->add_option("--steps", options->steps, "Number of steps at the most")
+      ->check(CLI::Range(1, INT_MAX))
+      ->capture_default_str();
+  command->add_option("--threads", options->threads, "Number of threads; the result is the same")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_option("--output", options->folder,
+                      "Folder for the steps, to be shown with ParaView");
+  command->add_option("--report", options->report,
+                      "JSON file with distances, parts, and what fits nothing");
+  command->add_option("--picture", options->picture, "Picture of the surface (.png)");
+  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
+  command->callback([options, &exit_code] {
+    read(*options);
+    exit_code = execute(*options);
+  });
 }
 
 } // namespace dsc

@@ -2,16 +2,21 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "commands.h"
+#include "commands/commands.h"
+#include "commands/labels_option.h"
 #include "errors.h"
 #include "files.h"
 #include "interrupt.h"
 #include "mesh_content.h"
+#include "option_values.h"
 #include "report_json.h"
 #include "tracked_complex_3.h"
 #include "unused.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,11 +24,23 @@
 namespace dsc {
 namespace {
 
+struct Improve_options
+{
+  std::string input;  ///< labelled tetrahedra
+  std::string output; ///< may be the input
+  std::string labels; ///< as in `Run_start`
+  Improvement_options improvement;
+  std::string threshold; ///< as it is written
+  std::string report;    ///< file; empty for none
+  bool quiet = false;
+};
+
 Json parameters_json(const Improve_options& options) {
-  return {{"command", "improve"},
-          {"output", options.output},
-          {"aggressive", options.aggressive},
-          {"threshold", options.threshold ? Json(*options.threshold) : Json()}};
+  return {
+      {"command", "improve"},
+      {"output", options.output},
+      {"aggressive", options.improvement.aggressive},
+      {"threshold", options.improvement.threshold ? Json(*options.improvement.threshold) : Json()}};
 }
 
 Json state_json(const Statistics& statistics, const Improvement_outcome& outcome) {
@@ -60,9 +77,9 @@ Mesh_content content_to_carry(const Improve_options& options, Labelled_tetrahedr
   return content;
 }
 
-} // namespace
-
 int execute(const Improve_options& options) {
+  if (options.quiet)
+    keep_silent_about_unused();
   // What cannot work is refused before anything is computed.
   require_place("--report", options.report, {options.input, options.output});
   require_writable(options.output);
@@ -72,7 +89,7 @@ int execute(const Improve_options& options) {
   const auto complex = Tracked_complex_3::from_mesh(options.input, mesh);
   Mesh_content content = content_to_carry(options, std::move(mesh), complex->complex);
   const Statistics before = complex->statistics();
-  const Improvement_outcome outcome = complex->improve(options, content);
+  const Improvement_outcome outcome = complex->improve(options.improvement, content);
   const Statistics after = complex->statistics();
   interruptible.reset();
   complex->write(options.output, content);
@@ -85,6 +102,39 @@ int execute(const Improve_options& options) {
   if (!options.quiet)
     print_summary(before, after, outcome.seconds);
   return 0;
+}
+
+void read(const CLI::App& command, Improve_options& options) {
+  require_extension(options.input, {"mesh", "vtu"});
+  require_extension(options.output, {"mesh", "vtu"});
+  require_file_with_arrays(options.input, options.labels);
+  if (command.count("--threshold") > 0)
+    options.improvement.threshold = parse_threshold(options.threshold);
+}
+
+} // namespace
+
+void add_improve(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<Improve_options>();
+  CLI::App* command = app.add_subcommand(
+      "improve", "Improve the tetrahedra between the interface and the boundary");
+  command->add_option("INPUT", options->input, "Labelled tetrahedra (.mesh, .vtu)")->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "File for the improved tetrahedra (.mesh, .vtu); may be INPUT")
+      ->required();
+  add_labels_option(*command, options->labels);
+  command->add_flag("--aggressive", options->improvement.aggressive,
+                    "Take minutes instead of seconds for better tetrahedra");
+  command->add_option("--threshold", options->threshold,
+                      "Improve tetrahedra of a lower quality only: the least sine of a dihedral "
+                      "angle, obtuse ones times 0.7, in units of the regular tetrahedron");
+  command->add_option("--report", options->report, "JSON file with the state before and after");
+  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
+  command->callback([command, options, &exit_code] {
+    read(*command, *options);
+    exit_code = execute(*options);
+  });
 }
 
 } // namespace dsc

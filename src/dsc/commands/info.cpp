@@ -2,19 +2,30 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "commands.h"
+#include "commands/commands.h"
+#include "commands/labels_option.h"
 #include "files.h"
 #include "interrupt.h"
 #include "labelled_tetrahedra.h"
+#include "option_values.h"
 #include "run_position.h"
 #include "tracked_complex_3.h"
 
+#include <CLI/CLI.hpp>
+
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <string>
 
 namespace dsc {
 namespace {
+
+struct Info_options
+{
+  std::string file;
+  std::string labels; ///< as in `Run_start`
+};
 
 void print(const Statistics& statistics) {
   const bool is_planar = statistics.dimension == 2;
@@ -53,8 +64,6 @@ void print(const Surface_statistics& statistics) {
             << " degrees\n";
 }
 
-} // namespace
-
 int execute(const Info_options& options) {
   const Interruptible interruptible(false);
   const std::string format = extension(options.file);
@@ -76,6 +85,30 @@ int execute(const Info_options& options) {
     print(surface_statistics(options.file));
   }
   return 0;
+}
+
+void check(const Info_options& options) {
+  require_extension(options.file, {"off", "obj", "ply", "stl", "wkt", "poly", "pgm", "png", "dsc",
+                                   "mesh", "vtu"});
+  require_file_with_arrays(options.file, options.labels);
+}
+
+} // namespace
+
+void add_info(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<Info_options>();
+  CLI::App* command = app.add_subcommand("info", "Print what a file holds, in numbers");
+  command
+      ->add_option(
+          "FILE", options->file,
+          "A surface (.off, .obj, .ply, .stl), a figure in the plane (.wkt, .poly, .pgm, .png), a "
+          "checkpoint (.dsc) or a mesh (.mesh, .vtu)")
+      ->required();
+  add_labels_option(*command, options->labels);
+  command->callback([options, &exit_code] {
+    check(*options);
+    exit_code = execute(*options);
+  });
 }
 
 } // namespace dsc

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "options.h"
+#include "run_start.h"
 
 #include "files.h"
 

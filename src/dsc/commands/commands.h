@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_COMMANDS_H
+#define DSC_COMMANDS_H
+
+namespace CLI {
+class App;
+}
+
+namespace dsc {
+
+/// Each function adds a command to the program, with its options. The command runs while the
+/// command line is parsed and stores the exit code. It throws Usage_error if its options make no
+/// sense, and std::runtime_error with a message of one line that says what is wrong and what to do.
+void add_info(CLI::App& app, int& exit_code);
+void add_rotate(CLI::App& app, int& exit_code);
+void add_offset(CLI::App& app, int& exit_code);
+void add_enright(CLI::App& app, int& exit_code);
+void add_vortex(CLI::App& app, int& exit_code);
+void add_advect(CLI::App& app, int& exit_code);
+void add_mean_curvature(CLI::App& app, int& exit_code);
+void add_zalesak(CLI::App& app, int& exit_code);
+void add_convert(CLI::App& app, int& exit_code);
+void add_improve(CLI::App& app, int& exit_code);
+void add_cut_locus(CLI::App& app, int& exit_code);
+void add_reconstruct(CLI::App& app, int& exit_code);
+void add_fluid(CLI::App& app, int& exit_code);
+
+} // namespace dsc
+
+#endif // DSC_COMMANDS_H

@@ -1,0 +1,381 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/commands.h"
+#include "errors.h"
+#include "files.h"
+#include "fluid_report.h"
+#include "fluid_scene.h"
+#include "fluid_start.h"
+#include "interrupt.h"
+#include "option_values.h"
+#include "output_folder.h"
+#include "progress_line.h"
+#include "report_json.h"
+#include "unused.h"
+
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <climits>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+struct Fluid_options
+{
+  std::string scene;       ///< file, or name of one that the program has; empty if `resume` is set
+  std::string data;        ///< folder of the files that a scene names; empty for the present one
+  bool lists = false;      ///< all that the program has
+  bool prints = false;     ///< the scene
+  std::string written_end; ///< as in the command line
+  double end = 0;          ///< time; that of the scene if 0
+  unsigned steps = 0;      ///< at the most; 0 for any number
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency()); ///< to use
+  std::string output; ///< folder; empty for no files
+  unsigned every = 1;
+  int subdivisions = 0; ///< for smooth surfaces there, by Loop's scheme; none if 0
+  std::string resume;   ///< a checkpoint
+  std::string report;   ///< file; empty for none
+  std::string picture;  ///< file; empty for none
+  bool quiet = false;
+};
+
+using Complex = Tracked_complex_3::Complex;
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
+Json state_json(const Fluid::State& state) {
+  return {{"time", state.time},
+          {"steps", state.steps},
+          {"damped_steps", state.damped_steps},
+          {"knows_accelerations", state.knows_accelerations},
+          {"motion", state.motion},
+          {"volumes", state.volumes},
+          {"pressures_and_volumes_of_gases", state.gases}};
+}
+
+Fluid::State state_of(const Json& json) {
+  Fluid::State state;
+  state.time = json.at("time");
+  state.steps = json.at("steps");
+  state.damped_steps = json.at("damped_steps");
+  state.knows_accelerations = json.at("knows_accelerations");
+  state.motion = json.at("motion").get<decltype(state.motion)>();
+  state.volumes = json.at("volumes").get<std::vector<std::pair<std::uint32_t, double>>>();
+  state.gases = json.at("pressures_and_volumes_of_gases").get<decltype(state.gases)>();
+  return state;
+}
+
+std::string metadata(const Fluid_scene& scene, const Fluid& fluid) {
+  return Json{{"scene", scene.json}, {"fluid", state_json(fluid.state())}}.dump(
+      -1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// A run of a scene: its complex, and the fluid in it.
+struct Run
+{
+  Fluid_scene scene;
+  std::unique_ptr<Tracked_complex_3> complex;
+  std::unique_ptr<Fluid> fluid;
+};
+
+Run start(const Fluid_options& options) {
+  Run run;
+  run.scene = find_scene(options.scene);
+  require_files(run.scene, options.data);
+  run.complex = std::make_unique<Tracked_complex_3>(start_of_scene(run.scene, options.data));
+  require_effect(run.scene, run.complex->complex);
+  run.fluid = fluid_of_scene(run.scene, options.data, run.complex->complex);
+  require_outside_of_solids(run.scene, *run.fluid);
+  if (run.scene.relaxation_steps > 0) {
+    const double velocity =
+        run.fluid->relax(run.scene.relaxation_step, unsigned(run.scene.relaxation_steps),
+                         parameters::number_of_threads(options.threads));
+    if (!options.quiet)
+      std::printf("dsc: relaxed until vertices went with %.3g\n", velocity);
+  }
+  set_velocities(run.scene, *run.fluid);
+  return run;
+}
+
+Run resume(const Fluid_options& options) {
+  const CGAL::IO::Checkpoint_3 checkpoint = CGAL::IO::read_checkpoint(options.resume);
+  Run run;
+  try {
+    const Json json = Json::parse(checkpoint.metadata);
+    run.scene = read_scene(json.at("scene"));
+    run.complex = std::make_unique<Tracked_complex_3>();
+    run.complex->complex.restore(checkpoint.state);
+    run.fluid = fluid_of_scene(run.scene, options.data, run.complex->complex);
+    run.fluid->restore(state_of(json.at("fluid")));
+  } catch (const Json::exception&) {
+    throw Input_error(options.resume + " holds a complex, but no fluid that could go on");
+  }
+  return run;
+}
+
+double next_step(const Run& run, double end) {
+  const double time = run.fluid->time(), left = end - time;
+  double dt = run.scene.time_step;
+  if (run.scene.cfl > 0)
+    dt = std::min(dt, run.fluid->largest_step(run.scene.cfl));
+  // No tiny step in the end.
+  static constexpr double almost = 1e-9;
+  return dt * (1 + almost) >= left ? left : dt * 2 <= left ? dt : left / 2;
+}
+
+void print_summary(const Run& run, unsigned steps, const Repetitions& repetitions, double seconds) {
+  const Fluid::Balance balance = run.fluid->balance();
+  std::printf(
+      "dsc: %s; %u steps, time %g: %zu vertices, %zu interface triangles, volume %.10g, energy "
+      "%.6g%s; %.3g s\n",
+      run.scene.title.c_str(), steps, run.fluid->time(), run.complex->complex.number_of_vertices(),
+      run.complex->complex.interface_facets().size(), balance.volume, balance.energy(),
+      repetitions.text().c_str(), seconds);
+}
+
+/// A run that is written and printed.
+class Reported_run
+{
+public:
+  explicit Reported_run(const Fluid_options& options) : m_options(options) {}
+
+  /// Checks the files that will be written. \throws Usage_error, Input_error
+  void check_places();
+
+  /// Builds or reads the complex, and writes its state.
+  void begin();
+
+  /// Does the steps, or those before an interrupt.
+  void do_steps();
+
+  /// Writes and prints the result, and returns the exit code.
+  int finish();
+
+private:
+  void advance();
+  bool is_over() const;
+  unsigned step() const { return m_first + m_done; }
+  void write_files();
+  void write_report() const;
+  std::string checkpoint(const char* name);
+
+  const Fluid_options& m_options;
+  std::optional<Output_folder> m_folder;
+  const Clock::time_point m_begin = Clock::now();
+  Run m_run;
+  double m_end = 0; // time
+  Json m_steps = Json::array();
+  Repetitions m_repetitions;
+  unsigned m_first = 0, m_done = 0; // steps
+};
+
+void Reported_run::check_places() {
+  if (!m_options.output.empty())
+    m_folder.emplace(m_options.output, m_options.resume, m_options.subdivisions);
+  require_place("--report", m_options.report, {m_options.resume, m_options.scene});
+  require_place("--picture", m_options.picture,
+                {m_options.resume, m_options.scene, m_options.report});
+}
+
+void Reported_run::begin() {
+  const Interruptible interruptible(m_options.quiet);
+  m_run = m_options.resume.empty() ? start(m_options) : resume(m_options);
+  Fluid& fluid = *m_run.fluid;
+  m_run.complex->velocity_at = [&fluid](Complex::Vertex_handle v) { return fluid.velocity(v); };
+  m_run.complex->pressure_at = [&fluid](Complex::Vertex_handle v) { return fluid.pressure(v); };
+  m_end = m_options.end > 0 ? m_options.end : m_run.scene.end;
+  if (!(m_end > fluid.time()))
+    throw Usage_error("the end " + Json(m_end).dump() + " is not after the time " +
+                      Json(fluid.time()).dump() + " of the checkpoint; choose a later --end");
+  if (m_folder && !m_options.resume.empty())
+    m_folder->keep_until(fluid.time());
+  m_first = unsigned(fluid.state().steps);
+  m_steps.push_back(step_json(fluid, m_run.scene, m_first, std::nullopt));
+  write_files();
+}
+
+void Reported_run::write_files() {
+  if (m_folder) {
+    Run_position position;
+    position.step = step();
+    position.time = m_run.fluid->time();
+    m_folder->write(*m_run.complex, position, metadata(m_run.scene, *m_run.fluid));
+  }
+}
+
+/// The name of the last checkpoint, which is written if there is no folder with one.
+std::string Reported_run::checkpoint(const char* name) {
+  if (m_folder)
+    return m_folder->checkpoint();
+  const std::string result = unused_name(name, ".dsc");
+  m_run.complex->write_checkpoint(result, metadata(m_run.scene, *m_run.fluid));
+  return result;
+}
+
+void Reported_run::write_report() const {
+  if (!m_options.report.empty())
+    write_json(
+        m_options.report,
+        {{"scene", m_run.scene.json}, {"repeated", m_repetitions.json()}, {"steps", m_steps}});
+}
+
+bool Reported_run::is_over() const {
+  return m_run.fluid->time() >= m_end || (m_options.steps > 0 && m_done >= m_options.steps) ||
+         interrupted();
+}
+
+void Reported_run::advance() {
+  Fluid& fluid = *m_run.fluid;
+  const auto np = parameters::number_of_threads(m_options.threads)
+                      .implicitness(m_run.scene.implicitness)
+                      .interface_tolerance(m_run.scene.interface_tolerance)
+                      .adaptation_interval(unsigned(m_run.scene.adaptation_interval));
+  const Fluid::Report report = fluid.advance(next_step(m_run, m_end), np); // whole or not at all
+  ++m_done;
+  m_steps.push_back(step_json(fluid, m_run.scene, step(), report));
+  m_repetitions.add(report);
+  if (fluid.volumes().empty())
+    throw std::runtime_error("no liquid is left after the step " + std::to_string(step()) +
+                             ": edges may be too long for it, or steps");
+}
+
+void Reported_run::do_steps() {
+  static constexpr unsigned parts = 100; // of the time
+  Progress_line progress(parts, m_options.quiet, "percent");
+  const Fluid& fluid = *m_run.fluid;
+  const double start_time = fluid.time();
+  const auto write_all = [&] {
+    progress.clear();
+    write_files();
+    write_report();
+  };
+  try {
+    const Interruptible scope(true);
+    while (!is_over()) {
+      advance();
+      progress.show(unsigned(parts * (fluid.time() - start_time) / (m_end - start_time)));
+      if (step() % m_options.every == 0)
+        write_files();
+    }
+  } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {
+  } catch (const CGAL::Deformable_simplicial_complexes::Fluid_step_error& error) {
+    write_all();
+    throw std::runtime_error(std::string(error.what()) + "; the step before is kept in " +
+                             checkpoint("dsc_failed"));
+  } catch (...) {
+    write_all();
+    throw;
+  }
+  write_all();
+}
+
+int Reported_run::finish() {
+  if (!m_options.picture.empty())
+    m_run.complex->write(m_options.picture);
+  if (interrupted())
+    std::cerr << "dsc: interrupted after step " << step() << "; continue with dsc fluid --resume "
+              << checkpoint("dsc_interrupted") << '\n';
+  if (!m_options.quiet)
+    print_summary(m_run, m_done, m_repetitions, seconds_since(m_begin));
+  return interrupted() ? exit_code_of_interrupt : 0;
+}
+
+int execute(const Fluid_options& options) {
+  if (options.quiet)
+    keep_silent_about_unused();
+  if (options.lists) {
+    for (const auto& [name, title] : scene_names())
+      std::printf("%-16s%s\n", name.c_str(), title.c_str());
+    return 0;
+  }
+  if (options.prints) {
+    std::printf("%s\n", find_scene(options.scene).json.dump(2).c_str());
+    return 0;
+  }
+  Reported_run run(options);
+  run.check_places(); // before anything is computed
+  run.begin();
+  run.do_steps();
+  return run.finish();
+}
+
+/// Scenes are named or printed without anything else.
+void require_alone(const CLI::App& command, const std::vector<std::string>& names) {
+  for (const CLI::Option* option : command.get_options())
+    if (option->count() > 0 &&
+        std::find(names.begin(), names.end(), option->get_name()) == names.end())
+      throw Usage_error(option->get_name() + " has no effect with " + names.front() +
+                        "; leave it out");
+}
+
+void read(const CLI::App& command, Fluid_options& options) {
+  if (options.lists)
+    require_alone(command, {"--list"});
+  if (options.prints)
+    require_alone(command, {"--print", "SCENE"});
+  if (!options.picture.empty())
+    require_extension(options.picture, {"png"});
+  if (command.count("--end") > 0)
+    options.end = parse_positive(options.written_end, "--end");
+  if (!options.lists && options.scene.empty() == options.resume.empty())
+    throw Usage_error("dsc fluid needs a SCENE or --resume, and not both; dsc fluid --list names "
+                      "scenes");
+  if (options.prints && options.scene.empty())
+    throw Usage_error("dsc fluid --print needs a SCENE");
+}
+
+} // namespace
+
+void add_fluid(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<Fluid_options>();
+  CLI::App* command = app.add_subcommand("fluid", "Compute the flow of liquids with free surfaces");
+  command->add_option("SCENE", options->scene, "Scene (.json), or the name of one: see --list");
+  command->add_flag("--list", options->lists, "Name the scenes that the program has");
+  command->add_flag("--print", options->prints, "Print the scene, to be edited");
+  command->add_option("--data", options->data, "Folder of the files that the scene names");
+  command->add_option("--end", options->written_end,
+                      "Time of the end; that of the scene if not given");
+  command->add_option("--steps", options->steps, "Number of steps at the most")
+      ->check(CLI::Range(1, INT_MAX));
+  command
+      ->add_option("--threads", options->threads,
+                   "Number of threads (default: all cores); the result is the same")
+      ->check(CLI::Range(1, 1024));
+  CLI::Option* output =
+      command->add_option("--output", options->output,
+                          "Folder for the steps, to be shown with ParaView, and the checkpoint");
+  command
+      ->add_option("--subdivide", options->subdivisions,
+                   "Write a smooth surface (.ply) of each of these steps, too: of four triangles "
+                   "for each so many times, by Loop's scheme")
+      ->check(CLI::Range(1, most_subdivisions))
+      ->needs(output);
+  command->add_option("--every", options->every, "Write each of so many steps")
+      ->check(CLI::Range(1, INT_MAX))
+      ->needs(output)
+      ->capture_default_str();
+  command->add_option("--resume", options->resume, "Go on from a checkpoint, to the same bits");
+  command->add_option("--report", options->report,
+                      "JSON file with energies, momenta, volumes and contacts of each step");
+  command->add_option("--picture", options->picture, "Picture of the liquids in the end (.png)");
+  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
+  command->callback([command, options, &exit_code] {
+    read(*command, *options);
+    exit_code = execute(*options);
+  });
+}
+
+} // namespace dsc

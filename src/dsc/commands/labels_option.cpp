@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/labels_option.h"
+
+#include "errors.h"
+#include "files.h"
+
+namespace dsc {
+
+CLI::Option* add_labels_option(CLI::App& command, std::string& labels) {
+  return command.add_option(
+      "--labels", labels,
+      "Name of the cell array of a .vtu file that holds the labels, or 'none' for label 1 "
+      "everywhere; label, medit:ref, gmsh:physical or MaterialIDs if not given");
+}
+
+void require_file_with_arrays(const std::string& path, const std::string& labels) {
+  if (!labels.empty() && extension(path) != "vtu")
+    throw Usage_error("--labels has a meaning for .vtu files only; leave it out");
+}
+
+} // namespace dsc

@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_LABELS_OPTION_H
+#define DSC_LABELS_OPTION_H
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace dsc {
+
+/// Adds the option that tells which array of a .vtu file holds the labels.
+CLI::Option* add_labels_option(CLI::App& command, std::string& labels);
+
+/// Lets `--labels` be given for files that have arrays only.
+/// \throws Usage_error
+void require_file_with_arrays(const std::string& path, const std::string& labels);
+
+} // namespace dsc
+
+#endif // DSC_LABELS_OPTION_H

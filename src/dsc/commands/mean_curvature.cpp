@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/commands.h"
+#include "commands/flow_options.h"
+#include "commands/run_command.h"
+#include "option_values.h"
+
+#include <memory>
+#include <string>
+
+namespace dsc {
+namespace {
+
+struct Mean_curvature_options
+{
+  Run_command_options run;
+  std::string dt; ///< as it is written
+  bool keeps_volumes = false;
+  Tolerance_option tolerance;
+};
+
+} // namespace
+
+void add_mean_curvature(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<Mean_curvature_options>();
+  CLI::App* command = add_run_command(app, "mean-curvature",
+                                      "Move the interface by its mean curvature", options->run);
+  command->add_option("--dt", options->dt,
+                      "Time per step, in squares of the input's unit of length; the "
+                      "square of its mean interface edge if not given");
+  command->add_flag("--keep-volumes", options->keeps_volumes,
+                    "Keep the volume of each label but 0");
+  add_tolerance_option(*command, options->tolerance);
+  command->callback([command, options, &exit_code] {
+    Run_options run = begin_run_options(*command, options->run);
+    run.step.motion =
+        Curvature_flow{run.given.count("--dt") > 0 ? parse_positive(options->dt, "--dt") : 0,
+                       options->keeps_volumes, read_tolerance(options->tolerance, run.given)};
+    complete_run_options(options->run, {}, nullptr, run);
+    exit_code = dsc::run(run);
+  });
+}
+
+} // namespace dsc

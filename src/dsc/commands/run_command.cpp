@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/run_command.h"
+
+#include "continue_steps.h"
+#include "option_values.h"
+
+#include <algorithm>
+#include <climits>
+#include <thread>
+
+namespace dsc {
+namespace {
+
+constexpr int most_threads = 1024;
+
+} // namespace
+
+unsigned default_number_of_threads() { // 0 if unknown
+  return std::clamp(std::thread::hardware_concurrency(), 1u, unsigned(most_threads));
+}
+
+void add_improvement_options(CLI::App& command, Interface_improvement_options& options) {
+  CLI::Option* improves =
+      command.add_flag("--improve-interface", options.improves_interface,
+                       "Improve the triangles of the interface before each step");
+  command
+      .add_option("--aggressiveness", options.aggressiveness,
+                  "How much that may smooth the interface, from 0 for not at all to less than 1; "
+                  "0.025 if not given")
+      ->needs(improves);
+}
+
+void add_output_options(CLI::App& command, Output_options& options) {
+  CLI::Option* output = command.add_option(
+      "--output", options.folder, "Folder for ParaView files and a checkpoint, created if need be");
+  command
+      .add_option("--every", options.every, "Write every so many steps; the last is always written")
+      ->check(CLI::Range(1, INT_MAX))
+      ->needs(output)
+      ->capture_default_str();
+  command
+      .add_option("--subdivide", options.subdivisions,
+                  "Write a smooth surface (.ply) of each of these steps, too, in space: of four "
+                  "triangles for each so many times, by Loop's scheme")
+      ->check(CLI::Range(1, most_subdivisions))
+      ->needs(output);
+  command.add_option("--picture", options.picture,
+                     "Picture of the interface in the end, in space (.png)");
+  command.add_option("--report", options.report, "JSON file with what happened in each step");
+  command.add_flag("--quiet", options.quiet,
+                   "Print nothing but errors and where an interrupted run continues");
+}
+
+CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::string& description,
+                          Run_command_options& options) {
+  CLI::App* command = app.add_subcommand(name, description);
+  CLI::Option* inputs = add_inputs(*command, options.start);
+  CLI::Option* resume = command->add_option("--resume", options.resume,
+                                            "Continue the run of this checkpoint instead of an "
+                                            "INPUT; options of its steps that are not given stay");
+  resume->excludes(inputs);
+  command->add_option("--steps", options.steps, "Number of steps to do in this run")
+      ->check(CLI::Range(1, INT_MAX))
+      ->capture_default_str();
+  add_start_options(*command, options.start, resume);
+  add_improvement_options(*command, options.improvement);
+  command
+      ->add_option("--threads", options.threads,
+                   "Number of threads, all cores if not given; the result is the same")
+      ->check(CLI::Range(1, most_threads));
+  add_output_options(*command, options.output);
+  return command;
+}
+
+Run_options begin_run_options(const CLI::App& command, const Run_command_options& options) {
+  Run_options run;
+  run.step.improves_interface = options.improvement.improves_interface;
+  for (const CLI::Option* option : command.get_options())
+    if (option->count() > 0)
+      run.given.insert(option->get_name());
+  run.start = options.start.start;
+  run.resume = options.resume;
+  run.steps = options.steps;
+  run.threads = options.threads;
+  run.output = options.output;
+  return run;
+}
+
+void complete_run_options(const Run_command_options& options, const Default_start& defaults,
+                          const Start_check& check, Run_options& run) {
+  const bool is_planar = set_default_figure(run, defaults);
+  read_domain(options.start, is_planar, run);
+  if (run.given.count("--aggressiveness") > 0)
+    run.step.aggressiveness = parse_aggressiveness(options.improvement.aggressiveness);
+  if (run.resume.empty()) {
+    require_options(run.step.motion, run.given);
+    require_effect_of_options(run.step, run.given);
+  }
+  complete_start(options.start, defaults, is_planar, check, run);
+}
+
+} // namespace dsc

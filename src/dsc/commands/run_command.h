@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_RUN_COMMAND_H
+#define DSC_RUN_COMMAND_H
+
+#include "commands/start_options.h"
+#include "run.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace dsc {
+
+/// The options that improve the interface before each step.
+struct Interface_improvement_options
+{
+  bool improves_interface = false;
+  std::string aggressiveness; ///< as it is written
+};
+
+/// Returns the number of cores, within the range of the option `--threads`.
+unsigned default_number_of_threads();
+
+/// The options of all commands that move an interface.
+struct Run_command_options
+{
+  std::string resume; ///< a checkpoint
+  unsigned steps = 10;
+  Start_options start;
+  Interface_improvement_options improvement;
+  unsigned threads = default_number_of_threads();
+  Output_options output;
+};
+
+void add_improvement_options(CLI::App& command, Interface_improvement_options& options);
+void add_output_options(CLI::App& command, Output_options& options);
+
+/// Adds a command that moves an interface, with the options that all these commands have.
+CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::string& description,
+                          Run_command_options& options);
+
+/// Returns the options that need no reading, and the names of those that are given.
+Run_options begin_run_options(const CLI::App& command, const Run_command_options& options);
+
+/// Reads and checks the options of a run whose motion is set.
+/// \param check the conditions of the command itself
+/// \throws Usage_error
+void complete_run_options(const Run_command_options& options, const Default_start& defaults,
+                          const Start_check& check, Run_options& run);
+
+} // namespace dsc
+
+#endif // DSC_RUN_COMMAND_H

@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/start_options.h"
+
+#include "commands/labels_option.h"
+#include "errors.h"
+#include "files.h"
+#include "inequalities.h"
+#include "option_values.h"
+
+#include <climits>
+
+namespace dsc {
+namespace {
+
+void require_inputs(const Run_options& run, const Default_start& defaults, bool is_planar) {
+  const bool has_input = !run.start.inputs.empty();
+  if (run.resume.empty() && !has_input && !defaults.ball && !is_planar)
+    throw Usage_error("there is no INPUT; name at least one surface, or a checkpoint by --resume");
+  if (!has_input && run.start.repairs)
+    throw Usage_error("--repair has nothing to repair; name at least one INPUT");
+  for (const std::string& input : run.start.inputs)
+    if (is_planar)
+      require_extension(input, {"wkt", "poly", "pgm", "png"});
+    else if (input_kind(run.start) != Input_kind::inequalities)
+      require_extension(input, {"off", "obj", "ply", "stl", "mesh", "vtu", "inr", "gz", "wkt",
+                                "poly", "pgm", "png"});
+}
+
+/// What has a meaning in one dimension only is refused in the other.
+void require_dimension(const Run_options& run, bool is_planar) {
+  require_space(run, is_planar, {"--triangles", "--repair", "--largest-hole"});
+  if (run.given.count("--segments") == 0)
+    return;
+  if (!is_planar)
+    throw Usage_error("--segments has a meaning in the plane only; leave it out");
+  const std::string format = run.start.inputs.empty() ? "" : extension(run.start.inputs[0]);
+  if (format == "pgm" || format == "png")
+    throw Usage_error("--segments has no effect on an image of pixels; leave it out");
+}
+
+void require_same_kind(const Run_options& run) {
+  for (const std::string& input : run.start.inputs)
+    if (input_kind(input) != Input_kind::surfaces)
+      throw Usage_error(input + " cannot be mixed with other kinds of INPUT");
+}
+
+void require_inequalities(const Run_options& run, const Default_start& defaults) {
+  for (const std::string& input : run.start.inputs)
+    if (input_kind(input) != Input_kind::inequalities)
+      throw Usage_error(input + " is no inequality and cannot be mixed with them");
+  const Inequalities check(run.start.inputs);
+  if (!run.domain && !defaults.domain_in_space)
+    throw Usage_error("inequalities need a box to hold in; give its least and its largest "
+                      "coordinates by --domain");
+}
+
+/// What has a meaning for some kinds of inputs only is refused for the others.
+void require_kind(const Run_options& run, const Default_start& defaults, bool is_planar) {
+  const Input_kind kind = input_kind(run.start);
+  const auto is_given = [&](const char* name) { return run.given.count(name) > 0; };
+  const std::string format = run.start.inputs.empty() ? "" : extension(run.start.inputs.front());
+  const bool has_edge = kind == Input_kind::inequalities || kind == Input_kind::image ||
+                        format == "pgm" || format == "png";
+  if (is_given("--edge") && !has_edge)
+    throw Usage_error("--edge has a meaning for inequalities and images only; leave it "
+                      "out");
+  if (is_given("--labels"))
+    require_file_with_arrays(run.start.inputs.empty() ? "" : run.start.inputs.front(),
+                             run.start.labels);
+  if (is_planar || kind == Input_kind::surfaces)
+    return require_same_kind(run);
+  for (const char* name : {"--triangles", "--fit", "--repair", "--largest-hole"})
+    if (is_given(name))
+      throw Usage_error(std::string(name) + " has a meaning for surfaces only; leave it out");
+  if (kind == Input_kind::inequalities)
+    require_inequalities(run, defaults);
+  else if (run.start.inputs.size() > 1)
+    throw Usage_error("there is more than one INPUT, but tetrahedra and images hold all labels "
+                      "themselves; give a single one");
+}
+
+void set_default_start(const Default_start& defaults, bool is_planar, Run_options& run) {
+  if (run.resume.empty() && !is_planar && defaults.ball &&
+      (defaults.fits_inputs || run.start.inputs.empty()))
+    run.start.ball = defaults.ball;
+  if (run.resume.empty() && !run.domain)
+    run.domain = is_planar ? defaults.domain_in_plane : defaults.domain_in_space;
+}
+
+} // namespace
+
+void require_space(const Run_options& run, bool is_planar,
+                   std::initializer_list<const char*> options) {
+  for (const char* name : options)
+    if (is_planar && run.given.count(name) > 0)
+      throw Usage_error(std::string(name) + " has no meaning in the plane; leave it out");
+}
+
+CLI::Option* add_inputs(CLI::App& command, Start_options& options) {
+  return command.add_option(
+      "INPUT", options.start.inputs,
+      "Closed surfaces (.off, .obj, .ply, .stl), or in the plane polygons (.wkt), or inequalities "
+      "like 'x^2+y^2+z^2<1' in the domain; they get the labels 1, 2 and so on. Or labelled "
+      "tetrahedra (.mesh, .vtu), or an image of labels (.inr, .inr.gz), in the plane (.pgm, .png) "
+      "or segments (.poly)");
+}
+
+void add_start_options(CLI::App& command, Start_options& options, CLI::Option* resume) {
+  command
+      .add_option("--triangles", options.start.triangles,
+                  "Decimate or refine the surfaces to about so many triangles in total")
+      ->check(CLI::Range(4, INT_MAX))
+      ->excludes(resume);
+  command
+      .add_option("--segments", options.start.segments,
+                  "Divide curves in the plane into about so many segments in total, or more")
+      ->check(CLI::Range(4, INT_MAX))
+      ->excludes(resume);
+  command
+      .add_option(
+          "--domain", options.domain,
+          "Box around all, by its least and its largest coordinates like -1,-1,-1,1,1,1, "
+          "in the plane -1,-1,1,1; with ,grow behind it, or grow alone for the default box, "
+          "it gets larger where the interface comes near its boundary")
+      ->excludes(resume);
+  command
+      .add_option("--edge", options.edge,
+                  "About how long interface edges are to be, of inequalities and images; a "
+                  "fortieth of the domain, or 2.5 voxels or pixels, if not given")
+      ->excludes(resume);
+  add_labels_option(command, options.start.labels)->excludes(resume);
+  CLI::Option* repairs =
+      command
+          .add_flag("--repair", options.start.repairs,
+                    "Make surfaces bound solids that do not: merge points, close T-junctions, "
+                    "fill holes, unite parts that cross or, where that is not enough, wrap them")
+          ->excludes(resume);
+  command
+      .add_option("--largest-hole", options.largest_hole,
+                  "Fill holes with borders up to this length, like 2.5 or, in mean edges of the "
+                  "surface, 20e; 1.6 diagonals of the box around the part if not given")
+      ->needs(repairs)
+      ->excludes(resume);
+}
+
+bool set_default_figure(Run_options& run, const Default_start& defaults) {
+  const bool is_new = run.resume.empty();
+  if (is_new && run.start.inputs.empty())
+    run.start.figure = defaults.figure;
+  return is_new && dimension_of(run.start) == 2;
+}
+
+void read_domain(const Start_options& options, bool is_planar, Run_options& run) {
+  if (run.given.count("--domain") == 0)
+    return;
+  std::string domain = options.domain;
+  run.step.grows_domain = take_growth(domain);
+  if (!domain.empty() || !run.step.grows_domain)
+    run.domain = parse_domain(domain, is_planar ? 2 : 3);
+}
+
+void complete_start(const Start_options& options, const Default_start& defaults, bool is_planar,
+                    const Start_check& check, Run_options& run) {
+  require_inputs(run, defaults, is_planar);
+  if (check)
+    check(run, is_planar);
+  if (run.resume.empty()) {
+    require_dimension(run, is_planar);
+    require_kind(run, defaults, is_planar);
+  }
+  if (run.given.count("--largest-hole") > 0)
+    run.start.largest_hole = parse_length(options.largest_hole, "--largest-hole");
+  if (run.given.count("--edge") > 0)
+    run.start.edge = parse_positive(options.edge, "--edge");
+  set_default_start(defaults, is_planar, run);
+}
+
+} // namespace dsc

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_MOTION_H
+#define DSC_MOTION_H
+
+#include "distance.h"
+
+#include <CGAL/Interface_flows/Integration_scheme.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace dsc {
+
+/// Turn about an axis through the centre of the domain, in the plane about that.
+struct Rotation
+{
+  std::array<double, 3> axis; ///< of any length; zero in the plane
+  double degrees;             ///< per step
+};
+
+/// Move along the outward normals.
+struct Offset
+{
+  Distance distance; ///< per step, positive outwards
+  bool moves_faces;  ///< as a whole, and not each vertex along its own normal
+};
+
+/// Move with a field of velocities, given in the coordinates of the input.
+struct Advection
+{
+  enum class Field { enright, vortex, expressions };
+
+  Field field;
+  std::string expressions; ///< of the coordinates, in x, y, z and t, if the field is these
+  double period;           ///< T of the factor cos(pi t / T); 0 for no such factor
+  double dt;               ///< per step
+  CGAL::Deformable_simplicial_complexes::Integration_scheme scheme;
+  std::optional<double> tolerance; ///< of the interface, in mean edges; the library's if not set
+};
+
+/// Move by the mean curvature.
+struct Curvature_flow
+{
+  double dt; ///< per step, in squares of the input's unit of length; 0 for the square of the mean
+             ///< interface edge of the input
+  bool keeps_volumes;
+  std::optional<double> tolerance; ///< of the interface, in mean edges; the library's if not set
+};
+
+/// Turn about the point (50, 50) of the plane, once in 628 units of time.
+struct Zalesak
+{
+  static constexpr double period = 628;
+
+  double dt; ///< per step
+};
+
+using Motion = std::variant<Rotation, Offset, Advection, Curvature_flow, Zalesak>;
+
+/// What each step of a run does.
+struct Step_options
+{
+  Motion motion;
+  bool improves_interface = false;      ///< before the motion
+  std::optional<double> aggressiveness; ///< of that; the library's if not set
+  bool grows_domain = false;            ///< where the interface comes near its boundary
+};
+
+} // namespace dsc
+
+#endif // DSC_MOTION_H
