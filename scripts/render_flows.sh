@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs the flows that the manual shows, in BUILD_DIR/flows, and renders its strips of pictures anew:
-# doc/Deformable_simplicial_complex_3/fig/flow_NAME.png. Takes some minutes.
+# doc/PACKAGE/fig/flow_NAME.png. Takes some minutes.
 # Usage: scripts/render_flows.sh [BUILD_DIR]
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")

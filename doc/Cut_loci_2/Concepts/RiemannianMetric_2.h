@@ -1,5 +1,5 @@
 /*!
-\ingroup PkgDeformableSimplicialComplex3Concepts
+\ingroup PkgCutLoci2Concepts
 \cgalConcept
 
 The metric of a Riemannian 2-manifold in a chart: what geodesics follow from.

@@ -1,5 +1,5 @@
 /*!
-\ingroup PkgDeformableSimplicialComplex3Concepts
+\ingroup PkgDeformableSimplicialComplexesConcepts
 \cgalConcept
 
 The cell of a `CGAL::Deformable_simplicial_complex_3`, with a label and what the complex caches.

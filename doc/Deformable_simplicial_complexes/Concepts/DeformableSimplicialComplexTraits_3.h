@@ -1,5 +1,5 @@
 /*!
-\ingroup PkgDeformableSimplicialComplex3Concepts
+\ingroup PkgDeformableSimplicialComplexesConcepts
 \cgalConcept
 
 The geometry that `CGAL::Deformable_simplicial_complex_3`, the mesh operations, and the functions

@@ -1,5 +1,5 @@
 /*!
-\ingroup PkgDeformableSimplicialComplex3Concepts
+\ingroup PkgDeformableSimplicialComplexesConcepts
 \cgalConcept
 
 The vertex of a `CGAL::Deformable_simplicial_complex_3`: besides a point it keeps what the complex

@@ -1,5 +1,5 @@
 /*!
-\ingroup PkgDeformableSimplicialComplex3Concepts
+\ingroup PkgDeformableSimplicialComplexesConcepts
 \cgalConcept
 
 An object that is told of each change that `CGAL::deform_interface()`, `CGAL::advect_interface()`,
@@ -28,7 +28,7 @@ templates. A visitor need not be copied if it is passed by `std::ref()`. Derivin
 \cgalHasModels{CGAL::Carried_cell_averages_3<Complex\, CellValueMap>}
 \cgalHasModelsEnd
 */
-class DeformationVisitor_3
+class DeformationVisitor
 {
 public:
   /// The tetrahedra planned in `cavity` are about to replace its cells. `cavity.removed()` are still

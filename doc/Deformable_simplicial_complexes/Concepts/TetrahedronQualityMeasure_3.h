@@ -1,5 +1,5 @@
 /*!
-\ingroup PkgDeformableSimplicialComplex3Concepts
+\ingroup PkgDeformableSimplicialComplexesConcepts
 \cgalConcept
 
 A function object that tells how good a tetrahedron is. The mesh is improved so that its worst

@@ -1,5 +1,5 @@
 /*!
-\ingroup PkgDeformableSimplicialComplex3Concepts
+\ingroup PkgDeformableSimplicialComplexesConcepts
 \cgalConcept
 
 A function object that decides whether `CGAL::deform_interface()` and `CGAL::advect_interface()` may
@@ -15,7 +15,7 @@ is valid.
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Allow_topology_changes_between}
 \cgalHasModelsEnd
 */
-class TopologyControl_3
+class TopologyControl
 {
 public:
   /// whether `cell`, which is nearly flat and lies between two parts of the interface, may take

@@ -1,5 +1,5 @@
 /*!
-\ingroup PkgDeformableSimplicialComplex3Concepts
+\ingroup PkgIncompressibleFluids3Concepts
 \cgalConcept
 
 Solves the equations of `CGAL::Incompressible_fluid_3` for velocities and pressures. A matrix is

@@ -1,5 +1,5 @@
 /*!
-\ingroup PkgDeformableSimplicialComplex3Concepts
+\ingroup PkgIncompressibleFluids3Concepts
 \cgalConcept
 
 A solid that liquids do not enter, at rest or moving. `CGAL::Incompressible_fluid_3` asks for its walls

@@ -1,5 +1,5 @@
 /*!
-\ingroup PkgDeformableSimplicialComplex3Concepts
+\ingroup PkgInterfaceFlowsConcepts
 \cgalConcept
 
 A motion that is known in closed form, so that `CGAL::advect_interface()` need not integrate it:
@@ -13,7 +13,7 @@ Vertices around the interface then go with it, too, but where it is not finite.
 \cgalHasModels{CGAL::Rigid_rotation_3}
 \cgalHasModelsEnd
 */
-class InterfaceFlowMap_3
+class InterfaceFlowMap
 {
 public:
   /// returns where that is at the time `t + dt` which is at `p` at the time `t`, in the coordinates

@@ -1,5 +1,5 @@
 /*!
-\ingroup PkgDeformableSimplicialComplex3Concepts
+\ingroup PkgInterfaceFlowsConcepts
 \cgalConcept
 
 A motion of the whole interface that knows where a step of time leads, for flows that are not
@@ -18,7 +18,7 @@ that the interface is adapted each time. A function `bool preserves_volumes() co
 \cgalHasModels{CGAL::Mean_curvature_flow_3}
 \cgalHasModelsEnd
 */
-class InterfaceStep_3
+class InterfaceStep
 {
 public:
   /*!

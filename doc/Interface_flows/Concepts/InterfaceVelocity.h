@@ -1,5 +1,5 @@
 /*!
-\ingroup PkgDeformableSimplicialComplex3Concepts
+\ingroup PkgInterfaceFlowsConcepts
 \cgalConcept
 
 A velocity that depends on the whole interface, such as motion along its normals or by its
@@ -17,7 +17,7 @@ that the interface is adapted each time. A function `bool preserves_volumes() co
 \cgalHasModels{CGAL::Mean_curvature_velocity_3}
 \cgalHasModelsEnd
 */
-class InterfaceVelocity_3
+class InterfaceVelocity
 {
 public:
   /*!

@@ -1,5 +1,5 @@
 /*!
-\ingroup PkgDeformableSimplicialComplex3Concepts
+\ingroup PkgSolidReconstruction3Concepts
 \cgalConcept
 
 A function object that watches `CGAL::reconstruct_point_set_3()`, writes its steps, shows how far it
