@@ -56,7 +56,7 @@ public:
   template <int d> std::array<double, d> periods() const;
 
   /// the domain of a complex in some state.
-  /// \throws Invalid_tetrahedra_error if it was one of another kind
+  /// \throws Invalid_cells_error if it was one of another kind
   template <int d> static SimplicialDomain of(const State<d>& state);
 
   /// what all cells measure together.
