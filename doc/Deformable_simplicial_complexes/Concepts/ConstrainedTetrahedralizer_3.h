@@ -2,9 +2,9 @@
 \ingroup PkgDeformableSimplicialComplexesConcepts
 \cgalConcept
 
-A function object that fills the space inside a closed surface with tetrahedra, in such a way that
-given triangles are facets of them. `CGAL::make_deformable_simplicial_complex_3()` passes to it the
-surfaces that become the interface, and a box around them.
+A function object that fills the space inside a closed surface with tetrahedra. The given triangles are facets of
+these tetrahedra. `CGAL::Deformable_simplicial_complexes::make_deformable_simplicial_complex_3()` passes the surfaces
+of the interface and a box around them.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Tetgen_tetrahedralizer_3}
@@ -14,20 +14,21 @@ class ConstrainedTetrahedralizer_3
 {
 public:
   /*!
-  Tetrahedralizes the space inside the triangles that can be seen from outside. Points may be added
-  in that space, but not on triangles.
+  Tetrahedralizes the space inside the outermost triangles. A model may add points inside this space, but not on
+  triangles.
 
-  \param points finite, no two equal, each one a corner of a triangle
-  \param triangles indices into `points`, in any orientation. They form closed surfaces that do not
-         meet, one of which encloses the others.
+  \param points finite and distinct points. Each point is a corner of a triangle.
+  \param triangles indices into `points`, with any orientation. The triangles form closed surfaces that do not
+         intersect. One surface encloses the others.
 
-  \return an object of any type with the members of `CGAL::Tetrahedralization_3`:
-  - `points`, a random access range of `std::array<double, 3>`, begins with the input points in
-    their order, the coordinates being the same bit for bit; each point is a corner of a
-  tetrahedron;
-  - `tetrahedra`, a `std::vector<std::array<std::size_t, 4>>` of indices into these points, contains
-    only positively oriented tetrahedra, decided by exact arithmetic;
-  - each triangle is a facet of them, and those that can be seen from outside are their boundary.
+  \return an object of any type with the members of
+  `CGAL::Deformable_simplicial_complexes::Tetrahedralization_3`:
+  - `points`, a random access range of `std::array<double, 3>`. It begins with the input points in their order
+    and with identical coordinates. Each point is a corner of a tetrahedron.
+  - `tetrahedra`, a `std::vector<std::array<std::size_t, 4>>` of indices into `points`. All tetrahedra are positively
+    oriented, decided by exact arithmetic.
+
+  Each input triangle is a facet of the tetrahedra. The outermost triangles are the boundary of the union.
 
   \throws CGAL::Deformable_simplicial_complexes::Tetrahedralization_error if this is not possible
   */

@@ -2,9 +2,8 @@
 \ingroup PkgDeformableSimplicialComplexesConcepts
 \cgalConcept
 
-The cell of a `CGAL::Deformable_simplicial_complex_3`, with a label and what the complex caches.
-Each value is what the last call of its setter made it; setters are called by the complex only.
-Copies have equal values, time stamps included.
+The cell of a `CGAL::Deformable_simplicial_complex_3`, with a label and cached values. Each getter returns the value of
+the last call of its setter. Only the complex calls setters. Copies have equal values, including time stamps.
 
 \cgalRefines `TriangulationDSCellBase_3`
 
@@ -21,20 +20,20 @@ public:
   /// \name Order of Creation
   /// @{
 
-  /// the number in the order of creation; `std::size_t(-1)` for a simplex outside a container.
+  /// Returns the number in the order of creation, or `std::size_t(-1)` for a cell outside a container.
   std::size_t time_stamp() const;
 
-  /// sets `time_stamp()`.
+  /// Sets `time_stamp()`.
   void set_time_stamp(std::size_t stamp);
 
   /// @}
   /// \name Numbering
   /// @{
 
-  /// an index into arrays beside the complex; 0 for a new cell.
+  /// Returns an index into external arrays; 0 for a new cell.
   std::uint32_t id() const;
 
-  /// sets `id()`.
+  /// Sets `id()`.
   void set_id(std::uint32_t id);
 
   /// @}
@@ -42,38 +41,38 @@ public:
   /// \name Label
   /// @{
 
-  /// the phase that fills the cell; 0 for a new cell and for infinite ones.
+  /// Returns the label; 0 for a new cell and for an infinite cell.
   int label() const;
 
-  /// sets `label()`.
+  /// Sets `label()`.
   void set_label(int label);
 
-  /// a number shared by the cells of a connected part of a label; 0 for a new cell.
+  /// Returns the number of the connected component of the label; 0 for a new cell.
   std::uint32_t component() const;
 
-  /// sets `component()`.
+  /// Sets `component()`.
   void set_component(std::uint32_t component);
 
   /// @}
   /// \name Quality
   /// @{
 
-  /// the quality as of the last change of the cell; 1 for a new cell and for infinite ones.
+  /// Returns the quality since the last change of the cell; 1 for a new cell and for an infinite cell.
   double quality() const;
 
-  /// sets `quality()`.
+  /// Sets `quality()`.
   void set_quality(double quality);
 
-  /// the quality when the shape of the cell last changed essentially; 1 for a new cell.
+  /// Returns the quality at the last significant change of shape; 1 for a new cell.
   float noted_quality() const;
 
-  /// sets `noted_quality()`.
+  /// Sets `noted_quality()`.
   void set_noted_quality(float quality);
 
-  /// what was tried in vain since then, as bits; 0 for a new cell.
+  /// Returns the operations that have failed since this change, as bits; 0 for a new cell.
   std::uint8_t failures() const;
 
-  /// sets `failures()`.
+  /// Sets `failures()`.
   void set_failures(std::uint8_t bits);
 
   /// @}

@@ -2,10 +2,8 @@
 \ingroup PkgDeformableSimplicialComplexesConcepts
 \cgalConcept
 
-The vertex of a `CGAL::Deformable_simplicial_complex_3`: besides a point it keeps what the complex
-wants to know about the vertex without looking at the cells around it. Each value is what the last
-call of its setter made it; setters are called by the complex only. Copies have equal values, time
-stamps included.
+The vertex of a `CGAL::Deformable_simplicial_complex_3`, with a point and cached values. Each getter returns the value of
+the last call of its setter. Only the complex calls setters. Copies have equal values, including time stamps.
 
 \cgalRefines `TriangulationDSVertexBase_3`
 
@@ -25,10 +23,10 @@ public:
   /// \name Point
   /// @{
 
-  /// the position of the vertex; it means nothing for the infinite one.
+  /// Returns the position. It has no meaning for the infinite vertex.
   const Point& point() const;
 
-  /// sets `point()`.
+  /// Sets `point()`.
   void set_point(const Point& p);
 
   /// @}
@@ -36,10 +34,10 @@ public:
   /// \name Order of Creation
   /// @{
 
-  /// the number in the order of creation; `std::size_t(-1)` for a simplex outside a container.
+  /// Returns the number in the order of creation, or `std::size_t(-1)` for a vertex outside a container.
   std::size_t time_stamp() const;
 
-  /// sets `time_stamp()`.
+  /// Sets `time_stamp()`.
   void set_time_stamp(std::size_t stamp);
 
   /// @}
@@ -47,37 +45,37 @@ public:
   /// \name Place in the Complex
   /// @{
 
-  /// whether `interface_degree()` is not zero.
+  /// Returns whether `interface_degree()` is not zero.
   bool is_interface() const;
 
-  /// the number of facets between two labels that are incident; 0 for a new vertex.
+  /// Returns the number of incident facets of the interface; 0 for a new vertex.
   std::uint32_t interface_degree() const;
 
-  /// sets `interface_degree()`.
+  /// Sets `interface_degree()`.
   void set_interface_degree(std::uint32_t degree);
 
-  /// the sides of the domain on which the vertex lies, see `CGAL::Boundary_class`; 0 for a new
-  /// vertex.
+  /// Returns the sides of the domain on which the vertex lies, see
+  /// `CGAL::Deformable_simplicial_complexes::Boundary_class`; 0 for a new vertex.
   std::uint8_t boundary_class() const;
 
-  /// sets `boundary_class()`.
+  /// Sets `boundary_class()`.
   void set_boundary_class(std::uint8_t boundary_class);
 
-  /// how long edges of the interface at the vertex were when it was built or last made finer or
-  /// coarser there; 0 for a new vertex.
+  /// Returns the length of interface edges at the vertex, measured when the interface was built or last
+  /// refined or coarsened there; 0 for a new vertex.
   float spacing() const;
 
-  /// sets `spacing()`.
+  /// Sets `spacing()`.
   void set_spacing(float spacing);
 
   /// @}
   /// \name Numbering
   /// @{
 
-  /// an index into arrays beside the complex; 0 for a new vertex.
+  /// Returns an index into external arrays; 0 for a new vertex.
   std::uint32_t id() const;
 
-  /// sets `id()`.
+  /// Sets `id()`.
   void set_id(std::uint32_t id);
 
   /// @}

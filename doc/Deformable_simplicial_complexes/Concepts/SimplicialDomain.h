@@ -2,11 +2,11 @@
 \ingroup PkgDeformableSimplicialComplexesConcepts
 \cgalConcept
 
-The shape of space as a whole, of which a simplicial complex fills a part or all: what lies outside,
-how a cell sees its vertices, and what the boundary permits. Whatever moves or measures asks the
-domain instead of comparing raw coordinates, so that it also holds where space is periodic.
+The global shape of the space that a complex fills. A domain defines the outside, the positions of the vertices of a
+cell as seen from the cell, and the motion along the boundary. All functions that move or measure use the domain and do
+not compare raw coordinates. So they also work if space is periodic.
 
-The functions are called often and are const; `Complex` is an instance of
+All functions are `const` and are called often. `Complex` is an instance of
 `CGAL::Deformable_simplicial_complexes::Labelled_complex`.
 
 \cgalRefines `DefaultConstructible`, `CopyConstructible`, `Assignable`
@@ -19,53 +19,54 @@ The functions are called often and are const; `Complex` is an instance of
 class SimplicialDomain
 {
 public:
-  /// whether there is an infinite vertex, which lies outside, and a boundary. If not, `measure()`
-  /// is asked for, otherwise `classify_boundary()` and `keeps_side()`.
+  /// Whether there are an infinite vertex and a boundary. If `false`, the domain must provide `measure()`;
+  /// otherwise, it must provide `classify_boundary()` and `keeps_side()`.
   static constexpr bool has_outside;
 
-  /// whether a vertex lies outside the domain: it has no position, and no cell with it is filled.
+  /// Returns whether a vertex lies outside the domain. Such a vertex has no position, and its cells are
+  /// infinite.
   template <class Complex>
   bool is_outside(const Complex& complex, typename Complex::Vertex_handle v) const;
 
-  /// whether a cell has a vertex outside.
+  /// Returns whether a cell has a vertex outside the domain.
   template <class Complex>
   bool is_outside(const Complex& complex, typename Complex::Cell_handle c) const;
 
-  /// the image of a point, with coordinates of type `double`, that is stored.
+  /// Returns the stored image of a point with coordinates of type `double`.
   template <class Point> Point canonical(const Point& p) const;
 
-  /// the image of `q` that is seen from `p`.
+  /// Returns the image of `q` that is nearest to `p`.
   template <class Point> Point near(const Point& p, const Point& q) const;
 
-  /// `f(corner(0), ..., corner(n - 1))` with images of the corners of a cell in which it is a
-  /// simplex; the corners are points with coordinates of type `double`.
+  /// Returns `f(corner(0), ..., corner(n - 1))`, where the corners of a cell are replaced by images that form a
+  /// simplex. Corners are points with coordinates of type `double`.
   template <class Complex, class Function, class Corner>
   auto apply(const Function& f, const Corner& corner) const;
 
-  /// the orientation of a cell with these corners, of type `Complex::Point`, without rounding;
-  /// `ZERO` if the domain does not permit it.
+  /// Returns the exact orientation of a cell with these corners of type `Complex::Point`. Returns `ZERO` if
+  /// the domain does not permit the cell.
   template <class Complex, class Corner>
   Orientation orientation(const Complex& complex, const Corner& corner) const;
 
-  /// the point nearest to `q` that `v` may go to.
+  /// Returns the point nearest to `q` to which `v` can move.
   template <class Complex>
   typename Complex::Point admissible(const Complex& complex, typename Complex::Vertex_handle v,
                                      const typename Complex::Point& q) const;
 
-  /// the periods of space along each axis, 0 where it does not repeat itself.
+  /// Returns the periods along each axis; 0 for an axis that is not periodic.
   template <int d> std::array<double, d> periods() const;
 
-  /// the domain of a complex in some state.
-  /// \throws Invalid_cells_error if it was one of another kind
+  /// Returns the domain of a complex with the given state.
+  /// \throws CGAL::Deformable_simplicial_complexes::Invalid_cells_error if the state has a domain of another kind
   template <int d> static SimplicialDomain of(const State<d>& state);
 
-  /// what all cells measure together.
+  /// Returns the total volume of all cells.
   double measure() const;
 
-  /// sets the boundary classes of the vertices of the boundary.
+  /// Sets the boundary classes of the vertices on the boundary.
   template <class Complex> void classify_boundary(const Complex& complex) const;
 
-  /// whether a facet of the boundary stays within it whatever its vertices may do.
+  /// Returns whether a facet of the boundary stays in its side under all permitted motions of its vertices.
   template <class Complex>
   bool keeps_side(const Complex& complex, const typename Complex::Facet& f) const;
 };

@@ -2,30 +2,30 @@
 \ingroup PkgDeformableSimplicialComplexesConcepts
 \cgalConcept
 
-A function object that tells how good a tetrahedron is. The mesh is improved so that its worst
-tetrahedra by this measure get better. It is called often: its time decides that of improvement.
+A function object that returns the quality of a tetrahedron. Mesh optimization raises the quality of the worst
+tetrahedra. The function is called often, so its cost dominates mesh optimization.
 
-A model may have a member `gradient(p, q, r, s)` with the same arguments, which returns the
-derivative of the quality by the position of p, an `Approximate_vector_3`. Where there is none,
-optimisation takes differences.
+A model can have a member `gradient(p, q, r, s)` with the same arguments. It returns the derivative of the quality
+with respect to the position of p, an `Approximate_vector_3`. Without this member, the optimization uses finite
+differences.
 
 \cgalRefines `DefaultConstructible`, `CopyConstructible`, `Assignable`
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::Volume_length_ratio_3}
-\cgalHasModels{CGAL::Minimum_sine_3}
-\cgalHasModels{CGAL::Biased_minimum_sine_3}
-\cgalHasModels{CGAL::Radius_ratio_3}
+\cgalHasModels{CGAL::Deformable_simplicial_complexes::Volume_length_ratio_3}
+\cgalHasModels{CGAL::Deformable_simplicial_complexes::Minimum_sine_3}
+\cgalHasModels{CGAL::Deformable_simplicial_complexes::Biased_minimum_sine_3}
+\cgalHasModels{CGAL::Deformable_simplicial_complexes::Radius_ratio_3}
 \cgalHasModelsEnd
 */
 class TetrahedronQualityMeasure_3
 {
 public:
   /*!
-  returns the quality of a tetrahedron: 1 if it is regular and less if it is not, 0 if it is flat,
-  below 0 if it is negatively oriented, all up to rounding. It is continuous where the volume is not
-  zero, and invariant under similarities and under even permutations of the vertices, up to
-  rounding. It depends on the arguments only: the same call returns the same bits.
+  Returns the quality of a tetrahedron, up to rounding: 1 if it is regular, between 0 and 1 if it is positively
+  oriented, 0 if it is flat, and negative if it is negatively oriented. The quality is continuous where the volume is not
+  zero. It is invariant under similarities and under even permutations of the vertices, up to rounding. It is a
+  deterministic function of the arguments.
   */
   double operator()(const DeformableSimplicialComplexTraits_3::Approximate_point_3& p,
                     const DeformableSimplicialComplexTraits_3::Approximate_point_3& q,

@@ -2,12 +2,13 @@
 \ingroup PkgDeformableSimplicialComplexesConcepts
 \cgalConcept
 
-A function object that decides whether `CGAL::deform_interface()` and `CGAL::advect_interface()` may
-change the topology of the interface. It is asked before each such change, and only then; see
-`CGAL::relabeling_keeps_topology()`. If it throws, the exception reaches the caller, and the complex
-is valid.
+A function object that permits or rejects changes of the topology of the interface.
+`CGAL::Deformable_simplicial_complexes::deform_interface()` and
+`CGAL::Deformable_simplicial_complexes::advect_interface()` call it before each change of topology, and only then; see
+`CGAL::Deformable_simplicial_complexes::relabeling_keeps_topology()`. If it throws, the exception reaches the caller, and
+the complex is valid.
 
-`Complex` stands for the type of the complex; the operator may be a template.
+`Complex` is the type of the complex. The operator can be a template.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Allow_topology_changes}
@@ -18,10 +19,9 @@ is valid.
 class TopologyControl
 {
 public:
-  /// whether `cell`, which is nearly flat and lies between two parts of the interface, may take
-  /// another label although the topology of its label, of the new one and of the interface changes.
-  /// With a manifold interface, other cells of its label may go with it, see
-  /// `CGAL::propose_manifold_relabeling()`; where a component vanishes, it stands for all its
-  /// cells.
+  /// Returns whether the thin cell `cell` may get another label, although this changes the topology of its label, of
+  /// the new label, and of the interface. With a manifold interface, other cells of its label can change together with
+  /// it, see `CGAL::Deformable_simplicial_complexes::propose_manifold_relabeling()`. If a component vanishes,
+  /// `cell` represents all cells of the component.
   bool operator()(const Complex& complex, Complex::Cell_handle cell, int label);
 };

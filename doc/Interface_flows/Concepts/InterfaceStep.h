@@ -2,37 +2,37 @@
 \ingroup PkgInterfaceFlowsConcepts
 \cgalConcept
 
-A motion of the whole interface that knows where a step of time leads, for flows that are not
-integrated from velocities: where destinations solve a system of equations, or where the step is
-part of the construction. `Complex` stands for the type of the complex; a step need not define it,
-and its function may be a template.
+A flow that computes the destinations of the whole interface for a time step. It suits flows that are not integrated from
+velocities, for example flows whose destinations solve a system of equations.
 
-`CGAL::advect_adaptively()` looks for two optional members. A `static constexpr bool
-contracts_interface` that is `true` declares that the step decreases the measure of the interface, so
-that the interface is adapted each time. A function `bool preserves_volumes() const` that returns
-`true` asks for the restoration of volumes after an adaptation.
+`CGAL::Deformable_simplicial_complexes::advect_adaptively()` uses two optional members. The member `static constexpr bool
+contracts_interface` is `true` if the flow decreases the area of the interface; then the interface is adapted in each
+step. The function `bool preserves_volumes() const` returns `true` if volumes are to be restored after an adaptation.
+
+`Complex` is the type of the complex. A step need not define it, and its function can be a template.
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::Face_offset_3}
-\cgalHasModels{CGAL::Advective_face_offset_3<Field>}
-\cgalHasModels{CGAL::Mean_curvature_flow_3}
+\cgalHasModels{CGAL::Deformable_simplicial_complexes::Face_offset_3}
+\cgalHasModels{CGAL::Deformable_simplicial_complexes::Advective_face_offset_3<Field>}
+\cgalHasModels{CGAL::Deformable_simplicial_complexes::Mean_curvature_flow}
 \cgalHasModelsEnd
 */
 class InterfaceStep
 {
 public:
   /*!
-  computes where the vertices of an interface go.
+  Computes the destinations of the vertices of an interface.
 
-  \param snapshot the vertices and triangles of the interface
-  \param positions where the vertices are at the time `t`, in the order of `snapshot.vertices`, in
-         the coordinates of the complex
+  \param snapshot the vertices and facets of the interface
+  \param positions the positions of the vertices at the time `t`, in the order of `snapshot.vertices` and in the
+         coordinates of the complex
   \param t the time
   \param dt the length of the step
-  \param destinations is empty and is to become as long as `positions`: where the vertices are at
-         the time `t + dt`. Coordinates that are not finite make `CGAL::advect_interface()` throw.
+  \param destinations the result. It is empty at the beginning and gets the size of `positions`: the positions of the
+         vertices at the time `t + dt`. If a coordinate is not finite,
+         `CGAL::Deformable_simplicial_complexes::advect_interface()` throws.
   */
-  void operator()(const CGAL::Interface_snapshot_3<Complex>& snapshot,
-                  const std::vector<Complex::Approximate_point_3>& positions, double t, double dt,
-                  std::vector<Complex::Approximate_point_3>& destinations) const;
+  void operator()(const CGAL::Deformable_simplicial_complexes::Interface_snapshot<Complex>& snapshot,
+                  const std::vector<Complex::Approximate_point>& positions, double t, double dt,
+                  std::vector<Complex::Approximate_point>& destinations) const;
 };

@@ -2,37 +2,36 @@
 \ingroup PkgInterfaceFlowsConcepts
 \cgalConcept
 
-A velocity that depends on the whole interface, such as motion along its normals or by its
-curvature. `CGAL::advect_interface()` asks for the velocities of all vertices at once, one or more
-times for each step of time, as its integration scheme demands. `Complex` stands for the type of the
-complex; a velocity need not define it, and its function may be a template.
+A velocity that depends on the whole interface, for example a motion along normals or a motion by curvature.
+`CGAL::Deformable_simplicial_complexes::advect_interface()` calls it for all vertices at once. The integration scheme
+determines the number of calls in a time step.
 
-`CGAL::advect_adaptively()` looks for two optional members. A `static constexpr bool
-contracts_interface` that is `true` declares that the velocity decreases the measure of the interface, so
-that the interface is adapted each time. A function `bool preserves_volumes() const` that returns
-`true` asks for the restoration of volumes after an adaptation.
+`CGAL::Deformable_simplicial_complexes::advect_adaptively()` uses two optional members. The member `static constexpr bool
+contracts_interface` is `true` if the velocity decreases the area of the interface; then the interface is adapted in
+each step. The function `bool preserves_volumes() const` returns `true` if volumes are to be restored after an adaptation.
+
+`Complex` is the type of the complex. A velocity need not define it, and its function can be a template.
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::Normal_offset_3}
-\cgalHasModels{CGAL::Mean_curvature_velocity_3}
+\cgalHasModels{CGAL::Deformable_simplicial_complexes::Normal_offset}
+\cgalHasModels{CGAL::Deformable_simplicial_complexes::Mean_curvature_velocity}
 \cgalHasModelsEnd
 */
 class InterfaceVelocity
 {
 public:
   /*!
-  computes the velocities of the vertices of an interface.
+  Computes the velocities of the vertices of an interface.
 
-  \param snapshot the vertices and triangles of the interface
-  \param positions where to take the vertices to be, in the order of `snapshot.vertices`, in the
-         coordinates of the complex. They differ from where the vertices are in the middle of a
-  step.
+  \param snapshot the vertices and facets of the interface
+  \param positions the assumed positions of the vertices, in the order of `snapshot.vertices` and in the coordinates of
+         the complex. Within a time step, they differ from the positions in the complex.
   \param t the time
-  \param velocities is empty and is to become as long as `positions`: length per unit of time, in
-         the coordinates of the complex. Values that are not finite make `CGAL::advect_interface()`
-         throw.
+  \param velocities the result. It is empty at the beginning and gets the size of `positions`: lengths per unit of
+         time, in the coordinates of the complex. If a value is not finite,
+         `CGAL::Deformable_simplicial_complexes::advect_interface()` throws.
   */
-  void operator()(const CGAL::Interface_snapshot_3<Complex>& snapshot,
-                  const std::vector<Complex::Approximate_point_3>& positions, double t,
-                  std::vector<Complex::Approximate_vector_3>& velocities) const;
+  void operator()(const CGAL::Deformable_simplicial_complexes::Interface_snapshot<Complex>& snapshot,
+                  const std::vector<Complex::Approximate_point>& positions, double t,
+                  std::vector<Complex::Approximate_vector>& velocities) const;
 };

@@ -2,21 +2,25 @@
 \ingroup PkgInterfaceFlowsConcepts
 \cgalConcept
 
-A velocity that depends on place and time only. Any function object of this form will do, such as a
-lambda. `CGAL::advect_interface()` calls it for one vertex of the interface after the other, and for
-others around, which follow the interface where it is not finite there; what is to be evaluated for many vertices at once, or depends on the interface, is an
-`InterfaceVelocity`. `Complex` stands for the type of the complex; a field need not define it.
+A velocity that depends on position and time only. Any function object of this form is a model, for example a lambda.
+
+`CGAL::Deformable_simplicial_complexes::advect_interface()` calls the field for each vertex of the interface, and for free
+vertices near the interface. Where the velocity of a free vertex is not finite, the vertex follows the interface. A
+velocity that depends on the interface, or that is evaluated for many vertices at once, is an `InterfaceVelocity`.
+
+`Complex` is the type of the complex. A field need not define it.
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::Enright_velocity_3}
-\cgalHasModels{CGAL::Single_vortex_velocity_3}
-\cgalHasModels{CGAL::Curl_noise_velocity_3}
-\cgalHasModels{CGAL::Velocity_in_user_coordinates_3<Complex\,Field>}
+\cgalHasModels{CGAL::Deformable_simplicial_complexes::Single_vortex_velocity_2}
+\cgalHasModels{CGAL::Deformable_simplicial_complexes::Single_vortex_velocity_3}
+\cgalHasModels{CGAL::Deformable_simplicial_complexes::Enright_velocity_3}
+\cgalHasModels{CGAL::Deformable_simplicial_complexes::Curl_noise_velocity_3}
+\cgalHasModels{CGAL::Deformable_simplicial_complexes::Velocity_in_user_coordinates_3<Complex\,Field>}
 \cgalHasModelsEnd
 */
 class VelocityField
 {
 public:
-  /// returns the velocity at `p` at the time `t`, in the coordinates of the complex.
-  Complex::Approximate_vector_3 operator()(const Complex::Approximate_point_3& p, double t) const;
+  /// Returns the velocity at `p` at the time `t`, in the coordinates of the complex.
+  Complex::Approximate_vector operator()(const Complex::Approximate_point& p, double t) const;
 };

@@ -2,10 +2,10 @@
 \ingroup PkgSolidReconstruction3Concepts
 \cgalConcept
 
-A function object that watches `CGAL::reconstruct_point_set_3()`, writes its steps, shows how far it
-is, or ends it. If it throws, the exception reaches the caller.
+A function object that observes `CGAL::Deformable_simplicial_complexes::reconstruct_point_set_3()`. It can write the
+steps, show the progress, or end the reconstruction. If it throws, the exception reaches the caller.
 
-`Complex` stands for the type of the complex; the operator may be a template.
+`Complex` is the type of the complex. The operator can be a template.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Reconstruction_observer_3}
@@ -14,7 +14,7 @@ is, or ends it. If it throws, the exception reaches the caller.
 class ReconstructionObserver_3
 {
 public:
-  /// is told of the complex before the first step, `step` being 0, and after each one. If it returns
-  /// false, the reconstruction ends with what there is.
+  /// Called with the complex before the first step, where `step` is 0, and after each step. If the function returns
+  /// `false`, the reconstruction ends with the present result.
   bool operator()(const Complex& complex, std::size_t step);
 };
