@@ -22,8 +22,8 @@ class TetrahedronQualityMeasure_3
 {
 public:
   /*!
-  Returns the quality of a tetrahedron, up to rounding: 1 if it is regular, between 0 and 1 if it is positively
-  oriented, 0 if it is flat, and negative if it is negatively oriented. The quality is continuous where the volume is not
+  Returns the quality of a tetrahedron, up to rounding. The quality is 1 for a regular tetrahedron, between 0 and 1 for a
+  positively oriented one, 0 for a flat one, and negative for a negatively oriented one. The quality is continuous where the volume is not
   zero. It is invariant under similarities and under even permutations of the vertices, up to rounding. It is a
   deterministic function of the arguments.
   */
