@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Makes the manual's pictures of the plane anew: doc/Deformable_simplicial_complex_3/fig/plane_NAME.png.
+# Makes the manual's pictures of the plane anew: doc/PACKAGE/fig/plane_NAME.png.
 # Takes two minutes.
 # Usage: scripts/draw_plane.sh [BUILD_DIR]
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
 build=$(realpath --canonicalize-missing "${1:-$source/build}")
 work=$build/plane
-figures=$source/doc/Deformable_simplicial_complex_3/fig
+doc=$source/doc
 foam=$build/examples/planar_foam
 cut_locus=$build/examples/cut_locus
 
@@ -19,7 +19,9 @@ mkdir -p "$work"
 cd "$work"
 
 picture() { # FILE.svg NAME
-  rsvg-convert --width 480 --background-color white "$1" --output "$figures/plane_$2.png"
+  local package=Interface_flows
+  [[ $2 != cut_locus* ]] || package=Cut_loci_2
+  rsvg-convert --width 480 --background-color white "$1" --output "$doc/$package/fig/plane_$2.png"
 }
 
 run() { # NAME COMMAND ARGUMENT...

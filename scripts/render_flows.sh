@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Runs the flows that the manual shows, in BUILD_DIR/flows, and renders its strips of pictures anew:
-# doc/Deformable_simplicial_complex_3/fig/flow_NAME.png. Takes some minutes.
+# doc/PACKAGE/fig/flow_NAME.png. Takes some minutes.
 # Usage: scripts/render_flows.sh [BUILD_DIR]
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
 build=$(realpath --canonicalize-missing "${1:-$source/build}")
 flows=$build/flows
-figures=$source/doc/Deformable_simplicial_complex_3/fig
+doc=$source/doc
 data=/usr/share/doc/libcgal-dev/data.tar.gz
 python=/usr/bin/python3
 display=()
@@ -33,7 +33,12 @@ run() { # NAME COMMAND ARGUMENT...
 
 render() { # NAME FRAMES
   "${display[@]}" "$python" "$source/scripts/render.py" "$1" --frames "$2"
-  cp "$1/strip.png" "$figures/flow_$1.png"
+  local package=Interface_flows
+  case $1 in
+    improved_*) package=Deformable_simplicial_complexes ;;
+    reconstruct_*) package=Solid_reconstruction_3 ;;
+  esac
+  cp "$1/strip.png" "$doc/$package/fig/flow_$1.png"
 }
 
 flow() { # NAME FRAMES COMMAND ARGUMENT...

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Runs the scenes of `dsc fluid` that the manual shows, in BUILD_DIR/fluids, and renders its pictures of
-# them anew: doc/Deformable_simplicial_complex_3/fig/fluid_NAME.png. Takes a quarter of an hour and 1.2 GB.
+# them anew: doc/Incompressible_fluids_3/fig/fluid_NAME.png. Takes a quarter of an hour and 1.2 GB.
 # Usage: scripts/render_fluids.sh [BUILD_DIR]
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
 build=$(realpath --canonicalize-missing "${1:-$source/build}")
-figures=$source/doc/Deformable_simplicial_complex_3/fig
+figures=$source/doc/Incompressible_fluids_3/fig
 data=/usr/share/doc/libcgal-dev/data.tar.gz
 python=/usr/bin/python3
 

@@ -1,0 +1,120 @@
+/*!
+\ingroup PkgDeformableSimplicialComplexesConcepts
+\cgalConcept
+
+The geometric traits of `CGAL::Deformable_simplicial_complex_3`. Predicates are exact: the orientation, and the facet of
+its star that a moving vertex meets first. Measures are approximate: volumes and qualities are computed from points with
+coordinates of type `double`. Only construction from surfaces and file input and output access the coordinates of
+`Point_3`.
+
+\cgalRefines `DefaultConstructible`, `CopyConstructible`, `Assignable`
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Deformable_simplicial_complex_traits_3<Kernel>, for any kernel with exact predicates}
+\cgalHasModelsEnd
+*/
+class DeformableSimplicialComplexTraits_3
+{
+public:
+  /// \name Types
+  /// @{
+
+  /// A point in space, a model of `DefaultConstructible`, `CopyConstructible`, `Assignable` and
+  /// `EqualityComparable`. Two points are equal if and only if their coordinates are equal.
+  typedef unspecified_type Point_3;
+
+  /// `CGAL::Simple_cartesian<double>::%Point_3`
+  typedef unspecified_type Approximate_point_3;
+
+  /// `CGAL::Simple_cartesian<double>::%Vector_3`
+  typedef unspecified_type Approximate_vector_3;
+
+  /// @}
+  /// \name Types Named by CGAL::Triangulation_3
+  /// The triangulation of a complex names these types. A complex does not use them, so incomplete types
+  /// are sufficient.
+  /// @{
+
+  /// any type
+  typedef unspecified_type Segment_3;
+
+  /// any type
+  typedef unspecified_type Triangle_3;
+
+  /// any type
+  typedef unspecified_type Tetrahedron_3;
+
+  /// any type
+  typedef unspecified_type Construct_point_3;
+
+  /// @}
+
+  /// \name Predicates
+  /// @{
+
+  /// A function object with
+  /// `CGAL::Orientation operator()(const Point_3& p, const Point_3& q, const Point_3& r, const
+  /// Point_3& s) const`, which returns the exact sign of the volume of a tetrahedron. The result is invariant
+  /// under even permutations of the points.
+  typedef unspecified_type Orientation_3;
+
+  /*!
+  A function object that computes the facet through which a ray leaves the star of its source, with
+
+  `CGAL::Star_exit_3 operator()(const Point_3& p, const Point_3& q, const
+  std::vector<std::array<Point_3, 3>>& facets) const`
+
+  The point `p` is the source of the ray, and `q != p` is a point on the ray. The vector `facets` is the link of `p`:
+  triples of points `a`, `b`, `c` such that `(p, a, b, c)` is positively oriented. The star covers each direction
+  around `p` exactly once. If `p` lies on the boundary of the domain, some directions are not covered.
+
+  The result consists of
+  - `facet`, the index of the first facet that the ray meets, or the number of facets if it meets none. The decision
+    is exact.
+  - `dimension`, the dimension of the simplex whose interior contains the intersection: 2 for a facet, 1 for an
+    edge, 0 for a vertex. The decision is exact.
+  - `parameter`, the number `t` such that `p + t (q - p)` lies in the plane of this facet, up to rounding; 0 if there
+    is no such facet.
+  */
+  typedef unspecified_type Link_intersection_3;
+
+  /// @}
+  /// \name Constructions
+  /// @{
+
+  /// A function object with `Approximate_point_3 operator()(const Point_3& p) const`. It returns the point with
+  /// coordinates of type `double` that is nearest to `p`, up to rounding. For a point that
+  /// `Construct_exact_point_3` made from `q`, it returns `q`.
+  typedef unspecified_type Construct_approximate_point_3;
+
+  /// A function object with `Point_3 operator()(const Approximate_point_3& p) const`. It returns the point with
+  /// exactly the same coordinates.
+  typedef unspecified_type Construct_exact_point_3;
+
+  /// A function object with
+  /// `double operator()(const Approximate_point_3& p, const Approximate_point_3& q, const
+  /// Approximate_point_3& r, const Approximate_point_3& s) const`. It returns the volume of a tetrahedron up
+  /// to rounding. The volume is positive for a positively oriented tetrahedron.
+  typedef unspecified_type Compute_approximate_volume_3;
+
+  /// @}
+  /// \name Access to Function Objects
+  /// @{
+
+  /// Returns a function object.
+  Orientation_3 orientation_3_object() const;
+
+  /// Returns a function object.
+  Link_intersection_3 link_intersection_3_object() const;
+
+  /// Returns a function object.
+  Construct_approximate_point_3 construct_approximate_point_3_object() const;
+
+  /// Returns a function object.
+  Construct_exact_point_3 construct_exact_point_3_object() const;
+
+  /// Returns a function object.
+  Compute_approximate_volume_3 compute_approximate_volume_3_object() const;
+
+  /// @}
+};
