@@ -33,6 +33,7 @@ namespace CGAL {
 namespace {
 
 using Deformable_simplicial_complexes::Error;
+using Deformable_simplicial_complexes::Tetrahedralization_3;
 using Deformable_simplicial_complexes::Tetrahedralization_error;
 namespace internal = Deformable_simplicial_complexes::internal;
 using internal::Child_process;
