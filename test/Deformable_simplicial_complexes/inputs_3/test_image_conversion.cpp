@@ -251,8 +251,8 @@ TEST(Octree_tetrahedra, fill_the_voxels_and_the_space_around) {
     const internal::Voxel_components_3 components(internal::labelled_voxels(image(7, Noise{3})));
     const internal::Voxel_pyramid_3 pyramid(components, 1);
     const internal::Voxel_octree_3 octree(pyramid, side);
-    const internal::Octree_tetrahedra_3 mesh(
-        octree.tree(), [&](unsigned level, const internal::Octree_3::Place& block) {
+    const DSC::Octree_tetrahedra_3 mesh(
+        octree.tree(), [&](unsigned level, const DSC::Octree_3::Place& block) {
           return octree.component(level, block);
         });
     double all = 0;

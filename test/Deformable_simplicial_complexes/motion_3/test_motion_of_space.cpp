@@ -15,10 +15,12 @@
 #include <cstdint>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace test_motion_of_space {
 
 namespace internal = CGAL::Deformable_simplicial_complexes::internal;
-using internal::For_each_index;
+using DSC::For_each_index;
 using small_meshes::Complex;
 using Vector = Complex::Approximate_vector_3;
 using Vertex_handle = Complex::Vertex_handle;

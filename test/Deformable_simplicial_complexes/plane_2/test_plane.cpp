@@ -151,7 +151,7 @@ TEST(Plane, a_flat_cell_has_no_say_in_the_motion_of_space) {
     if (!complex.is_boundary(v))
       free.push_back(v);
   namespace internal = CGAL::Deformable_simplicial_complexes::internal;
-  const internal::For_each_index for_each_index;
+  const DSC::For_each_index for_each_index;
   const internal::Harmonic_extension<Complex> extension(
       complex, free, [](Complex::Vertex_handle) { return Complex::Approximate_vector_2(1, 0); },
       for_each_index);
@@ -166,7 +166,7 @@ TEST(Plane, linear_elements_reproduce_linear_fields) {
   namespace internal = CGAL::Deformable_simplicial_complexes::internal;
   double mass = 0;
   for (auto c : complex.cells()) {
-    const internal::Linear_element<Complex> element(complex, c);
+    const DSC::Linear_element<Complex> element(complex, c);
     Vector gradient(0, 0);
     std::array<Vector, 3> field;
     for (int i = 0; i < 3; ++i) {

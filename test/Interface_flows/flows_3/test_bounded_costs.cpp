@@ -323,7 +323,7 @@ TEST(Volume_changer, does_not_need_directions_that_are_zero) {
   }));
   const DSC::Interface_snapshot<Complex> interface_(dsc);
   const auto start = interface_.positions(dsc);
-  const internal::Volume_changer<Complex> changer(interface_);
+  const DSC::Volume_changer<Complex> changer(interface_);
   const std::map<int, double> amounts = {{1, .01}, {2, -.01}};
   const auto sparse = changer.gradients(amounts, start);
   auto dense = sparse;
@@ -345,7 +345,7 @@ TEST(Trapped_cells, small_components_are_found_from_all_of_their_cells) {
     for (std::size_t number_of_labels : {2, 5}) {
       Complex at_once = motley_complex(6, number_of_labels, 3);
       Complex one_by_one = at_once;
-      internal::Any_visitor<Complex> visitor;
+      DSC::Any_visitor<Complex> visitor;
       const internal::Topology_control<Complex> allow = [](const Complex&, Cell_handle, int) {
         return true;
       };

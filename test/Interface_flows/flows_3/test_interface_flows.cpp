@@ -196,7 +196,7 @@ TEST(Volume_changer, reaches_amounts_exactly) {
   const Complex dsc = mesh_helpers::sphere(4, .6);
   const Snapshot snapshot(dsc);
   const std::vector<Position> before = snapshot.positions(dsc);
-  const CGAL::Deformable_simplicial_complexes::internal::Volume_changer<Complex> changer(snapshot);
+  const CGAL::Deformable_simplicial_complexes::Volume_changer<Complex> changer(snapshot);
   for (double amount : {-.1, 1e-9, .2}) {
     std::vector<Position> after = before;
     changer.change_by({{1, amount}}, after);
@@ -217,7 +217,7 @@ TEST(Volume_changer, keeps_flat_parts_flat) {
   }
   const Snapshot snapshot(dsc);
   std::vector<Position> positions = snapshot.positions(dsc);
-  CGAL::Deformable_simplicial_complexes::internal::Volume_changer<Complex>(snapshot).change_by(
+  CGAL::Deformable_simplicial_complexes::Volume_changer<Complex>(snapshot).change_by(
       {{1, -.4}}, positions);
   for (const Position& p : positions)
     EXPECT_NEAR(p.z(), .1, 1e-12); // the area is 4

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PARAMETERS_REPAIR_OPTIONS_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PARAMETERS_REPAIR_OPTIONS_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_REPAIR_OPTIONS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_REPAIR_OPTIONS_H
 
 #include <CGAL/Deformable_simplicial_complexes/Surface_repair_options_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
@@ -39,4 +39,4 @@ Surface_repair_options_3 repair_options(const NamedParameters& np) {
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PARAMETERS_REPAIR_OPTIONS_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_REPAIR_OPTIONS_H

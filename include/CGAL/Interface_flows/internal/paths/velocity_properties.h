@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTERFACE_FLOWS_INTERNAL_VELOCITY_PROPERTIES_H
-#define CGAL_INTERFACE_FLOWS_INTERNAL_VELOCITY_PROPERTIES_H
+#ifndef CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_VELOCITY_PROPERTIES_H
+#define CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_VELOCITY_PROPERTIES_H
 
 #include <type_traits>
 #include <utility>
@@ -42,4 +42,4 @@ template <class Velocity> bool preserves_volumes(const Velocity& velocity) {
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INTERFACE_FLOWS_INTERNAL_VELOCITY_PROPERTIES_H
+#endif // CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_VELOCITY_PROPERTIES_H

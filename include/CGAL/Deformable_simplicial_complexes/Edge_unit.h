@@ -14,7 +14,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // By what edges are measured: the user's wish for their length, a function of position, or a length
 // of the input.
@@ -59,7 +58,6 @@ double length_in_units(const Complex& complex, typename Complex::Vertex_handle v
   return std::sqrt(edge.squared_length()) / unit(complex.position(v) + .5 * edge);
 }
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

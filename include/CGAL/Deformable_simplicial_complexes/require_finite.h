@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_REQUIRE_FINITE_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_REQUIRE_FINITE_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_REQUIRE_FINITE_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_REQUIRE_FINITE_H
 
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
@@ -14,7 +14,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // Throws if points or vectors given for the vertices of an interface, `name` each, are not finite.
 template <class Values> void require_finite(const Values& values, const std::string& name) {
@@ -27,8 +26,7 @@ template <class Values> void require_finite(const Values& values, const std::str
                                     refused);
 }
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_REQUIRE_FINITE_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_REQUIRE_FINITE_H

@@ -2,13 +2,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTERFACE_FLOWS_INTERNAL_INTERFACE_PATHS_H
-#define CGAL_INTERFACE_FLOWS_INTERNAL_INTERFACE_PATHS_H
+#ifndef CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_INTERFACE_PATHS_H
+#define CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_INTERFACE_PATHS_H
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
+#include <CGAL/Deformable_simplicial_complexes/require_finite.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Origin.h>
 #include <CGAL/tags.h>
@@ -236,4 +236,4 @@ find_destinations(const Interface& interface_,
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INTERFACE_FLOWS_INTERNAL_INTERFACE_PATHS_H
+#endif // CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_INTERFACE_PATHS_H
