@@ -97,9 +97,8 @@ template <class Complex> struct Fluid_report_3
   double depth_in_solids = 0; ///< the depth of the deepest vertex in a solid, after the step
   /// The mean force of liquids on each solid in the step, in the order of `add_solid()`.
   std::vector<Vector> forces_on_solids;
-  double seconds_of_solver =
-             0,            ///< wall-clock time of the linear systems, in seconds; not deterministic
-      seconds_of_mesh = 0; ///< wall-clock time of all other work, in seconds; not deterministic
+  double seconds_of_solver = 0,  ///< wall-clock time (s) of linear systems; not deterministic
+      seconds_of_mesh = 0;       ///< wall-clock time (s) of all other work; not deterministic
   Improvement_report adaptation; ///< the adaptation of the mesh before the step
   /// The deformation of the mesh by the step, without corrections of volumes. If the step was
   /// divided, it is the deformation of the last part, but with the events of all parts.
