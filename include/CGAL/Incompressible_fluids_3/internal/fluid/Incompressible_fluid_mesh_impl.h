@@ -12,8 +12,8 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// Adapts the mesh before a step. The interface and the edges inside liquids are remeshed, unless the
-// treatment is `improved`. Tetrahedra are improved before the first step and before repeated
+// Adapts the mesh before a step. The interface and the edges inside liquids are remeshed, except if
+// the treatment is `improved`. Tetrahedra are improved before the first step and before repeated
 // attempts.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
