@@ -62,19 +62,17 @@ J. A. Bærentzen, F. Anton, "Optimization-based fluid simulation on unstructured
 Each label is a liquid, a gas or void, see `Fluid_properties_3`. A time step solves one system for
 all velocities and pressures.
 
-- With the default `implicitness`, the system is the implicit midpoint rule. Energy then
-  changes only by external work, viscosity, damping, contacts and remeshing. Surface tension and
-  viscosity are implicit, so they do not bound the time step.
-- The volume of each connected component of a liquid changes only by sources, up to
-  rounding. When components merge, their volumes are added. `Report::volume_error` contains the
-  remaining error.
-- The momentum and the angular momentum of each connected component change only by
-  gravity, gases, walls and sources.
-- A liquid on a side of the domain slides along this side and stays on
-  it. The domain must be a box for that. Other surfaces keep a distance of a quarter of an edge from
-  the sides.
-- The surface of a liquid can touch a solid and leave it, see `Wall_behavior`. Vertices
-  of the surface are moved out of solids. `Report::depth_in_solids` contains the remaining depth.
+- With the default `implicitness`, the system is the implicit midpoint rule. Energy then changes
+only by external work, viscosity, damping, contacts and remeshing. Surface tension and viscosity are
+  implicit, so they do not bound the time step.
+- The volume of each connected component of a liquid changes only by sources, up to rounding. When
+  components merge, their volumes are added. `Report::volume_error` contains the remaining error.
+- The momentum and the angular momentum of each connected component change only by gravity, gases,
+  walls and sources.
+- A liquid on a side of the domain slides along this side and stays on it, provided that the domain
+  is a box. Other surfaces keep a distance of a quarter of an edge from the sides.
+- The surface of a liquid can touch a solid and leave it, see `Wall_behavior`. Vertices of the
+  surface are moved out of solids. `Report::depth_in_solids` contains the remaining depth.
 
 Coordinates are those of the complex. All units must be consistent.
 
@@ -206,7 +204,8 @@ public:
   interface, the length of an edge is the length when the surface was built or last remeshed. At
   other vertices, it is `mean_interface_edge()`. Returns infinity for a fluid at rest. Takes linear
   time.
-  \param part the fraction of an edge, also called CFL number. Use 0.25 if liquids collide.
+  \param part the fraction of an edge, also called CFL number. Use at most 0.25 if liquids
+         collide.
   */
   double largest_step(double part = .25) const;
 
@@ -217,8 +216,7 @@ public:
   /*!
   Performs one time step, completely or not at all.
 
-  Each attempt at a step is checked, and an attempt that fails is undone. An attempt
-  fails if
+  Each attempt at a step is checked, and an attempt that fails is undone. An attempt fails if
 
   - the equations have no accurate solution, or
   - the energy rises by more than moving walls and sources supply, and this unexplained rise exceeds
@@ -233,12 +231,12 @@ public:
 
   - If changes of the mesh cause the larger part of the rise, the attempt is repeated with the same
     length and with the mesh preserved. The mesh then changes only where the motion is otherwise
-    impossible. If this attempt fails for the same reason, the length is halved, and
-    the mesh stays preserved.
+    impossible. If this attempt fails for the same reason, the length is halved, and the mesh stays
+    preserved.
   - In all other cases, the length is halved, and the mesh is improved or adapted before the next
     attempt.
 
-  A step whose length is halved consists of several parts. The shortest part is a 32nd of the step.
+  If the length is halved, the step is divided into parts. The shortest part is a 32nd of the step.
   `Report::repetitions` lists all attempts that failed. If `adaptation_interval` is 0, the mesh is
   neither adapted nor improved before an attempt.
 

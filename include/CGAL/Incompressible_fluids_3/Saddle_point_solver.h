@@ -26,9 +26,9 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-// Throws the error of a factorization that fails.
 namespace internal {
 
+// Throws the error of a factorization that fails.
 [[noreturn]] inline void throw_singular_equations() {
   throw Convergence_error("the equations of the flow are singular: cells may be flat",
                           std::numeric_limits<double>::infinity(), largest_residual);
@@ -148,6 +148,7 @@ public:
 private:
   using Symmetric = Eigen::SparseMatrix<double>;
 
+  // Calls `f(row, column, value)` for each entry of a matrix.
   template <class Function>
   static void for_each_entry(const System::Matrix& matrix, const Function& f) {
     for (Eigen::Index row = 0; row < matrix.rows(); ++row)
@@ -234,8 +235,8 @@ public:
   }
 
 private:
+  // Computes the product of the matrix and a vector.
   void multiply(const Vector& x, Vector& y) const {
-    // Computes the product of the matrix and a vector.
     const Eigen::Index n = m_system.nodal.rows(), m = m_system.c.rows();
     const bool has_coupling = m_system.coupling.rows() > 0;
     internal::for_each_block(*m_for_each, n + m, [&](Eigen::Index begin, Eigen::Index size) {
@@ -257,9 +258,9 @@ private:
     m_system.project(y);
   }
 
+  // Applies the preconditioner to a vector.
   void precondition(const Vector& x, Vector& y) {
     const Eigen::Index n = 3 * m_system.nodal.rows(), m = m_system.c.rows();
-    // Applies the preconditioner to a vector.
     (*m_for_each)(
         2,
         [&](std::size_t k) {

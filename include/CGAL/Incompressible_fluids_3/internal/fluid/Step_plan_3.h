@@ -22,8 +22,9 @@ enum class Mesh_treatment_3 {
 // The sequence of attempts at a time step. The step is divided into consecutive parts. If an
 // attempt fails, the next attempt has half the length, and the mesh is improved or adapted before
 // it. If changes of the mesh cause the failure, the next attempt has the same length, with the mesh
-// preserved. Parts are dyadic fractions of the step, so their ends are exact. There are at most
-// 2^halvings parts. At most 2 * halvings + 1 failures are followed by another attempt.
+// preserved. If the mesh was already preserved, the length is halved. Parts are dyadic fractions of
+// the step, so their ends are exact. There are at most 2^halvings parts. At most 2 * halvings + 1
+// failures are followed by another attempt.
 class Step_plan_3
 {
 public:
@@ -31,8 +32,9 @@ public:
 
   bool is_done() const { return m_begin == units; }
   bool is_first() const { return m_begin == 0; }
-  // Return the length and the end of the next part, in units of the step.
+  // Returns the length of the next part, in units of the step.
   double length() const { return double(m_size) / units; }
+  // Returns the end of the next part, in units of the step.
   double end() const { return double(m_begin + m_size) / units; }
   Mesh_treatment_3 mesh() const { return m_mesh; }
   unsigned parts() const { return m_parts; } // the number of parts done

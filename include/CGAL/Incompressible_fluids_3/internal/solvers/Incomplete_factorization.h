@@ -43,8 +43,8 @@ public:
   // Applies the approximate inverse to `columns` numbers for each row. Only one thread at a time
   // can call it.
   template <class In, class Out> void solve(const In& in, Out&& out) {
-    const double size =
-        in.template lpNorm<Eigen::Infinity>(); // scales the vector to the range of floats
+    // The scale brings the vector into the range of floats.
+    const double size = in.template lpNorm<Eigen::Infinity>();
     const auto& l = m_factorization.matrixL();
     const Eigen::Index n = m_scale.size();
     const auto* begin = l.outerIndexPtr();
@@ -73,8 +73,7 @@ public:
 private:
   using Column = Eigen::Matrix<float, columns, 1>;
 
-  double
-      m_unit; // the unit of the entries of the matrix, so that single precision sees numbers near 1
+  double m_unit; // of the entries of the matrix, so that scaled entries are near 1
   Vector m_scale;
   Eigen::IncompleteCholesky<float, Eigen::Lower, Eigen::NaturalOrdering<int>> m_factorization;
   Eigen::Matrix<float, columns, Eigen::Dynamic> m_values;

@@ -24,8 +24,8 @@ constexpr double largest_residual = 1e-8;
 
 // The norm of residuals of a saddle point system. The weight of an equation of velocities is the
 // inverse of the diagonal entry of the matrix. The weight of an equation of pressures is the
-// inverse of the diagonal entry of the Schur complement. With these weights, all equations have the
-// same unit.
+// inverse of the diagonal entry of the Schur complement, which is computed with the diagonal of the
+// matrix. With these weights, all equations have the same unit.
 class Residual_norm
 {
 public:

@@ -73,8 +73,8 @@ public:
   // those at `time`, the end of the motion. They have no velocity if `walls_move` is false. A
   // vertex that touches a wall is constrained until `revise()` releases it.
   void predict(const Vectors_3& expected, double time, double dt, bool walls_move) {
-    static constexpr double near =
-        .5; // edge lengths: later predictions find walls that are farther away
+    // In edge lengths. Later predictions find walls that are farther away.
+    static constexpr double near = .5;
     const std::vector<Contact> before = std::move(m_contacts);
     m_contacts.clear();
     auto known = before.begin();
