@@ -67,7 +67,8 @@ template <class Complex> struct Fluid_report_3
   Fluid_balance_3 moved;
   /// The balance at the end; the difference to `moved` is due to the mesh.
   Fluid_balance_3 after;
-  /// The greatest velocity of a vertex at the end of the motion.
+  /// The greatest velocity of a vertex after the motion. If the step was divided, it is the
+  /// greatest value of all parts.
   double greatest_velocity = 0;
   /// The greatest change of a velocity by the equations of motion.
   double greatest_change_of_velocity = 0;
@@ -81,8 +82,8 @@ template <class Complex> struct Fluid_report_3
   double volume_error = 0;
   double lost_volume = 0;   ///< the volume of connected components that vanished
   double gained_volume = 0; ///< the volume that sources added, less the volume that they removed
-  unsigned solutions = 0;   ///< the number of linear systems that were solved
-  unsigned iterations = 0;  ///< the number of iterations of the solver, for all linear systems
+  unsigned solutions = 0;   ///< the number of solutions of linear systems, without failed attempts
+  unsigned iterations = 0;  ///< the number of iterations of the solver, in all these solutions
   /// The true residual of the equations, divided by their largest term, in the norm weighted by the
   /// inverse of the diagonal.
   double residual = 0;

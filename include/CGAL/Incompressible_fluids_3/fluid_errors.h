@@ -28,8 +28,9 @@ public:
   Convergence_error(const std::string& message, double residual, double bound)
       : Error(message), m_residual(residual), m_bound(bound) {}
 
-  /// Returns the norm of the true residual divided by the norm of the right side. It is infinite if
-  /// there is no finite solution.
+  /// Returns the norm of the residual, relative to the norm of the right side or of the largest
+  /// term of the equations, as the solver defines it. It is infinite if there is no finite
+  /// solution.
   double residual() const { return m_residual; }
 
   /// Returns the largest residual that would have been accepted.
