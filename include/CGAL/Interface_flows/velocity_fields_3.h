@@ -119,8 +119,7 @@ public:
       const Vector_3 along = direction(), potential = direction();
       m_waves.push_back({2 * CGAL_PI / wave_length * along, cross_product(along, potential),
                          2 * CGAL_PI * uniform()});
-      mean_square +=
-          m_waves.back().velocity.squared_length() / 2; // the mean square of a cosine is 1/2
+      mean_square += m_waves.back().velocity.squared_length() / 2; // mean cosine²: 1/2
     }
     for (Wave& wave : m_waves)
       wave.velocity = speed / std::sqrt(mean_square) * wave.velocity;
