@@ -24,16 +24,16 @@ template <class Complex> struct Reconstruction_report_3
 {
   std::size_t number_of_points = 0;     ///< number of points without duplicates and outliers
   std::size_t number_of_duplicates = 0; ///< number of unused points, equal to others
-  std::size_t number_of_outliers =
-      0; ///< number of outliers: isolated points, points of clusters that are not surfaces, points
-         ///< without a side, and points off the planes of all neighbors. They are not used
+  /// Number of outliers, which are not used: isolated points, points of clusters that are not
+  /// surfaces, points without a side, and points off the planes of all neighbors.
+  std::size_t number_of_outliers = 0;
   double spacing = 0; ///< mean distance of points from their 6 nearest neighbors
   double noise = 0;   ///< median of the residuals of quadrics at the points
 
   std::size_t number_of_steps = 0; ///< number of steps of the interface
-  bool is_complete = false;        ///< whether the interface came to rest and there are no
-                            ///< `doubtful_places`. If it did not come to rest, the observer ended
-                            ///< the reconstruction or there were too few steps
+  /// Whether the interface came to rest and there are no `doubtful_places`. If it did not come to
+  /// rest, the observer ended the reconstruction or there were too few steps.
+  bool is_complete = false;
   Improvement_report changes;       ///< changes of the mesh in all steps
   std::size_t relabeled = 0;        ///< number of cells whose label changed in all steps
   std::size_t topology_changes = 0; ///< number of changes of topology in all steps

@@ -66,7 +66,8 @@ public:
     double reach; // largest reach of the points; infinite at outliers
   };
 
-  // A ball whose side is certain: it is a pole of a point whose poles are on different sides.
+  // A ball whose side is certain: it is a pole of a point whose poles are on different sides, in
+  // directions that differ by more than 120 degrees.
   struct Certain_ball
   {
     Ball ball;

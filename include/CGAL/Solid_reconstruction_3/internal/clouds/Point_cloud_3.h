@@ -104,7 +104,7 @@ public:
   // Returns the number of outliers, which are not used.
   std::size_t number_of_outliers() const { return m_outliers; }
 
-  // Returns the loop over many points or facets, with threads.
+  // Returns the function that loops over many points or facets, with threads.
   const For_each_index& for_each() const { return m_for_each; }
 
   // Removes the points that are not marked. Throws Invalid_points_error if the remaining points lie

@@ -36,7 +36,7 @@ public:
   using Point = Point_cloud_3::Point;
   using Vector = Point_cloud_3::Vector;
 
-  // Analyses the points. Normals, if there are any, have any length and sign, and the order of the
+  // Analyzes the points. Normals, if there are any, have any length and sign, and the order of the
   // points. Throws Invalid_points_error if the points bound no solid, or if they sample an open
   // sheet that is not accepted.
   Sampled_surface_3(const std::vector<Point>& points, const std::vector<Vector>& normals,

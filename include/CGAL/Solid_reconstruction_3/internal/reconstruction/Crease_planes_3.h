@@ -170,8 +170,8 @@ private:
     });
   }
 
-  // Returns whether a face has points within a gap of a place, in spacings. The points must be on
-  // the side of the place, for each other plane and for each pair of other planes. At a concave
+  // Returns whether a face has points within a gap of a place, in spacings, on the same side as the
+  // place. This must hold for each other plane and for each pair of other planes. At a concave
   // corner, a face has points beyond either of two planes, but not beyond both.
   bool has_points_at(const Point& p, const Plane& face, const std::vector<Plane>& planes,
                      double gap) const {
@@ -187,8 +187,8 @@ private:
     return true;
   }
 
-  // Returns whether a point is on the same side of a plane as a place. It is if the place lies on
-  // the plane.
+  // Returns whether a point is on the same side of a plane as a place. This also holds if the place
+  // lies on the plane.
   static bool is_on_side_of(const Point& p, const Point& q, const Plane& plane) {
     const double height = plane.fit.height(p);
     return std::abs(height) < plane.tolerance ||

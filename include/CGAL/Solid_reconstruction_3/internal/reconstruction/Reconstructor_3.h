@@ -109,7 +109,7 @@ private:
     return !has_settled();
   }
 
-  // Moves the vertices after the last step, without remeshing the interface.
+  // Moves the vertices to their final positions after the last step, and sharpens creases.
   void finish() {
     static constexpr int fits = 2;   // number of fits until vertices are at rest
     static constexpr int rounds = 4; // enough for fins of a few edges

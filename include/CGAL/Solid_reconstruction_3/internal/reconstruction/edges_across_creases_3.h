@@ -30,11 +30,11 @@ struct Crease_split_3
   double squared_distance; // from the surface to the destination
 };
 
-// Returns the edges of a surface that cut across a crease: edges whose midpoint is beside a crease,
-// and the longest edge of each facet whose centroid is beside a crease. A facet may cut off a
-// corner although all its edges touch the corner. No facet has two of the edges, because one new
-// vertex may be enough. The edges are sorted by decreasing distance from the crease. Edges shorter
-// than `shortest` are omitted.
+// Returns the edges of a surface that cut across a crease: edges whose midpoint is near a crease
+// but not on it, and the longest edge of each facet whose centroid is. A facet may cut off a corner
+// although all its edges touch the corner. No facet has two of the edges, because one new vertex
+// may be enough. The edges are sorted by decreasing distance from the crease. Edges shorter than
+// `shortest` are omitted.
 template <class Facets>
 std::vector<Crease_split_3>
 edges_across_creases(const Crease_planes_3& planes, const Facets& facets,
