@@ -26,8 +26,8 @@ exact up to rounding for any integration scheme. `Rigid_rotation_3` is the versi
 class Rigid_rotation_2
 {
 public:
-  using Point_2 = Simple_cartesian<double>::Point_2;   ///< in the coordinates of the complex
-  using Vector_2 = Simple_cartesian<double>::Vector_2; ///< in the coordinates of the complex
+  using Point_2 = Simple_cartesian<double>::Point_2;   ///< a point of the complex
+  using Vector_2 = Simple_cartesian<double>::Vector_2; ///< a vector in the same coordinates
   using Is_invertible = Tag_true;                      ///< also moves free vertices
 
   /// \param center the center of the rotation

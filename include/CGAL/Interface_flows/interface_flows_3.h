@@ -25,8 +25,8 @@ positions, so the rotation is exact up to rounding for any integration scheme.
 class Rigid_rotation_3
 {
 public:
-  using Point_3 = Simple_cartesian<double>::Point_3;   ///< in the coordinates of the complex
-  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< in the coordinates of the complex
+  using Point_3 = Simple_cartesian<double>::Point_3;   ///< a point of the complex
+  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< a vector in the same coordinates
   using Is_invertible = Tag_true;                      ///< also moves free vertices
 
   /// \param center a point of the axis

@@ -27,8 +27,8 @@ version in space.
 class Single_vortex_velocity_2
 {
 public:
-  using Point_2 = Simple_cartesian<double>::Point_2;   ///< in the coordinates of the unit square
-  using Vector_2 = Simple_cartesian<double>::Vector_2; ///< in the coordinates of the unit square
+  using Point_2 = Simple_cartesian<double>::Point_2;   ///< a point of the unit square
+  using Vector_2 = Simple_cartesian<double>::Vector_2; ///< a vector in the same coordinates
 
   /// \param period the period T.
   /// \pre `period` is positive.

@@ -71,7 +71,7 @@ public:
   const Triangle& operator[](std::size_t f) const { return m_triangles[f]; }
   std::size_t size() const { return m_triangles.size(); }
   const std::vector<Triangle>& all() const { return m_triangles; }
-  // Return the nearest triangle of a point, and the nearest point in it.
+  // Returns the nearest triangle of a point, and the nearest point in it.
   std::size_t nearest(std::size_t i) const { return m_nearest[i]; }
   const Point& foot(std::size_t i) const { return m_feet[i]; }
 
