@@ -35,7 +35,7 @@ public:
 
 private:
   using Traits =
-      CGAL::Deformable_simplicial_complexes::internal::Tree_traits_3<Kernel,
+      CGAL::Deformable_simplicial_complexes::Tree_traits_3<Kernel,
                                                                      Triangles::const_iterator>;
 
   Triangles m_triangles;

@@ -37,7 +37,7 @@ namespace {
 
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
-using Defaults = CGAL::Deformable_simplicial_complexes::internal::defaults::Adaptive_advection<3>;
+using Defaults = CGAL::Deformable_simplicial_complexes::defaults::Adaptive_advection<3>;
 
 constexpr double radius = .15;
 const Point center(.35, .35, .35);

@@ -139,7 +139,7 @@ Surface two_spheres() {
 Surface decimated(Surface surface, std::size_t triangles) {
   namespace PMP = CGAL::Polygon_mesh_processing;
   namespace SMS = CGAL::Surface_mesh_simplification;
-  using CGAL::Deformable_simplicial_complexes::internal::Edge_count_stop_predicate;
+  using CGAL::Deformable_simplicial_complexes::Edge_count_stop_predicate;
   using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
   using Policies = SMS::GarlandHeckbert_plane_policies<Mesh, Kernel>;
   using Placement = SMS::Bounded_normal_change_placement<Policies::Get_placement>;

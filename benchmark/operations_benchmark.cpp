@@ -147,7 +147,7 @@ void add_passes(const Complex& complex) {
           const Point p = complex.position(v);
           return v->is_interface() ? 2 * degree * Vector(-p.y(), p.x(), 0) : Vector(0, 0, 0);
         };
-        const internal::For_each_index for_each_index;
+        const DSC::For_each_index for_each_index;
         for ([[maybe_unused]] auto _ : state)
           benchmark::DoNotOptimize(
               internal::Harmonic_extension<Complex>(complex, free, displacement, for_each_index)

@@ -32,8 +32,8 @@ check_headers() {
 }
 
 check_threads() {
-  g++ "${flags[@]}" -Iinclude -Itest/thread_sanitizer -Itest/Deformable_simplicial_complex_3 \
-    -O1 -g1 -fsanitize=thread test/Deformable_simplicial_complex_3/test_threads.cpp \
+  g++ "${flags[@]}" -Iinclude -Itest/thread_sanitizer -Itest/support \
+    -O1 -g1 -fsanitize=thread test/Deformable_simplicial_complexes/test_threads.cpp \
     -o "$work/test_threads" -lgtest -lgtest_main -lmpfr -lgmp -pthread
   "$work/test_threads"
 }

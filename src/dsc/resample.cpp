@@ -32,7 +32,7 @@
 namespace dsc {
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace SMS = CGAL::Surface_mesh_simplification;
-using CGAL::Deformable_simplicial_complexes::internal::Edge_count_stop_predicate;
+using CGAL::Deformable_simplicial_complexes::Edge_count_stop_predicate;
 namespace {
 
 using Mesh = CGAL::Surface_mesh<Surface_point>;

@@ -33,11 +33,11 @@ private:
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Triangles = std::vector<Kernel::Triangle_3>;
   using Tree_traits =
-      CGAL::Deformable_simplicial_complexes::internal::Tree_traits_3<Kernel,
+      CGAL::Deformable_simplicial_complexes::Tree_traits_3<Kernel,
                                                                      Triangles::const_iterator>;
 
   using Segments = std::vector<Kernel::Segment_3>; // of the plane, where z is 0
-  using Segment_traits = CGAL::Deformable_simplicial_complexes::internal::Segment_tree_traits_3<
+  using Segment_traits = CGAL::Deformable_simplicial_complexes::Segment_tree_traits_3<
       Kernel, Segments::const_iterator>;
 
   Triangles m_triangles;

@@ -304,8 +304,8 @@ private:
           !propose_edge_split(m_complex, c, i, j, p, cavity))
         continue;
       Improvement_report report;
-      internal::Any_visitor<Complex> nobody;
-      internal::commit_split(m_complex, cavity, a, b, nobody, report);
+      Any_visitor<Complex> nobody;
+      commit_split(m_complex, cavity, a, b, nobody, report);
       m_rays[cavity.vertices().back().handle->time_stamp()] = {angle, length, state,
                                                                length < m_radius, 0};
       return true;

@@ -12,7 +12,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // What is told of each change of the mesh, whatever its type: so the templates that change it are
 // compiled once, and not for each visitor again.
@@ -82,7 +81,6 @@ private:
   Visitor& m_visitor;
 };
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

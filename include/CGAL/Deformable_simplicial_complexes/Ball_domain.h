@@ -108,7 +108,7 @@ typename Complex::Point Ball_domain::admissible(const Complex& complex,
   const auto from = complex.position(v), to = complex.approximate(q);
   for (int axis = 0; axis < d; ++axis)
     coordinates[axis] = Boundary_class::fixes(sides, axis) ? from[axis] : to[axis];
-  return complex.exact(internal::point_at<Complex>(coordinates));
+  return complex.exact(point_at<Complex>(coordinates));
 }
 
 template <class Complex> void Ball_domain::classify_boundary(const Complex& complex) const {

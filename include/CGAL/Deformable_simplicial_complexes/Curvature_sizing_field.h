@@ -108,7 +108,7 @@ public:
   }
 
 private:
-  template <class> friend class internal::Interface_adaptation;
+  template <class> friend class Interface_adaptation;
 
   // Of known lengths of the vertices of an interface.
   template <class Snapshot>
@@ -133,17 +133,17 @@ private:
 
   // On a torus, the image of a point in the box and those that may be nearer to a point of the box.
   std::vector<Point> images(const Point& p) const {
-    auto inside = internal::coordinates_of<d>(p);
+    auto inside = coordinates_of<d>(p);
     for (int i = 0; i < d; ++i)
       if (m_periods[i] > 0)
         inside[i] -= m_periods[i] * std::floor(inside[i] / m_periods[i]);
-    std::vector<Point> result = {internal::point_of<Point>(inside)};
+    std::vector<Point> result = {point_of<Point>(inside)};
     for (int i = 0; i < d; ++i)
       if (m_periods[i] > 0)
         for (std::size_t k = result.size(); k-- > 0;) {
-          auto image = internal::coordinates_of<d>(result[k]);
+          auto image = coordinates_of<d>(result[k]);
           image[i] += image[i] < m_periods[i] / 2 ? m_periods[i] : -m_periods[i];
-          result.push_back(internal::point_of<Point>(image));
+          result.push_back(point_of<Point>(image));
         }
     return result;
   }

@@ -12,7 +12,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // Sets of the numbers below a size. The representative of a set is its least element.
 class Disjoint_sets
@@ -38,7 +37,6 @@ private:
   std::vector<std::size_t> m_parents;
 };
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

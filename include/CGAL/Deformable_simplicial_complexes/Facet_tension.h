@@ -10,7 +10,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // How a facet of the interface contracts: along its edges `facet_edges` of the space, by
 // `weights` times their vectors, which sum up to the negative gradient of what it measures. To each
@@ -53,7 +52,6 @@ template <> struct Facet_tension<3>
   }
 };
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

@@ -16,7 +16,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // Calls a function for the indices below n, in any order and, if linked with TBB, on several
 // threads. The calls must not depend on each other: then the number of threads changes no bit of
@@ -66,7 +65,6 @@ private:
 #endif
 };
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

@@ -20,7 +20,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // Tolerance to the smooth surface, feature angle, and what else a flow asks for.
 struct Adaptation_options
@@ -62,7 +61,7 @@ bool is_stretched(const Interface_snapshot<Complex>& interface_, const Points& f
   // rotation, far below what a step does that leads anywhere.
   static constexpr double rigid = 1e-6;
   bool result = false;
-  for_each_edge_of(interface_.facets(), [&](std::size_t a, std::size_t b) {
+  internal::for_each_edge_of(interface_.facets(), [&](std::size_t a, std::size_t b) {
     const auto squared_length = [&](const Points& p) {
       return (interface_.domain.near(p[a], p[b]) - p[a]).squared_length();
     };
@@ -88,7 +87,7 @@ public:
   bool is_worn() const {
     const std::vector<double> sizes_if_flat = sizes(Rule::longest_if_flat);
     std::size_t edges = 0, short_ones = 0, long_ones = 0;
-    for_each_edge_of(m_interface.facets(), [&](std::size_t a, std::size_t b) {
+    internal::for_each_edge_of(m_interface.facets(), [&](std::size_t a, std::size_t b) {
       const double length =
           std::sqrt((m_interface.domain.near(m_positions[a], m_positions[b]) - m_positions[a])
                         .squared_length());
@@ -130,7 +129,7 @@ private:
   std::vector<typename Complex::Approximate_point> m_positions;
   double m_edge;
   Adaptation_options m_options;
-  Curvature_lengths<Complex> m_lengths;
+  internal::Curvature_lengths<Complex> m_lengths;
   std::vector<double> m_sizes;
 };
 
@@ -148,7 +147,6 @@ Improvement_report keep_interface_fit(Complex& complex, const Adaptation_options
   return adaptation.apply(complex, visitor);
 }
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

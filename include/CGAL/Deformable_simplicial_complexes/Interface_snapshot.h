@@ -55,7 +55,7 @@ protected:
   /// The facets, in the order of `interface_facets()`.
   std::vector<Facet> facets_of(const Complex& complex) const {
     std::vector<Facet> result;
-    const internal::Vertex_numbers numbers(complex, vertices);
+    const Vertex_numbers numbers(complex, vertices);
     for (const auto& f : complex.interface_facets()) {
       result.push_back({{}, f.first->label(), f.first->neighbor(f.second)->label()});
       const auto v = complex.facet_vertices(f);

@@ -10,7 +10,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // A finite cell as a linear finite element (P1): functions are given by their values at its corners
 // and linear between them. The function that is 1 at one corner and 0 at the others falls off
@@ -93,7 +92,6 @@ private:
   typename Complex::Space::Frame m_frame;
 };
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

@@ -15,7 +15,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // Whole coordinates below 2^21 in one number. Others give the numbers of none of these, as long as
 // those do not reach 2^21 - 1.
@@ -101,7 +100,6 @@ private:
   std::vector<std::vector<std::uint64_t>> m_split; // keys of blocks, for each level
 };
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

@@ -17,7 +17,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // Tetrahedra that fill an octree, each in one leaf. A leaf beside larger ones or its equals is cut
 // into the six tetrahedra along a diagonal (Kuhn); one with a vertex of a smaller leaf on its
@@ -179,7 +178,6 @@ private:
   std::vector<Triangle> m_surface; // of a leaf
 };
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

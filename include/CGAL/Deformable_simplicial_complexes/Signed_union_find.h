@@ -12,7 +12,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // Disjoint sets whose members are on one of two sides: of each two of a set, whether they are on
 // the same one is known.
@@ -57,7 +56,6 @@ private:
   std::vector<char> m_opposite; // to the parent
 };
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

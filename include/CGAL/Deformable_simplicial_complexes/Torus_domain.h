@@ -164,7 +164,7 @@ template <int d> template <class Point> Point Torus_domain<d>::canonical(const P
     else if (x[axis] < 0)
       x[axis] += period;
   }
-  return internal::point_of<Point>(x);
+  return point_of<Point>(x);
 }
 
 template <int d>
@@ -173,7 +173,7 @@ Point Torus_domain<d>::near(const Point& p, const Point& q) const {
   std::array<double, d> x;
   for (int axis = 0; axis < d; ++axis)
     x[axis] = q[axis] + m_periods[axis] * std::round((p[axis] - q[axis]) / m_periods[axis]);
-  return internal::point_of<Point>(x);
+  return point_of<Point>(x);
 }
 
 template <int d>

@@ -12,7 +12,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 struct Numbered
 {
@@ -61,10 +60,9 @@ public:
   }
 
 private:
-  Borrowed_table<Numbered> m_table;
+  internal::Borrowed_table<Numbered> m_table;
 };
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

@@ -14,7 +14,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // The squared distances from the planes of the facets around a vertex, each plane shifted by an
 // offset: (X. Jiao, Face offsetting: A unified approach for explicit moving interfaces, Journal of
@@ -93,7 +92,6 @@ inline void check_eigenvalue_threshold(double threshold) {
     throw Error("a threshold of eigenvalues is out of range: use 0 to less than 1");
 }
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

@@ -28,7 +28,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // Moves the vertices of an interface so that volumes of labels, in the plane their areas, change by
 // given amounts, up to rounding: by Newton's method with one unknown for each label, the length of
@@ -223,7 +222,6 @@ private:
   const Interface_snapshot<Complex>& m_interface;
 };
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

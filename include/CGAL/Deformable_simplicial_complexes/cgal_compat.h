@@ -27,7 +27,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 #if CGAL_VERSION_NR >= 1060000000
 template <class Kernel, class Primitive>
@@ -56,7 +55,6 @@ template <class Type, class Variant> const Type* get_alternative(const Variant& 
 }
 #endif
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

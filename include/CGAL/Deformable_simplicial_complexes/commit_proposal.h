@@ -16,7 +16,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // What improves the mesh of the user changes it by these functions only. The visitor is told of
 // each change before, when nothing has changed yet if it throws, and after.
@@ -90,7 +89,6 @@ void commit_proposal(Complex& complex, Cavity<Complex>& cavity, Any_visitor<Comp
   }
 }
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

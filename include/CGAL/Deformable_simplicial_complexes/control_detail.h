@@ -102,28 +102,26 @@ number of changed cells.
 template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Improvement_report control_detail(Complex& dsc, const NamedParameters& np = NamedParameters()) {
   namespace tags = internal_np;
-  namespace defaults = internal::defaults;
+  namespace defaults = defaults;
 
-  auto visitor = internal::visitor_parameter<Complex>(np);
+  auto visitor = visitor_parameter<Complex>(np);
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   const internal::Detail_thresholds thresholds = {
-      internal::number_parameter(np, tags::split_length, defaults::split_length),
-      internal::number_parameter(np, tags::collapse_length, infinity),
-      internal::quality_parameter(np, tags::collapse_quality, defaults::collapse_quality),
-      bool(internal::parameter_or(np, tags::change_interface, false)),
-      internal::number_parameter(np, tags::interface_split_length,
-                                 defaults::interface_split_length),
-      internal::number_parameter(np, tags::interface_collapse_length,
-                                 defaults::Interface_collapse_length::in_shortest_edges)};
+      number_parameter(np, tags::split_length, defaults::split_length),
+      number_parameter(np, tags::collapse_length, infinity),
+      quality_parameter(np, tags::collapse_quality, defaults::collapse_quality),
+      bool(parameter_or(np, tags::change_interface, false)),
+      number_parameter(np, tags::interface_split_length, defaults::interface_split_length),
+      number_parameter(np, tags::interface_collapse_length,
+                       defaults::Interface_collapse_length::in_shortest_edges)};
   internal::check_detail_thresholds(thresholds);
   const unsigned rounds =
       internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
                                 defaults::Number_of_iterations::over_mesh);
-  const auto unit = internal::wanted_length(dsc, np),
-             short_unit = internal::shortest_wanted_length(dsc, np);
+  const auto unit = wanted_length(dsc, np), short_unit = shortest_wanted_length(dsc, np);
 
   const std::function<bool(typename Complex::Cell_handle)> where =
-      internal::parameter_or(np, tags::where, [](typename Complex::Cell_handle) { return true; });
+      parameter_or(np, tags::where, [](typename Complex::Cell_handle) { return true; });
   return internal::run_detail_control(dsc, thresholds, unit, short_unit, rounds, where,
                                       visitor.any());
 }

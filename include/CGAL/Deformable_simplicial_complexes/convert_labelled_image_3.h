@@ -75,8 +75,7 @@ Complex make_complex_from_labelled_image_3(const Image_3& image, double edge,
   const internal::Labelled_voxels_3 voxels =
       internal::labelled_voxels(image, internal::is_box_of_voxels(image, domain));
   const internal::Voxel_components_3 components(voxels);
-  const internal::Voxel_frame_3 frame(voxels, internal::parameter_or(np, tags::normalize, false),
-                                      domain);
+  const internal::Voxel_frame_3 frame(voxels, parameter_or(np, tags::normalize, false), domain);
   const internal::Voxel_interface_3<Complex> interface_(
       components, frame,
       (edge > 0 ? edge : voxels_of_edge * voxels.largest_spacing()) / frame.scale);

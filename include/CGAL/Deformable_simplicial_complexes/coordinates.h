@@ -12,7 +12,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 template <class Result, int... i>
 Result from_coordinates(const double* coordinates, std::integer_sequence<int, i...>) {
@@ -62,7 +61,6 @@ template <class Point> bool has_finite_coordinates(const Point& p) {
   return result;
 }
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

@@ -7,7 +7,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // The default values of named parameters that are numbers, with their units and reasons; where
 // several functions take a parameter, why they differ.
@@ -156,7 +155,6 @@ struct Number_of_iterations
 };
 
 } // namespace defaults
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

@@ -6,13 +6,13 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORM_INTERFACE_H
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/deform.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
+#include <CGAL/Deformable_simplicial_complexes/require_finite.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 
 #include <vector>
@@ -198,7 +198,7 @@ deform_interface_to(Complex& dsc, const Interface_vertices<Complex>& interface_,
   if (destinations.size() != interface_.vertices.size())
     throw Invalid_destination_error(
         "a destination must be given for each vertex of the interface, no more and no fewer", {});
-  internal::require_finite(destinations, "a destination"); // exact numbers could not express it
+  require_finite(destinations, "a destination"); // exact numbers could not express it
   std::vector<typename Complex::Point> points;
   points.reserve(destinations.size());
   for (const auto& p : destinations)

@@ -117,36 +117,32 @@ A pass over the cells and the stars of the vertices of the interface for each it
 template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = NamedParameters()) {
   namespace tags = internal_np;
-  namespace defaults = internal::defaults;
+  namespace defaults = defaults;
 
-  auto visitor = internal::visitor_parameter<Complex>(np);
+  auto visitor = visitor_parameter<Complex>(np);
   static constexpr double degree = CGAL_PI / 180;
   const internal::Interface_thresholds thresholds = {
-      internal::number_parameter(np, tags::aggressiveness, defaults::aggressiveness),
-      internal::number_parameter(np, tags::interface_split_length,
-                                 defaults::interface_split_length),
-      internal::number_parameter(np, tags::interface_collapse_length,
-                                 defaults::Interface_collapse_length::in_wanted_lengths),
-      internal::number_parameter(np, tags::swept_volume, defaults::swept_volume),
-      internal::angle_parameter(np, tags::flip_angle, defaults::flip_angle, 90,
-                                "angle up to which edges are flipped") *
+      number_parameter(np, tags::aggressiveness, defaults::aggressiveness),
+      number_parameter(np, tags::interface_split_length, defaults::interface_split_length),
+      number_parameter(np, tags::interface_collapse_length,
+                       defaults::Interface_collapse_length::in_wanted_lengths),
+      number_parameter(np, tags::swept_volume, defaults::swept_volume),
+      angle_parameter(np, tags::flip_angle, defaults::flip_angle, 90,
+                      "angle up to which edges are flipped") *
           degree,
-      internal::angle_parameter(np, tags::feature_angle, defaults::feature_angle, 180,
-                                "angle of features") *
+      angle_parameter(np, tags::feature_angle, defaults::feature_angle, 180, "angle of features") *
           degree,
-      internal::angle_parameter(np, tags::minimum_facet_angle,
-                                defaults::Minimum_facet_angle::of_interface, 30,
-                                "smallest angle of a facet") *
+      angle_parameter(np, tags::minimum_facet_angle, defaults::Minimum_facet_angle::of_interface,
+                      30, "smallest angle of a facet") *
           degree,
-      internal::quality_parameter(np, tags::quality_threshold,
-                                  defaults::Quality_threshold::beside_interface),
-      internal::parameter_or(np, tags::curved_splits, false),
-      internal::parameter_or(np, tags::split_junctions, false)};
+      quality_parameter(np, tags::quality_threshold, defaults::Quality_threshold::beside_interface),
+      parameter_or(np, tags::curved_splits, false),
+      parameter_or(np, tags::split_junctions, false)};
   internal::check_interface_thresholds(thresholds);
   const unsigned iterations =
       internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
                                 defaults::Number_of_iterations::over_interface);
-  const auto unit = internal::wanted_length(dsc, np);
+  const auto unit = wanted_length(dsc, np);
 
   return internal::remesh_interface(dsc, thresholds, unit, iterations, visitor.any());
 }

@@ -75,18 +75,18 @@ are drawn from generators of its own, with fixed seeds.
 template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedParameters()) {
   namespace tags = internal_np;
-  namespace defaults = internal::defaults;
+  namespace defaults = defaults;
   using Threshold = defaults::Quality_threshold;
 
-  auto visitor = internal::visitor_parameter<Complex>(np);
-  const bool aggressive = internal::parameter_or(np, tags::aggressive, false);
-  const double threshold = internal::quality_parameter(np, tags::quality_threshold,
-                                                       aggressive ? Threshold::of_mesh_if_aggressive
-                                                                  : Threshold::of_mesh);
+  auto visitor = visitor_parameter<Complex>(np);
+  const bool aggressive = parameter_or(np, tags::aggressive, false);
+  const double threshold =
+      quality_parameter(np, tags::quality_threshold,
+                        aggressive ? Threshold::of_mesh_if_aggressive : Threshold::of_mesh);
   const unsigned rounds =
       internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
                                 defaults::Number_of_iterations::over_mesh);
-  const bool smooth_interface = internal::parameter_or(np, tags::smooth_interface, false);
+  const bool smooth_interface = parameter_or(np, tags::smooth_interface, false);
 
   const unsigned number_of_threads = internal::count_parameter(
       np, tags::number_of_threads, "number_of_threads", defaults::number_of_threads);

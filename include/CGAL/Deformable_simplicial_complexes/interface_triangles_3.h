@@ -17,7 +17,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // The corners of a triangle of a snapshot, as seen from the first.
 template <class Triangle, class Domain, class Point>
@@ -49,7 +48,7 @@ weighted_triangles(const Interface_snapshot<Complex>& interface_,
   std::vector<Weighted_triangle<typename Complex::Approximate_vector_3>> result;
   for (std::size_t i = 0; i < interface_.triangles.size(); ++i) {
     const auto p = corners(interface_.triangles[i], interface_.domain, positions);
-    const auto normal = area_vector(p);
+    const auto normal = internal::area_vector(p);
     const double area = std::sqrt(normal.squared_length());
     const auto angle = [&](int j) {
       return std::atan2(2 * area, (p[(j + 1) % 3] - p[j]) * (p[(j + 2) % 3] - p[j]));
@@ -104,31 +103,18 @@ vertices_on_features(const Interface_snapshot<Complex>& interface_,
     return std::tie(s.edge, s.triangle) < std::tie(t.edge, t.triangle);
   });
   const auto normal = [&](const Side& side) {
-    return area_vector(corners(interface_.triangles[side.triangle], interface_.domain, positions));
+    return internal::area_vector(
+        corners(interface_.triangles[side.triangle], interface_.domain, positions));
   };
   std::vector<char> result(positions.size(), false);
   for (std::size_t i = 1; i < sides.size(); ++i)
     if (sides[i - 1].edge == sides[i].edge &&
-        angle_between(normal(sides[i - 1]), normal(sides[i])) > angle)
+        internal::angle_between(normal(sides[i - 1]), normal(sides[i])) > angle)
       for (std::size_t v : sides[i].edge)
         result[v] = true;
   return result;
 }
 
-template <class Complex> struct Interface_bends_3
-{
-  using Points = std::vector<typename Complex::Approximate_point_3>;
-
-  static auto normals(const Interface_snapshot<Complex>& interface_, const Points& positions) {
-    return vertex_normals(interface_, positions);
-  }
-  static auto on_features(const Interface_snapshot<Complex>& interface_, const Points& positions,
-                          double angle) {
-    return vertices_on_features(interface_, positions, angle);
-  }
-};
-
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

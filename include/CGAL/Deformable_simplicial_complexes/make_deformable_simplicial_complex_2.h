@@ -263,7 +263,7 @@ Complex make_deformable_simplicial_complex_2(const std::vector<typename Complex:
   Complex dsc;
   const auto orientation = dsc.orientation();
   const bool has_numbers = std::all_of(points.begin(), points.end(), [](const auto& p) {
-    return internal::has_finite_coordinates(internal::coordinates_of<2>(p));
+    return has_finite_coordinates(coordinates_of<2>(p));
   });
   for (auto& t : triangles)
     if (has_numbers &&

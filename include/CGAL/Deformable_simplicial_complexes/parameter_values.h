@@ -7,7 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_unit.h>
+#include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
@@ -21,7 +21,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // The value of a parameter, or its default value.
 template <class NamedParameters, class Tag, class Value>
@@ -40,7 +39,7 @@ double number_parameter(const NamedParameters& np, Tag tag, double default_value
 template <class NamedParameters, class Tag>
 double quality_parameter(const NamedParameters& np, Tag tag, double default_value) {
   const double quality = number_parameter(np, tag, default_value);
-  check_threshold(quality);
+  internal::check_threshold(quality);
   return quality;
 }
 
@@ -76,13 +75,14 @@ Edge_unit<Complex> shortest_wanted_length(const Complex& complex, const NamedPar
 template <class Complex, class Given> class Given_visitor
 {
 public:
-  explicit Given_visitor(Given given) : m_given(std::move(given)), m_any(unwrap(m_given)) {}
+  explicit Given_visitor(Given given)
+      : m_given(std::move(given)), m_any(internal::unwrap(m_given)) {}
 
-  auto& visitor() { return unwrap(m_given); }
+  auto& visitor() { return internal::unwrap(m_given); }
   Any_visitor<Complex>& any() { return m_any; }
 
 private:
-  using Visitor = std::remove_reference_t<decltype(unwrap(std::declval<Given&>()))>;
+  using Visitor = std::remove_reference_t<decltype(internal::unwrap(std::declval<Given&>()))>;
 
   Given m_given;
   Visitor_adaptor<Complex, Visitor> m_any;
@@ -94,7 +94,6 @@ template <class Complex, class NamedParameters> auto visitor_parameter(const Nam
   return Given_visitor<Complex, decltype(given)>(std::move(given));
 }
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

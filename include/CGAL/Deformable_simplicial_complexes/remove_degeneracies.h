@@ -77,22 +77,21 @@ template <class Complex, class NamedParameters = parameters::Default_named_param
 Improvement_report remove_degeneracies(Complex& dsc,
                                        const NamedParameters& np = NamedParameters()) {
   namespace tags = internal_np;
-  using internal::defaults::Degenerate;
+  using defaults::Degenerate;
   using Cell_handle = typename Complex::Cell_handle;
 
-  auto visitor = internal::visitor_parameter<Complex>(np);
-  const double quality =
-      internal::quality_parameter(np, tags::degenerate_quality, Degenerate::quality);
-  const double cosine = internal::number_parameter(np, tags::degenerate_cosine, Degenerate::cosine);
-  const double length = internal::number_parameter(np, tags::degenerate_length, Degenerate::length);
+  auto visitor = visitor_parameter<Complex>(np);
+  const double quality = quality_parameter(np, tags::degenerate_quality, Degenerate::quality);
+  const double cosine = number_parameter(np, tags::degenerate_cosine, Degenerate::cosine);
+  const double length = number_parameter(np, tags::degenerate_length, Degenerate::length);
   if (!(cosine >= .5 && cosine <= 1))
     throw Error("the cosine of the smallest angle of a facet is out of range: use 0.5 to 1");
   if (!(length >= 0))
     throw Error("the length of a degenerate edge is out of range: use 0 or more");
   const unsigned rounds =
       internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                                internal::defaults::Number_of_iterations::over_mesh);
-  const auto unit = internal::shortest_wanted_length(dsc, np);
+                                defaults::Number_of_iterations::over_mesh);
+  const auto unit = shortest_wanted_length(dsc, np);
 
   Improvement_report report;
   Deformable_simplicial_complexes::Cavity<Complex> cavity(dsc);
@@ -118,7 +117,7 @@ Improvement_report remove_degeneracies(Complex& dsc,
                            [&](Cell_handle c, internal::Work_list<Cell_handle>& touched) {
                              if (!propose(c))
                                return;
-                             internal::commit_proposal(dsc, cavity, visitor.any(), report);
+                             commit_proposal(dsc, cavity, visitor.any(), report);
                              internal::push_finite(dsc, cavity.created(), touched);
                            });
   return report;

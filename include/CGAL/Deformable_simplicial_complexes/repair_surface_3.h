@@ -9,8 +9,8 @@
 #include <CGAL/Deformable_simplicial_complexes/Surface_repair_options_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Surface_repair_report_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/repair_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/repair/Surface_repairer_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/repair/repair_options.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 namespace CGAL {

@@ -75,11 +75,11 @@ Volume_report<Complex> restore_volumes(Complex& dsc,
   namespace tags = internal_np;
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const double tolerance = choose_parameter(get_parameter(np, tags::volume_tolerance),
-                                            internal::defaults::volume_tolerance);
+  const double tolerance =
+      choose_parameter(get_parameter(np, tags::volume_tolerance), defaults::volume_tolerance);
   const unsigned iterations =
       internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                                internal::defaults::Number_of_iterations::towards_volumes);
+                                defaults::Number_of_iterations::towards_volumes);
   if (!(tolerance > 0))
     throw Error("the tolerance of volumes is out of range: use more than 0");
   double domain = 0, wanted = 0;
@@ -117,7 +117,7 @@ Volume_report<Complex> restore_volumes(Complex& dsc,
       return report;
     const Interface_snapshot<Complex> interface_(dsc);
     auto positions = interface_.positions(dsc);
-    internal::Volume_changer<Complex>(interface_).change_by(missing, positions);
+    Volume_changer<Complex>(interface_).change_by(missing, positions);
     report.deformations.push_back(deform_interface_to(dsc, interface_, positions, np));
   }
 }

@@ -15,14 +15,13 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // The vertices of cells.
 template <class Complex>
 std::vector<typename Complex::Vertex_handle>
 vertices_of(const Complex& complex, const std::vector<typename Complex::Cell_handle>& cells) {
   std::vector<typename Complex::Vertex_handle> result;
-  Marks seen = vertex_marks(complex);
+  internal::Marks seen = internal::vertex_marks(complex);
   for (auto c : cells)
     for (int i = 0; i < Complex::corners; ++i)
       seen.add(c->vertex(i), result);
@@ -34,7 +33,7 @@ template <class Complex>
 std::vector<typename Complex::Cell_handle>
 stars_of(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices) {
   std::vector<typename Complex::Cell_handle> result, star;
-  Marks seen = cell_marks(complex);
+  internal::Marks seen = internal::cell_marks(complex);
   for (auto v : vertices) {
     complex.star(v, star);
     for (auto c : star)
@@ -56,7 +55,7 @@ std::vector<typename Complex::Cell_handle>
 star_union(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices) {
   if (!are_many(complex, vertices.size()))
     return stars_of(complex, vertices);
-  Marks around = vertex_marks(complex);
+  internal::Marks around = internal::vertex_marks(complex);
   for (auto v : vertices)
     around.add(v);
   std::vector<typename Complex::Cell_handle> result;
@@ -91,7 +90,6 @@ sorted_star_union(const Complex& complex,
   return result;
 }
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

@@ -12,11 +12,10 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // std::sort() that asks now and then whether to go on. The order is lost when it is stopped.
 template <class Iterator> void stoppable_sort(Iterator first, Iterator last) {
-  Sparse_check check;
+  internal::Sparse_check check;
   std::sort(first, last, [&](const auto& a, const auto& b) {
     check();
     return a < b;
@@ -29,7 +28,6 @@ template <class Item> void sort_and_unify(std::vector<Item>& items) {
   items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

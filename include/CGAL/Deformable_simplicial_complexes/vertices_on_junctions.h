@@ -12,7 +12,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
 // For each vertex, whether facets between different labels meet there.
 template <class Complex>
@@ -30,7 +29,6 @@ std::vector<char> vertices_on_junctions(const Interface_snapshot<Complex>& inter
   return result;
 }
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

@@ -294,7 +294,7 @@ private:
   System::Matrix m_bt; // of b
   internal::Incomplete_factorization<3> m_of_velocities;
   internal::Incomplete_factorization<1> m_of_pressures;
-  std::optional<internal::For_each_index> m_for_each;
+  std::optional<For_each_index> m_for_each;
 };
 
 /*!

@@ -159,7 +159,7 @@ struct Mean_curvature_velocity
         const typename Tensions::Vector velocity = tensions.mass(v).ldlt().solve(forces[v]);
         std::copy(velocity.data(), velocity.data() + velocity.size(), coordinates.begin());
       }
-      velocities.push_back(internal::vector_of<Complex>(coordinates));
+      velocities.push_back(vector_of<Complex>(coordinates));
     }
   }
 };
@@ -216,7 +216,7 @@ public:
     for (std::size_t i = 0; i < destinations.size(); ++i)
       destinations[i] = destinations[i] + (destinations[i] - whole[i]);
     if (m_preserves_volumes) {
-      const internal::Volume_changer<Complex> changer(interface_);
+      const Volume_changer<Complex> changer(interface_);
       changer.change_by(changer.changes(destinations, positions), destinations);
     }
   }
@@ -235,10 +235,10 @@ private:
     const internal::Tensions<Complex> tensions(interface_, positions);
     // The forces of a unit pressure in each label, and the responses of the vertices. A response is
     // zero on components of the interface that do not touch the label.
-    const internal::Volume_changer<Complex> changer(interface_);
+    const Volume_changer<Complex> changer(interface_);
     const auto labels = m_preserves_volumes ? changer.changes(positions, positions)
                                             : std::map<typename Complex::Label, double>();
-    typename internal::Volume_changer<Complex>::Directions forces, responses(positions.size());
+    typename Volume_changer<Complex>::Directions forces, responses(positions.size());
     if (m_preserves_volumes)
       forces = changer.gradients(labels, positions);
 
@@ -258,12 +258,12 @@ private:
               std::array<double, d> part = {};
               part[along] = x;
               auto& sum = responses[v].try_emplace(label, NULL_VECTOR).first->second;
-              sum = sum + internal::vector_of<Complex>(part);
+              sum = sum + vector_of<Complex>(part);
             });
     }
     std::vector<typename Complex::Approximate_point> result;
     for (std::size_t v = 0; v < positions.size(); ++v)
-      result.push_back(positions[v] + internal::vector_of<Complex>(ways[v]));
+      result.push_back(positions[v] + vector_of<Complex>(ways[v]));
     if (m_preserves_volumes)
       changer.change_by(changer.changes(result, positions), responses, result);
     return result;

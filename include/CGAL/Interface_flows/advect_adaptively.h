@@ -5,11 +5,11 @@
 #ifndef CGAL_INTERFACE_FLOWS_ADVECT_ADAPTIVELY_H
 #define CGAL_INTERFACE_FLOWS_ADVECT_ADAPTIVELY_H
 
+#include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_adaptation.h>
 #include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
@@ -17,8 +17,8 @@
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Interface_flows/advect_interface.h>
-#include <CGAL/Interface_flows/internal/interface_paths.h>
-#include <CGAL/Interface_flows/internal/velocity_properties.h>
+#include <CGAL/Interface_flows/internal/paths/interface_paths.h>
+#include <CGAL/Interface_flows/internal/paths/velocity_properties.h>
 
 #include <cmath>
 #include <map>
@@ -132,11 +132,10 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
   constexpr bool contracts = internal::contracts_interface<Velocity>;
   constexpr bool has_topology_control =
       !CGAL::parameters::is_default_parameter<NamedParameters, tags::topology_control_t>::value;
-  using Defaults = internal::defaults::Adaptive_advection<Complex::dimension, contracts>;
-  const internal::Adaptation_options options = {
-      internal::number_parameter(np, tags::interface_tolerance, Defaults::interface_tolerance),
-      internal::angle_parameter(np, tags::feature_angle, Defaults::feature_angle, 180,
-                                "angle of features"),
+  using Defaults = defaults::Adaptive_advection<Complex::dimension, contracts>;
+  const Adaptation_options options = {
+      number_parameter(np, tags::interface_tolerance, Defaults::interface_tolerance),
+      angle_parameter(np, tags::feature_angle, Defaults::feature_angle, 180, "angle of features"),
       !contracts, contracts && !has_topology_control};
   const unsigned interval = internal::count_parameter(
       np, tags::adaptation_interval, "adaptation_interval", Defaults::adaptation_interval);
@@ -144,27 +143,24 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
     throw Error("the tolerance of the interface is out of range: use 0 or more");
   if (interval == 0)
     throw Error("the interval between adaptations is out of range: use 1 or more");
-  internal::require_interface_edge(dsc);
+  require_interface_edge(dsc);
   const auto motion =
-      np.scheme(internal::parameter_or(np, tags::scheme, Integration_scheme::rk4))
+      np.scheme(parameter_or(np, tags::scheme, Integration_scheme::rk4))
           .quality_threshold(
-              internal::number_parameter(np, tags::quality_threshold, Defaults::quality_threshold))
-          .minimum_angle(
-              internal::number_parameter(np, tags::minimum_angle, Defaults::minimum_angle))
-          .minimum_facet_angle(internal::number_parameter(np, tags::minimum_facet_angle,
-                                                          Defaults::minimum_facet_angle));
+              number_parameter(np, tags::quality_threshold, Defaults::quality_threshold))
+          .minimum_angle(number_parameter(np, tags::minimum_angle, Defaults::minimum_angle))
+          .minimum_facet_angle(
+              number_parameter(np, tags::minimum_facet_angle, Defaults::minimum_facet_angle));
 
   Improvement_report changes;
   if (std::fmod(std::round(t / dt), interval) == 0 && !dsc.interface_vertices().empty()) {
-    const auto visitor =
-        internal::parameter_or(np, CGAL::internal_np::visitor, Deformation_visitor());
+    const auto visitor = parameter_or(np, CGAL::internal_np::visitor, Deformation_visitor());
     const auto is_stretching = [&](const auto& interface_) {
-      return internal::is_stretched(
-          interface_, interface_.positions(dsc),
-          internal::destinations_of_step(dsc, interface_, velocity, t, dt, motion));
+      return is_stretched(interface_, interface_.positions(dsc),
+                          internal::destinations_of_step(dsc, interface_, velocity, t, dt, motion));
     };
     const auto volumes = internal::volumes_but_one(dsc);
-    changes = internal::keep_interface_fit(dsc, options, is_stretching, visitor);
+    changes = keep_interface_fit(dsc, options, is_stretching, visitor);
     if (internal::preserves_volumes(velocity))
       restore_volumes(dsc, volumes,
                       motion.topology_control(Forbid_topology_changes()).relabeling_threshold(0.));

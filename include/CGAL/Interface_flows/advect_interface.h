@@ -11,7 +11,7 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
-#include <CGAL/Interface_flows/internal/interface_paths.h>
+#include <CGAL/Interface_flows/internal/paths/interface_paths.h>
 
 #include <vector>
 

@@ -10,7 +10,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Vertex_quadric_3.h>
 #include <CGAL/Deformable_simplicial_complexes/interface_triangles_3.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
-#include <CGAL/Interface_flows/internal/interface_paths.h>
+#include <CGAL/Interface_flows/internal/paths/interface_paths.h>
 
 #include <cmath>
 #include <cstddef>
@@ -63,7 +63,7 @@ public:
   /// \throws Error if `eigenvalue_threshold` is out of its range.
   explicit Face_offset_3(double speed, double eigenvalue_threshold = .025)
       : m_speed(speed), m_threshold(eigenvalue_threshold) {
-    internal::check_eigenvalue_threshold(m_threshold);
+    check_eigenvalue_threshold(m_threshold);
   }
 
   /// Computes the destinations of all vertices, see `InterfaceStep`. The time is linear in the size
@@ -77,15 +77,15 @@ public:
     const double offset = m_speed * dt;
     struct Vertex
     {
-      internal::Vertex_quadric_3<Vector> quadric;
+      Vertex_quadric_3<Vector> quadric;
       bool is_held = false; // by a facet or a side of the domain that does not move
       Vector displacement = Vector(0, 0, 0), direction = Vector(0, 0, 0);
       double weight = 0, weighted_length = 0;
     };
     std::vector<Vertex> vertices(positions.size());
-    const auto triangles = internal::weighted_triangles(interface_, positions);
+    const auto triangles = weighted_triangles(interface_, positions);
     for (const auto& triangle : triangles) {
-      const double sign = internal::sign_of_growth(interface_.triangles[triangle.index]);
+      const double sign = sign_of_growth(interface_.triangles[triangle.index]);
       for (int i = 0; i < 3; ++i) {
         Vertex& v = vertices[interface_.triangles[triangle.index].vertices[i]];
         v.quadric.add(triangle.unit_normal, triangle.angles[i], sign * offset);
@@ -155,7 +155,7 @@ public:
   /// \throws Error if `eigenvalue_threshold` is out of its range.
   explicit Advective_face_offset_3(Field field, double eigenvalue_threshold = .025)
       : m_field(std::move(field)), m_threshold(eigenvalue_threshold) {
-    internal::check_eigenvalue_threshold(m_threshold);
+    check_eigenvalue_threshold(m_threshold);
   }
 
   /// Computes the destinations of all vertices, see `InterfaceStep`. Paths are integrated by
@@ -168,8 +168,8 @@ public:
     using Vector = typename Complex::Approximate_vector_3;
     const auto advected = internal::integrate_with_fixed_steps(interface_, positions, m_field, t,
                                                                dt, Integration_scheme::rk4);
-    std::vector<internal::Vertex_quadric_3<Vector>> quadrics(positions.size());
-    for (const auto& triangle : internal::weighted_triangles(interface_, advected))
+    std::vector<Vertex_quadric_3<Vector>> quadrics(positions.size());
+    for (const auto& triangle : weighted_triangles(interface_, advected))
       for (int i = 0; i < 3; ++i) {
         const std::size_t v = interface_.triangles[triangle.index].vertices[i];
         quadrics[v].add(triangle.unit_normal, triangle.angles[i],

@@ -137,22 +137,21 @@ Complex reconstruct_point_set_3(const PointRange& points,
                                 const NP& np = parameters::default_values()) {
   namespace tags = internal_np;
 
-  const double tolerance =
-      internal::number_parameter(np, tags::fit_tolerance, internal::defaults::fit_tolerance);
+  const double tolerance = number_parameter(np, tags::fit_tolerance, defaults::fit_tolerance);
   if (!(tolerance > 0 && tolerance <= (std::numeric_limits<double>::max)()))
     throw Error("the tolerance of the fit is not positive and finite: use 0.03, for example");
   const unsigned steps =
       internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                                internal::defaults::Number_of_iterations::of_reconstruction);
+                                defaults::Number_of_iterations::of_reconstruction);
   const unsigned threads = internal::count_parameter(
-      np, tags::number_of_threads, "number_of_threads", internal::defaults::number_of_threads);
-  auto observer = internal::parameter_or(np, tags::observer, Reconstruction_observer_3());
+      np, tags::number_of_threads, "number_of_threads", defaults::number_of_threads);
+  auto observer = parameter_or(np, tags::observer, Reconstruction_observer_3());
   Reconstruction_report_3<Complex> unwanted;
-  auto report = internal::parameter_or(np, tags::report, std::ref(unwanted));
+  auto report = parameter_or(np, tags::report, std::ref(unwanted));
 
   const Progress_phase phase("reconstructing a surface");
   const auto given = internal::collect_points(points, np);
-  const bool keeps_open = internal::parameter_or(np, tags::keep_open, false);
+  const bool keeps_open = parameter_or(np, tags::keep_open, false);
   const internal::Sampled_surface_3 surface(given.points, given.normals, keeps_open, threads);
   const internal::Cloud_shell_3 shell(surface);
   Complex complex = internal::complex_of_shell<Complex>(shell);

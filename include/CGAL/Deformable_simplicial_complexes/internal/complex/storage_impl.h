@@ -116,7 +116,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
   std::vector<Approximate_point> positions;
   for (const Point& p : points) {
     positions.push_back(m_domain.canonical(approximate(p)));
-    if (!internal::has_finite_coordinates(positions.back()))
+    if (!has_finite_coordinates(positions.back()))
       throw Invalid_cells_error("coordinates are no finite numbers: correct or remove the point",
                                 {}, {positions.size() - 1});
   }
@@ -208,7 +208,7 @@ void CGAL_DSC_CLASS::sort_storage() {
   const State before = state();
   std::vector<Approximate_point> positions, barycenters;
   for (const auto& p : before.points)
-    positions.push_back(internal::point_at<Labelled_complex>(p));
+    positions.push_back(point_at<Labelled_complex>(p));
   for (const auto& c : before.cells) {
     Approximate_vector sum(CGAL::NULL_VECTOR);
     int finite = 0;
@@ -254,8 +254,7 @@ auto CGAL_DSC_CLASS::state() const -> State {
   result.periods = m_domain.template periods<dimension>();
   result.mean_interface_edge = m_mean_interface_edge;
   result.minimum_interface_edge = m_minimum_interface_edge;
-  result.normalization_translation =
-      internal::coordinates_of<dimension>(m_normalization.translation);
+  result.normalization_translation = coordinates_of<dimension>(m_normalization.translation);
   result.normalization_scale = m_normalization.scale;
   if (number_of_cells() == 0)
     return result;
@@ -268,7 +267,7 @@ auto CGAL_DSC_CLASS::state() const -> State {
         std::lower_bound(cells.begin(), cells.end(), v->cell(), order) - cells.begin();
     result.vertex_cells.push_back(std::uint32_t(position));
   };
-  internal::Vertex_numbers numbers(*this);
+  Vertex_numbers numbers(*this);
   std::uint32_t index = 0;
   numbers.set(m_triangulation.infinite_vertex(), index);
   if (Domain::has_outside)
@@ -277,7 +276,7 @@ auto CGAL_DSC_CLASS::state() const -> State {
     Progress_scope::check();
     numbers.set(v, ++index);
     add_cell_of(v);
-    result.points.push_back(internal::coordinates_of<dimension>(position(v)));
+    result.points.push_back(coordinates_of<dimension>(position(v)));
     result.boundary_classes.push_back(v->boundary_class());
     result.spacings.push_back(v->spacing());
   }
@@ -304,7 +303,7 @@ void CGAL_DSC_CLASS::restore(const State& state) {
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::rebuild(const State& state) {
   Labelled_complex result(geom_traits(), m_quality_measure, Domain::of(state));
-  result.m_normalization = {internal::vector_of<Labelled_complex>(state.normalization_translation),
+  result.m_normalization = {vector_of<Labelled_complex>(state.normalization_translation),
                             state.normalization_scale};
   result.m_mean_interface_edge = state.mean_interface_edge;
   result.m_minimum_interface_edge = state.minimum_interface_edge;
@@ -322,7 +321,7 @@ void CGAL_DSC_CLASS::create_items(const State& state) {
   for (size_type i = 0; i < state.points.size(); ++i) {
     Progress_scope::check();
     vertices.push_back(m_numbers.add_vertex(m_triangulation.tds().create_vertex()));
-    vertices.back()->set_point(exact(internal::point_at<Labelled_complex>(state.points[i])));
+    vertices.back()->set_point(exact(point_at<Labelled_complex>(state.points[i])));
     vertices.back()->set_boundary_class(state.boundary_classes[i]);
     vertices.back()->set_spacing(state.spacings[i]);
   }
@@ -352,7 +351,7 @@ void CGAL_DSC_CLASS::create_items(const State& state) {
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::check_stars(const std::vector<Vertex_handle>& vertices) const {
   std::vector<size_type> degrees(vertices.size(), 0);
-  const internal::Vertex_numbers numbers(*this, vertices);
+  const Vertex_numbers numbers(*this, vertices);
   for (Cell_handle c : Space::all_cells(m_triangulation))
     for (int i = 0; i < corners; ++i)
       ++degrees[numbers(c->vertex(i))];

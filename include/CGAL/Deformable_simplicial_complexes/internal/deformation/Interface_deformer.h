@@ -14,7 +14,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_remesher.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/require_finite.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Domain_box.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
@@ -24,6 +23,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/simultaneous_motion.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Trapped_cells.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/require_finite.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_BENDS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_BENDS_H
 
-#include <CGAL/Deformable_simplicial_complexes/interface_triangles_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_bends_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_bends_3.h>
 
 #include <type_traits>
 

@@ -6,9 +6,9 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_INTERFACE_IMPROVER_H
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_improver_2.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_improver_3.h>
 

@@ -11,10 +11,10 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/check_surfaces_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/refuse_surface.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parameters/repair_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/repair/clean_soup_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/repair/distance_of_samples_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/repair/remove_fins_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/repair/repair_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/repair/split_at_t_junctions_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/repair/stopping_visitors_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/repair/unite_components_3.h>

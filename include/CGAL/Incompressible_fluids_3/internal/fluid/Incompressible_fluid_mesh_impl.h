@@ -22,7 +22,7 @@ void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
   static constexpr double quality = .3; // of tetrahedra, as of new meshes
   if (m_complex.interface_vertices().empty())
     return;
-  internal::require_interface_edge(m_complex);
+  require_interface_edge(m_complex);
   const Flow flow(*this, m_properties);
   note_momenta(flow, [&](const internal::Masses_3& masses) {
     return internal::momentum(flow.mesh, masses, flow.positions, flow.velocities);
@@ -46,8 +46,8 @@ Improvement_report Incompressible_fluid<Complex, Solver>::adapt_lengths(double t
                                                                         const Visitor& visitor) {
   // In mean edges of the interface. What is split later is collapsed to no less than it was.
   static constexpr double longest_of_new = 1.7, longest = 2.5, shortest = .3;
-  using Defaults = internal::defaults::Adaptive_advection<3>;
-  const Improvement_report result = internal::keep_interface_fit(
+  using Defaults = defaults::Adaptive_advection<3>;
+  const Improvement_report result = keep_interface_fit(
       m_complex, {tolerance, Defaults::feature_angle}, [](const auto&) { return true; }, visitor);
   const double edge = m_complex.mean_interface_edge();
   const auto is_liquid = [this](typename Complex::Cell_handle c) {
@@ -78,7 +78,7 @@ Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& co
                                             const Vectors& destinations, const Options& chosen) {
   const Mesh& mesh = flow.mesh;
   const Part_interface parts(m_complex, m_properties, flow.volumes());
-  const internal::Vertex_numbers number(m_complex, mesh.vertices);
+  const Vertex_numbers number(m_complex, mesh.vertices);
   const auto from = parts.snapshot().positions(m_complex);
   auto to = from;
   std::vector<char> is_held(to.size(), false);

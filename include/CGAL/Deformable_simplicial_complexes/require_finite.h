@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_REQUIRE_FINITE_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_REQUIRE_FINITE_H
+
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+// Throws if points or vectors given for the vertices of an interface, `name` each, are not finite.
+template <class Values> void require_finite(const Values& values, const std::string& name) {
+  std::vector<std::size_t> refused;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!has_finite_coordinates(values[i]))
+      refused.push_back(i);
+  if (!refused.empty())
+    throw Invalid_destination_error(name + " is not finite; check the velocities and the time step",
+                                    refused);
+}
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_REQUIRE_FINITE_H

@@ -1,0 +1,248 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_INTERFACE_PATHS_H
+#define CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_INTERFACE_PATHS_H
+
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/require_finite.h>
+#include <CGAL/Interface_flows/Integration_scheme.h>
+#include <CGAL/Origin.h>
+#include <CGAL/tags.h>
+
+#include <boost/numeric/odeint/stepper/generation.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Returns the velocities of all vertices of an interface at the given positions. The velocity is a
+// field or an interface velocity. On a torus, a field is evaluated at points of the box. Throws
+// Invalid_destination_error if a velocity is not finite or their number is wrong.
+template <class Interface, class Velocity>
+std::vector<typename Interface::Complex::Approximate_vector>
+velocities_at(const Interface& interface_,
+              const std::vector<typename Interface::Complex::Approximate_point>& positions,
+              double t, const Velocity& velocity) {
+  using Complex = typename Interface::Complex;
+  std::vector<typename Complex::Approximate_vector> result;
+  if constexpr (std::is_invocable_v<const Velocity&, typename Complex::Approximate_point, double>) {
+    for (const auto& p : positions)
+      result.push_back(velocity(interface_.domain.canonical(p), t));
+  } else {
+    velocity(interface_, positions, t, result);
+    if (result.size() != positions.size())
+      throw Invalid_destination_error(
+          "a velocity must be given for each vertex of the interface, no more and no fewer", {});
+  }
+  require_finite(result, "a velocity");
+  return result;
+}
+
+// The shortest substep of adaptive integration, as a part of the time step. This limits the number
+// of substeps to a million. Without a limit, the integration of a field with unbounded derivatives
+// would not end.
+constexpr double smallest_adaptive_part = 1e-6;
+
+// Returns the end points of the paths of all vertices, by the method of Dormand and Prince. The
+// estimated error of each substep is at most the tolerance, a length. Throws Error if the substeps
+// become too short.
+template <class Interface, class Velocity>
+std::vector<typename Interface::Complex::Approximate_point>
+integrate_adaptively(const Interface& interface_,
+                     const std::vector<typename Interface::Complex::Approximate_point>& start,
+                     const Velocity& velocity, double t, double dt, double tolerance) {
+  using Complex = typename Interface::Complex;
+  namespace odeint = boost::numeric::odeint;
+  using State = std::vector<double>; // coordinates of all vertices
+  using Points = std::vector<typename Complex::Approximate_point>;
+  static constexpr int d = Complex::dimension;
+  const auto points = [](const State& state) {
+    Points result;
+    for (std::size_t i = 0; i < state.size(); i += d) {
+      std::array<double, d> coordinates;
+      std::copy_n(state.begin() + std::ptrdiff_t(i), d, coordinates.begin());
+      result.push_back(point_at<Complex>(coordinates));
+    }
+    return result;
+  };
+  State state;
+  for (const auto& p : start)
+    for (int i = 0; i < d; ++i)
+      state.push_back(p[i]);
+  const auto derivative = [&](const State& x, State& derivatives, double time) {
+    double* out = derivatives.data();
+    for (const auto& v : velocities_at(interface_, points(x), time, velocity))
+      for (int i = 0; i < d; ++i)
+        *out++ = v[i];
+  };
+  auto stepper = odeint::make_controlled(tolerance, 0., odeint::runge_kutta_dopri5<State>());
+  const double end = t + dt;
+  if (end == t && dt != 0)
+    throw Error("a step is too short for the time it begins at: use longer ones, or count the time "
+                "from a later moment");
+  // Adding a short substep to a large time may leave the time unchanged.
+  const auto is_long_enough = [&](double step) {
+    return std::abs(step) >= smallest_adaptive_part * std::abs(dt) && t + step != t;
+  };
+  for (double step = dt;;) {
+    const bool is_last = std::abs(step) >= std::abs(end - t);
+    if (is_last)
+      step = end - t;
+    else if (!is_long_enough(step))
+      throw Error("the velocities change too fast to be integrated to the tolerance; use a larger "
+                  "one, or shorter steps");
+    try {
+      if (stepper.try_step(derivative, state, t, step) == odeint::success && is_last)
+        break;
+    } catch (const Invalid_destination_error&) { // a shorter substep may stay finite
+      step /= 2;
+      if (!is_long_enough(step))
+        throw;
+    }
+  }
+  return points(state);
+}
+
+// Returns the place of a point, or of all vertices, after one step of an explicit Runge-Kutta
+// method. `rate(place, time)` returns the velocity, `advance(place, rate, step)` the new place.
+template <class Place, class Rate, class Advance>
+Place follow_rate(const Place& start, double t, double dt, Integration_scheme scheme,
+                  const Rate& rate, const Advance& advance) {
+  const auto k1 = rate(start, t);
+  if (scheme == Integration_scheme::euler)
+    return advance(start, k1, dt);
+  const auto k2 = rate(advance(start, k1, dt / 2), t + dt / 2);
+  if (scheme == Integration_scheme::rk2)
+    return advance(start, k2, dt);
+  const auto k3 = rate(advance(start, k2, dt / 2), t + dt / 2);
+  const auto k4 = rate(advance(start, k3, dt), t + dt);
+  const Place halfway = advance(advance(start, k1, dt / 6), k2, dt / 3);
+  return advance(advance(halfway, k3, dt / 3), k4, dt / 6);
+}
+
+// Returns the end points of the paths of all vertices, by one step of an explicit Runge-Kutta
+// method.
+template <class Interface, class Velocity>
+std::vector<typename Interface::Complex::Approximate_point>
+integrate_with_fixed_steps(const Interface& interface_,
+                           const std::vector<typename Interface::Complex::Approximate_point>& start,
+                           const Velocity& velocity, double t, double dt,
+                           Integration_scheme scheme) {
+  using Complex = typename Interface::Complex;
+  using Points = std::vector<typename Complex::Approximate_point>;
+  using Vectors = std::vector<typename Complex::Approximate_vector>;
+  const auto rate = [&](const Points& positions, double time) {
+    return velocities_at(interface_, positions, time, velocity);
+  };
+  const auto advance = [](Points positions, const Vectors& v, double step) {
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      positions[i] = positions[i] + step * v[i];
+    return positions;
+  };
+  return follow_rate(start, t, dt, scheme, rate, advance);
+}
+
+// The forms of velocities that `advect_interface()` accepts. If several forms fit, the order is:
+// flow map, interface step, velocity field, interface velocity.
+template <class Complex, class Velocity, class Point = typename Complex::Approximate_point>
+constexpr bool is_flow_map = std::is_invocable_v<const Velocity&, Point, double, double>;
+template <class Complex, class Velocity, class Point = typename Complex::Approximate_point>
+constexpr bool is_interface_step =
+    std::is_invocable_v<const Velocity&, const Interface_snapshot<Complex>&,
+                        const std::vector<Point>&, double, double, std::vector<Point>&>;
+
+// Tells whether a flow map defines the type `Is_invertible` as `Tag_true`.
+template <class Map, class = void> struct Is_invertible : Tag_false
+{
+};
+template <class Map>
+struct Is_invertible<Map, std::void_t<typename Map::Is_invertible>> : Map::Is_invertible
+{
+};
+
+template <class Complex, class Velocity, class Point = typename Complex::Approximate_point>
+constexpr bool is_velocity_field =
+    !is_flow_map<Complex, Velocity> && !is_interface_step<Complex, Velocity> &&
+    std::is_invocable_v<const Velocity&, Point, double>;
+
+// Tells whether free vertices move with a velocity. This holds for fields and for flow maps that
+// are invertible.
+template <class Complex, class Velocity>
+constexpr bool is_flow_of_space = is_velocity_field<Complex, Velocity> ||
+                                  (is_flow_map<Complex, Velocity> &&
+                                   Is_invertible<Velocity>::value);
+
+// The type of the interface that a velocity needs: vertices only for fields and flow maps, vertices
+// and facets for the other forms.
+template <class Complex, class Velocity>
+using Interface_seen_by =
+    std::conditional_t<is_velocity_field<Complex, Velocity> || is_flow_map<Complex, Velocity>,
+                       Interface_vertices<Complex>, Interface_snapshot<Complex>>;
+
+// Returns the position at t + dt of the point that is at p at t. The result only guides free
+// vertices, so `Integration_scheme::rk4` is used for fields. The result is not finite where a
+// velocity is not finite. \pre is_flow_of_space
+template <class Complex, class Velocity>
+typename Complex::Approximate_point follow_flow(const typename Complex::Domain& domain,
+                                                const typename Complex::Approximate_point& p,
+                                                const Velocity& velocity, double t, double dt) {
+  if constexpr (is_flow_map<Complex, Velocity>) {
+    return velocity(p, t, dt);
+  } else {
+    using Point = typename Complex::Approximate_point;
+    using Vector = typename Complex::Approximate_vector;
+    const auto rate = [&](const Point& q, double time) -> Vector {
+      if (!has_finite_coordinates(q)) // do not evaluate the field at a point that is not finite
+        return q - ORIGIN;
+      return velocity(domain.canonical(q), time);
+    };
+    const auto advance = [](const Point& q, const Vector& v, double step) { return q + step * v; };
+    return follow_rate(p, t, dt, Integration_scheme::rk4, rate, advance);
+  }
+}
+
+// Returns the positions of the vertices of an interface at t + dt, for each form of a velocity.
+template <class Interface, class Velocity>
+std::vector<typename Interface::Complex::Approximate_point>
+find_destinations(const Interface& interface_,
+                  const std::vector<typename Interface::Complex::Approximate_point>& start,
+                  const Velocity& velocity, double t, double dt, Integration_scheme scheme,
+                  double tolerance) {
+  using Complex = typename Interface::Complex;
+  using Point = typename Complex::Approximate_point;
+  if constexpr (is_flow_map<Complex, Velocity>) {
+    std::vector<Point> result;
+    for (const Point& p : start)
+      result.push_back(velocity(p, t, dt));
+    return result;
+  } else if constexpr (is_interface_step<Complex, Velocity>) {
+    std::vector<Point> result;
+    velocity(interface_, start, t, dt, result);
+    if (result.size() != start.size())
+      throw Invalid_destination_error(
+          "a destination must be given for each vertex of the interface, no more and no fewer", {});
+    return result;
+  } else if (scheme == Integration_scheme::adaptive) {
+    return integrate_adaptively(interface_, start, velocity, t, dt, tolerance);
+  } else {
+    return integrate_with_fixed_steps(interface_, start, velocity, t, dt, scheme);
+  }
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_INTERFACE_PATHS_H

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_VELOCITY_PROPERTIES_H
+#define CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_VELOCITY_PROPERTIES_H
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Tells whether a velocity declares that it decreases the measure of the interface:
+// `static constexpr bool contracts_interface = true`.
+template <class Velocity, class = void> inline constexpr bool contracts_interface = false;
+
+template <class Velocity>
+inline constexpr bool
+    contracts_interface<Velocity, std::void_t<decltype(Velocity::contracts_interface)>> =
+        Velocity::contracts_interface;
+
+// The result of the member function `preserves_volumes()` of a velocity; `false` if there is no
+// such member.
+template <class Velocity, class = void> struct Volume_preservation
+{
+  static bool of(const Velocity&) { return false; }
+};
+
+template <class Velocity>
+struct Volume_preservation<
+    Velocity, std::void_t<decltype(std::declval<const Velocity&>().preserves_volumes())>>
+{
+  static bool of(const Velocity& velocity) { return velocity.preserves_volumes(); }
+};
+
+template <class Velocity> bool preserves_volumes(const Velocity& velocity) {
+  return Volume_preservation<Velocity>::of(velocity);
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_VELOCITY_PROPERTIES_H

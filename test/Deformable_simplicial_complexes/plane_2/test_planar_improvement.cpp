@@ -1,0 +1,257 @@
+#include "plane.h"
+#include "torus.h"
+
+#include "stamped_values.h"
+
+#include <CGAL/Deformable_simplicial_complexes/Carried_cell_averages.h>
+#include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor_pair.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/degeneracy_removal_2.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_flip_2.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/remove_degeneracies.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_insertion.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <random>
+#include <vector>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
+namespace test_planar_improvement {
+
+using CGAL::Deformable_simplicial_complexes::Error;
+using plane::Complex;
+using plane::Point;
+using Cavity = CGAL::Deformable_simplicial_complexes::Cavity<Complex>;
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
+template <class C> double worst_quality(const C& dsc) {
+  double worst = 1;
+  for (auto c : dsc.cells())
+    worst = (std::min)(worst, c->quality());
+  return worst;
+}
+
+// A grid whose vertices are disturbed, those of the interface along x = 0 less, within that line.
+template <class C> void disturb(C& dsc, double size, unsigned seed) {
+  std::mt19937 generator(seed);
+  const auto random = [&] { return size * (2. * generator() / 4294967296. - 1); };
+  std::vector<typename C::Vertex_handle> vertices;
+  for (auto v : dsc.vertices())
+    vertices.push_back(v);
+  for (auto v : vertices) {
+    const auto p = dsc.position(v);
+    const double x = random(), y = random();
+    if (!dsc.is_boundary(v))
+      dsc.move_vertex(v, v->is_interface() ? typename C::Point_2(p.x(), p.y() + .3 * y)
+                                           : typename C::Point_2(p.x() + x, p.y() + y));
+  }
+}
+
+// The square [-1, 1]^2, halved.
+Complex halves(int n, double size, unsigned seed) {
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<int> labels;
+  const auto index = [n](int i, int j) { return std::size_t(i * (n + 1) + j); };
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j)
+      points.emplace_back(2. * i / n - 1, 2. * j / n - 1);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      for (bool is_first : {true, false}) {
+        if (is_first)
+          triangles.push_back({index(i, j), index(i + 1, j), index(i + 1, j + 1)});
+        else
+          triangles.push_back({index(i, j), index(i + 1, j + 1), index(i, j + 1)});
+        labels.push_back(2 * i < n ? 1 : 0);
+      }
+  Complex dsc;
+  dsc.assign(points, triangles, labels);
+  disturb(dsc, size, seed);
+  return dsc;
+}
+
+TEST(Improve_mesh_2, makes_triangles_better_and_leaves_the_interface) {
+  for (unsigned seed : {1u, 2u, 3u}) {
+    Complex dsc = halves(10, .19, seed);
+    const double before = worst_quality(dsc);
+    const double length = dsc.length(1);
+    const auto report = DSC::improve_mesh(dsc, parameters::quality_threshold(.6));
+    EXPECT_TRUE(dsc.is_valid());
+    EXPECT_LT(before, .2);
+    EXPECT_GT(worst_quality(dsc), .45) << seed;
+    EXPECT_GT(report.flipped + report.smoothed + report.inserted, 0u);
+    EXPECT_NEAR(dsc.length(1), length, 1e-14);
+    for (auto v : dsc.interface_vertices())
+      EXPECT_EQ(dsc.position(v).x(), 0);
+  }
+}
+
+TEST(Improve_mesh_2, refuses_what_is_out_of_range) {
+  Complex dsc = halves(4, 0, 1);
+  EXPECT_THROW(DSC::improve_mesh(dsc, parameters::quality_threshold(2.)), Error);
+  EXPECT_THROW(DSC::remove_degeneracies(dsc, parameters::degenerate_cosine(.1)), Error);
+  EXPECT_EQ(DSC::improve_mesh(dsc, parameters::quality_threshold(.3).aggressive(true)).smoothed,
+            0u);
+}
+
+// A square with a vertex in the middle and a needle: two vertices of its lower edge are close.
+Complex square_with(const std::vector<Point>& inner,
+                    const std::vector<std::array<std::size_t, 3>>& triangles,
+                    const std::vector<int>& labels) {
+  std::vector<Point> points = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
+  points.insert(points.end(), inner.begin(), inner.end());
+  Complex dsc;
+  dsc.assign(points, triangles, labels);
+  return dsc;
+}
+
+// Label 1 has a spike to a = (-1, 0), flat as a cap, whose tip is c = (0, 0).
+Complex spike(double height) {
+  const std::vector<Point> inner = {{-1, 0}, {1, -height}, {0, 0}, {1, 1}};
+  const std::size_t a = 4, b = 5, c = 6, d = 7;
+  return square_with(inner,
+                     {{a, b, c},
+                      {b, d, c},
+                      {a, 0, b},
+                      {0, 1, b},
+                      {1, 2, b},
+                      {2, d, b},
+                      {2, 3, d},
+                      {3, c, d},
+                      {3, a, c},
+                      {3, 0, a}},
+                     {1, 1, 0, 0, 0, 0, 0, 0, 0, 0});
+}
+
+TEST(Cap_flip_2, moves_the_interface_to_the_tip) {
+  Complex dsc = spike(.01);
+  const double before = worst_quality(dsc);
+  Cavity cavity(dsc);
+  Complex::Cell_handle cap;
+  for (auto c : dsc.cells())
+    if (c->quality() == before)
+      cap = c;
+  int longest = 0;
+  for (int i = 0; i < 3; ++i)
+    if (dsc.measure(Complex::Facet(cap, i)) > dsc.measure(Complex::Facet(cap, longest)))
+      longest = i;
+  ASSERT_TRUE(propose_cap_flip(dsc, cap, longest, cavity));
+  EXPECT_FALSE(propose_cap_flip(dsc, cap, (longest + 1) % 3, cavity) &&
+               propose_cap_flip(dsc, cap, (longest + 2) % 3, cavity));
+  EXPECT_FALSE(propose_edge_flip(dsc, cap, longest, cavity));
+  const auto report = DSC::remove_degeneracies(dsc, parameters::degenerate_cosine(.99));
+  EXPECT_EQ(report.flipped, 1u);
+  EXPECT_TRUE(dsc.is_valid());
+  EXPECT_GT(worst_quality(dsc), 10 * before);
+  EXPECT_NEAR(dsc.area(1), .505, 1e-12); // the triangle b d c
+  EXPECT_EQ(dsc.number_of_components(1), 1u);
+}
+
+TEST(Remove_degeneracies_2, leaves_a_cap_that_is_no_cap) {
+  Complex dsc = spike(1);
+  const auto report = DSC::remove_degeneracies(dsc);
+  EXPECT_EQ(report.flipped + report.collapsed, 0u);
+}
+
+// A vertex is inserted where no flip helps: a square of long, thin triangles between two rows.
+TEST(Vertex_insertion_2, breaks_up_needles) {
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  const std::size_t n = 12;
+  for (std::size_t i = 0; i <= n; ++i)
+    for (double y : {-1., 1.})
+      points.emplace_back(2. * double(i) / n - 1, y);
+  for (std::size_t i = 0; i < n; ++i) {
+    triangles.push_back({2 * i, 2 * i + 2, 2 * i + 3});
+    triangles.push_back({2 * i, 2 * i + 3, 2 * i + 1});
+  }
+  Complex dsc;
+  dsc.assign(points, triangles, std::vector<int>(triangles.size(), 0));
+  const double before = worst_quality(dsc);
+  Cavity cavity(dsc);
+  Complex::Cell_handle middle;
+  for (auto c : dsc.cells())
+    if (middle == Complex::Cell_handle() ||
+        std::abs(dsc.corner(c, 0).x() + .01) < std::abs(dsc.corner(middle, 0).x() + .01))
+      middle = c;
+  ASSERT_TRUE(propose_vertex_insertion(dsc, middle, cavity));
+  EXPECT_GT(cavity.quality_after(), cavity.quality_before());
+  const auto report = DSC::improve_mesh(dsc, parameters::quality_threshold(.6));
+  EXPECT_GT(report.inserted, 0u);
+  EXPECT_GT(worst_quality(dsc), 1.5 * before);
+  EXPECT_TRUE(dsc.is_valid());
+}
+
+template <class C> using Vertex_values = stamped_values::Values<typename C::Vertex_handle>;
+template <class C> using Cell_values = stamped_values::Values<typename C::Cell_handle>;
+
+template <class C> double integral(const C& dsc, Cell_values<C>& averages, int label) {
+  double result = 0;
+  for (auto c : dsc.cells())
+    result += c->label() == label ? averages[c] * dsc.measure(c) : 0;
+  return result;
+}
+
+// What leaves the interface in its place keeps linear functions on vertices, constants and the
+// integrals of phases; `linear` is a function that is.
+template <class C, class Linear> void expect_carried(C dsc, const Linear& linear) {
+  Vertex_values<C> values;
+  Cell_values<C> averages, constant;
+  for (auto v : dsc.vertices())
+    values.set(v, linear(dsc.position(v)));
+  std::mt19937 generator(5);
+  for (auto c : dsc.cells()) {
+    averages.set(c, double(generator() % 100));
+    constant.set(c, 7.);
+  }
+  const std::array<double, 2> before = {integral(dsc, averages, 0), integral(dsc, averages, 1)};
+  const auto change = [&dsc](auto& visitor) {
+    const auto np = parameters::visitor(std::ref(visitor));
+    const auto improved = DSC::improve_mesh(dsc, np.quality_threshold(.6)),
+               split = DSC::control_detail(dsc, np.split_length(1.3).collapse_length(.9));
+    return improved.flipped + improved.smoothed > 0 && split.split + split.collapsed > 0;
+  };
+  {
+    DSC::Carried_vertex_values vertices(dsc, values.map());
+    DSC::Carried_cell_averages cells(dsc, averages.map()), constants(dsc, constant.map());
+    DSC::Deformation_visitor_pair both(cells, constants);
+    DSC::Deformation_visitor_pair all(vertices, both);
+    EXPECT_TRUE(change(all));
+  }
+  EXPECT_TRUE(dsc.is_valid());
+  for (auto v : dsc.vertices())
+    EXPECT_NEAR(values[v], linear(dsc.position(v)), 1e-12);
+  for (auto c : dsc.cells())
+    EXPECT_NEAR(constant[c], 7, 1e-10);
+  for (int label : {0, 1})
+    EXPECT_NEAR(integral(dsc, averages, label), before[std::size_t(label)], 1e-10);
+}
+
+TEST(Carried_values_2, linear_functions_constants_and_integrals_stay) {
+  for (unsigned seed : {1u, 2u})
+    expect_carried(halves(8, .2, seed), [](const auto& p) { return 1 + 2 * p.x() - 3 * p.y(); });
+}
+
+TEST(Carried_values_2, are_carried_across_the_seam_of_a_torus) {
+  torus::Complex dsc = torus::grid(8, [](const auto& p) { return p.x() < .5 ? 1 : 0; });
+  std::mt19937 generator(3);
+  for (auto v : dsc.vertices()) {
+    const double x = generator() / 4294967296. - .5, y = generator() / 4294967296. - .5;
+    const auto p = dsc.position(v);
+    dsc.move_vertex(v, torus::Point(p.x() + (v->is_interface() ? 0 : .1 * x), p.y() + .1 * y));
+  }
+  expect_carried(std::move(dsc), [](const auto&) { return 3.; });
+}
+
+} // namespace test_planar_improvement
