@@ -59,9 +59,9 @@ public:
   Interface_deformer(const Interface_deformer&) = delete;
   Interface_deformer& operator=(const Interface_deformer&) = delete;
 
-  // Sets the destinations of vertices, given in the order of `interface_vertices()`. Destinations
-  // outside the box of the domain are replaced by the nearest points of the box, where the
-  // interface stops. Throws if a destination is not finite; nothing is changed then.
+  // Sets the destinations of the interface vertices. A destination outside the box of the domain is
+  // replaced by the nearest point of the box, where the interface stops. Throws
+  // `Invalid_destination_error` if a destination is not finite; nothing is changed then.
   void set_destinations(const std::vector<Vertex_handle>& vertices,
                         const std::vector<Point>& destinations) {
     std::vector<typename Complex::Approximate_point> positions;
@@ -84,9 +84,9 @@ public:
 
   bool is_complete() const { return unfinished().empty(); }
 
-  // Returns whether vertices still approach their destinations. This is false if the last two
-  // passes, in which interface facets could be removed, reduced the remaining distance by less than
-  // 1 %.
+  // Returns whether vertices still approach their destinations. Returns false after two successive
+  // passes that could remove interface facets but reduced the remaining distance by less than 1 %
+  // each.
   bool is_progressing() const { return m_idle_passes < 2; }
 
   // Prepares the mesh for a pass.
@@ -134,11 +134,10 @@ public:
     update_destinations();
   }
 
-  // Moves the vertices that could not reach their destinations simultaneously, one at a time
-  // (Algorithm 2). A vertex of a cell flat enough to be relabeled only moves if it reaches its
-  // destination; approaching it further would gain nothing.
+  // Moves the remaining vertices one at a time (Algorithm 2). A vertex of a cell flat enough to be
+  // relabeled moves only if it reaches its destination, since a partial move would gain nothing.
   void move_one_by_one() {
-    // fraction of the distance that is left, so that cells can still be improved
+    // fraction of the distance to a flat cell that is left, so that the cell can still be improved
     static constexpr double margin = .25;
     std::vector<Vertex_handle> vertices = unfinished();
     if (m_options.collision_order)
@@ -172,7 +171,7 @@ public:
   // - small angles and short edges where the interface folds;
   // - free vertices trapped by the interface.
   //
-  // If no angle bound for facets is given, interface facets are removed only after the second pass,
+  // If there is no bound on facet angles, interface facets are removed only after the second pass,
   // because the other operations often suffice.
   void remove_obstacles(unsigned pass) {
     m_may_remove_facets = m_options.minimum_facet_angle > 0 || pass > 2;
@@ -273,8 +272,8 @@ private:
     return m_complex.quality(c, [&](Vertex_handle v) { return m_destinations.final_position(v); });
   }
 
-  // Relabels trapped cells below a quality. Cells that are flat only during the motion are
-  // excepted, and cells that move rigidly.
+  // Relabels trapped cells below a quality, except for cells that move rigidly and cells that are
+  // flat only during the motion.
   void relabel(const Work_list<Cell_handle>& cells, double threshold) {
     if (!(m_options.relabeling_threshold > 0))
       return;
