@@ -50,6 +50,7 @@ inline const Ply_type* find_ply_type(std::string_view name) {
   return nullptr;
 }
 
+// A property of an element: a number, or a list of numbers if `size_type` is not null.
 struct Ply_property
 {
   enum Meaning { x, y, z, nx, ny, nz, corners, nothing };
@@ -60,6 +61,7 @@ struct Ply_property
   std::string name;
 };
 
+// An element of the header: a kind of item, the number of items, and their properties.
 struct Ply_element
 {
   enum Kind { point, polygon, other };
@@ -229,6 +231,8 @@ private:
     }
   }
 
+  // Reads the size of a list or an index. Throws `File_error` if it is not an integer from 0 to
+  // 2^32 - 1.
   std::size_t index(const Ply_type& type) {
     const double number = type.read(m_scanner, m_encoding);
     if (!(number >= 0) || number != std::trunc(number) || number > 4294967295.)

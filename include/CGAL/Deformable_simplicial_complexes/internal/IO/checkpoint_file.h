@@ -30,8 +30,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Returns the first eight bytes of a checkpoint file. A conversion of line ends, or to seven bits,
-// changes them, so that such damage is detected.
+// Returns the first eight bytes of a checkpoint file. A conversion of line ends or to seven-bit
+// characters changes these bytes, so such damage is detected.
 template <int d> std::string checkpoint_magic() {
   return "\211DSC" + std::to_string(d) + "\r\n\032";
 }
@@ -64,6 +64,7 @@ inline std::uint32_t crc_32(const char* bytes, std::size_t size) {
   return crc.checksum();
 }
 
+// An encoder that converts data to little-endian bytes.
 class Checkpoint_encoder
 {
 public:
@@ -142,12 +143,16 @@ private:
   bool m_is_valid = true;
 };
 
+// The content of a checkpoint file.
 template <int d> struct Checkpoint
 {
   State<d> state;       ///< the complex
   std::string metadata; ///< the data added by the program, e.g. time and settings
 };
 
+// Writes a checkpoint file: magic bytes, a header with version, checksum and size, and the payload.
+// The file is replaced only if everything has been written.
+// \pre The arrays of the state have consistent sizes.
 template <int d>
 void write_checkpoint_file(const std::string& path, const State<d>& state,
                            const std::string& metadata) {
@@ -175,6 +180,8 @@ inline int checkpoint_file_dimension(const std::string& path) {
   return bytes == checkpoint_magic<2>() ? 2 : bytes == checkpoint_magic<3>() ? 3 : 0;
 }
 
+// Reads a checkpoint file. Throws `File_error` if it is not a checkpoint of dimension `d`, has
+// another version, is truncated, or is damaged.
 template <int d> Checkpoint<d> read_checkpoint_file(const std::string& path) {
   const auto require = [&](bool condition, const std::string& what) {
     if (!condition)

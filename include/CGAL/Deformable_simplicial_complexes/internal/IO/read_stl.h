@@ -27,9 +27,10 @@ namespace internal {
 constexpr std::size_t stl_header_size = 80, stl_triangle_size = 50;
 
 // Returns whether an STL file is binary. It is binary if it has at least the announced number of
-// bytes, or if its first 84 bytes contain a null character. In a text file the four bytes of the
-// number are characters, which announce gigabytes. The word "solid" decides nothing, since the
-// header of a binary file may begin with it, too.
+// bytes, or if its first 84 bytes contain a null character. In a text file, the four bytes at the
+// position of the number are characters. They would announce gigabytes of triangles, more than the
+// file contains. The word "solid" is not tested, because headers of binary files may begin with it,
+// too.
 //
 // Throws `File_error` if a binary file is truncated, or has more triangles than announced.
 inline bool is_binary_stl(std::istream& in, const std::string& path) {

@@ -35,8 +35,8 @@ triangulated_quadrilateral(const std::vector<Polygon_kernel::Vector_3>& p) {
 }
 
 // Returns the constrained Delaunay triangulation of a polygon in the plane. All predicates are
-// exact. The result is empty if the polygon is self-intersecting; the intersections, possibly
-// millions, are not computed.
+// exact. The result is empty if the polygon is self-intersecting. Intersection points are not
+// computed, because there may be millions.
 #ifdef CGAL_DSC_EXTERN // see the component Compiled
 Places_of_triangles
 triangulated_simple_polygon(const std::vector<Polygon_kernel::Point_2>& corners);

@@ -26,8 +26,8 @@ namespace internal {
 
 // The connected components of labels and their volumes. Each cell stores the number of its
 // component; a cell that replaces others inherits the number. After a change that may have altered
-// components, they are renumbered in the order of their oldest cells. Pairs (old number, new
-// number) of the same cell then determine which components merged, split or vanished.
+// components, they are renumbered in the order of their oldest cells. The old and the new numbers
+// of cells then determine which components merged, split or vanished.
 template <class Cell_handle> class Component_tracker
 {
 public:
@@ -43,9 +43,9 @@ public:
   }
 
   // Updates the state before a cell gets another label. Components are unchanged if two conditions
-  // hold. First, the finite neighbors with the new label exist and belong to one component. Second,
-  // the neighbors with the old label stay connected around the cell; if the search nearby does not
-  // find a connection, it is checked later. Nothing changes if memory is exhausted.
+  // hold. First, there are finite neighbors with the new label, and they belong to one component.
+  // Second, the neighbors with the old label stay connected around the cell. If a local search does
+  // not find this connection, it is checked later. Nothing changes if memory is exhausted.
   template <class Complex>
   void prepare_relabeling(const Complex& complex, Cell_handle c, int label) {
     if (!m_is_known || !m_doubts.empty())
@@ -219,7 +219,7 @@ private:
   };
   using Origin = std::pair<Number, Number>;
 
-  // Returns whether a component is still connected, as far as known, without the cell `c`. `left`
+  // Returns whether the component of `c` stays connected without `c`, as far as known. `left`
   // contains the neighbors of `c` in the component. Records connections that are not confirmed.
   template <class Complex>
   bool leaves_one(const Complex& complex, Cell_handle c, const std::vector<Cell_handle>& left) {

@@ -45,9 +45,9 @@ public:
                        [&](const Doubt& doubt) { return doubt.cell == c; });
   }
 
-  // Replaces, in all groups, a cell that gets another label by its neighbors that keep the label.
-  // If there is no such neighbor, the groups of the cell are joined first, because the cell no
-  // longer connects them. Returns whether the group is not empty.
+  // Removes a cell that gets another label from all groups. In each group, its neighbors that keep
+  // the label replace it. If there is no such neighbor, the groups of the cell are joined first,
+  // because the cell no longer connects them. Returns whether the group still contains cells.
   bool replace(Cell_handle c, const std::vector<Cell_handle>& left) {
     if (left.empty())
       join_groups_of(c);

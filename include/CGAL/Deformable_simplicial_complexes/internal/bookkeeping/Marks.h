@@ -15,6 +15,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// The entry of a marked item, which is valid if its epoch is the current one.
 struct Mark
 {
   std::uint32_t epoch = 0;

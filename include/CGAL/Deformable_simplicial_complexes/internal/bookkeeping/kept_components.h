@@ -12,8 +12,9 @@
 #include <cstddef>
 #include <vector>
 
-// Tests whether a change of a few cells leaves the connected components of labels unchanged, based
-// on the cells nearby. If a test fails, the caller searches farther away, or all cells.
+// Tests for changes of connected components of labels after a change of a few cells. These tests
+// visit nearby cells first. If a test does not confirm a connection, the caller searches farther
+// away, or visits all cells.
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {

@@ -28,8 +28,9 @@ namespace internal {
 class Solid_tetrahedra_3
 {
 public:
-  // Throws `Invalid_cells_error` if there are no tetrahedra, if coordinates are not finite, if
-  // indices do not exist, or if tetrahedra are degenerate.
+  // Stores the tetrahedra, positively oriented, with equal points merged. Throws
+  // `Invalid_cells_error` if there are no tetrahedra, if coordinates are not finite, if indices do
+  // not exist, or if tetrahedra are degenerate.
   template <class Point, class Traits>
   Solid_tetrahedra_3(const std::vector<Point>& points,
                      std::vector<std::array<std::size_t, 4>> tetrahedra, const Traits& traits)
@@ -63,7 +64,7 @@ public:
       soup.triangles.push_back(facets[i].vertices);
       owners.push_back(facets[i].cell);
     }
-    if (soup.triangles.empty()) // Then each facet has a second tetrahedron, and tetrahedra overlap.
+    if (soup.triangles.empty()) // each facet has two tetrahedra, so they overlap
       throw Invalid_cells_error("tetrahedra overlap: leave out those that are given twice", {0});
     Joined_soup_3 result = join({merge_points(soup)});
     std::vector<std::size_t> offenders;

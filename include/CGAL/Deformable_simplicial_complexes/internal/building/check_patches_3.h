@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Returns the union of soups that need not be closed. Equal points of a soup are merged. Throws
+// Returns the union of soups, which may be open. Equal points of a soup are merged. Throws
 // `Invalid_surface_error` unless triangles meet only in common vertices and edges. Complexity: O(n
 // log n).
 inline Joined_soup_3 check_patches(const std::vector<Triangle_soup_3>& patches) {

@@ -38,8 +38,8 @@ inline Bbox_3 cube(const Coordinates_3& center, double half_side) {
 class Building_frame_3
 {
 public:
-  // Normalization maps the default box to [-1,1]^3; without it, coordinates do not change. Throws
-  // `Error` if the size of the default box is zero or not finite.
+  // Computes the frame. Normalization maps the default box to [-1,1]^3; without it, coordinates do
+  // not change. Throws `Error` if the size of the default box is zero or not finite.
   Building_frame_3(const std::vector<Coordinates_3>& points, bool normalize) {
     Coordinates_3 barycenter = {0, 0, 0};
     std::size_t n = 0;

@@ -106,8 +106,8 @@ void gather_region(const std::vector<Facet_sides<d>>& sides, std::size_t first,
 // Returns the label of each cell. A traversal starts at the boundary of the mesh and crosses as few
 // walls as possible. A cell gets the label of the surface that was entered last and has not been
 // left; outside all surfaces the label is 0. Crossing a wall leaves its surface if the traversal is
-// inside it, and enters it otherwise. Orientations therefore do not matter, and a component of a
-// surface nested in another one bounds a cavity. Complexity: O(n log n).
+// inside it, and enters it otherwise. Orientations therefore do not matter, and a component nested
+// in another component of the same surface bounds a cavity. Complexity: O(n log n).
 template <int d>
 std::vector<int> label_cells(const std::vector<Cell_vertices<d>>& cells, std::vector<Wall<d>> walls,
                              const std::vector<int>& surface_labels) {

@@ -25,8 +25,8 @@ template <int d> struct Grid
   std::vector<std::array<std::size_t, d + 1>> cells;
 };
 
-// Returns the number of edges in a period, rounded, and at least `least`. Throws `Error` if it
-// exceeds 2^20, or if a length is not positive.
+// Returns the number of edges in a period, rounded, and at least `least`. Throws `Error` if this
+// number exceeds 2^20, if a length is not positive, or if the period is not finite.
 inline std::size_t edges_in_period(double period, double edge, std::size_t least) {
   static constexpr double most = 1 << 20;
   if (!(edge > 0))

@@ -30,7 +30,7 @@ public:
     }
   }
 
-  // Allocates memory so that `number` ids can be taken back. Ids given later need no further call.
+  // Allocates memory so that `number` ids can be taken back without an allocation.
   void make_room(std::size_t number) {
     if (const std::size_t needed = m_free.size() + number; needed > m_free.capacity())
       m_free.reserve((std::max)(needed, 2 * m_free.capacity()));

@@ -30,8 +30,9 @@ namespace internal {
 class Voxel_frame_3
 {
 public:
-  // Normalization maps the default domain to [-1,1]^3. Throws `Error` if the size of the voxels is
-  // zero or not finite, or if the domain does not contain them in its interior.
+  // Computes the frame. Normalization maps the default domain to [-1,1]^3. Throws `Error` if the
+  // size of the voxels is zero or not finite, or if the domain does not contain them in its
+  // interior.
   template <class Domain>
   Voxel_frame_3(const Labelled_voxels_3& voxels, bool normalize, const Domain& domain) {
     double squared_diagonal = 0;

@@ -36,7 +36,7 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // A builder of a complex from voxels, where the labels of cells are component numbers. With these
-// labels, components neither merge nor touch, and each component has a volume to restore. The
+// labels, components neither merge nor touch, and the volume of each component can be restored. The
 // interface first follows the faces of the voxels, then it is smoothed, and then coarsened.
 template <class Complex> class Voxel_interface_3
 {
@@ -128,7 +128,7 @@ private:
 
   // Throws `Error` unless each component has the volume of its voxels, up to a tolerance.
   void check(const Complex& dsc) const {
-    static constexpr double tolerance = 1e-3; // relative; documented tolerance
+    static constexpr double tolerance = 1e-3; // relative, as documented
     std::set<int> labels;
     std::size_t number = 0;
     for (const auto& [component, volume] : m_volumes)

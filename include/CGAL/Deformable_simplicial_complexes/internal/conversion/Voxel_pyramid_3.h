@@ -21,9 +21,9 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // The components of voxels in blocks with sides of 2^l voxels, for levels l from 0. A block has a
-// component in two cases: if its eight sub-blocks have the same component, or if the other
-// sub-blocks can be changed to one component, one at a time, without a change of topology.
-// Otherwise the block is mixed.
+// component if its eight sub-blocks have the same one. It also has a component if sub-blocks can be
+// changed to the most frequent one, one at a time, without a change of topology. Otherwise the
+// block is mixed.
 class Voxel_pyramid_3
 {
 public:

@@ -26,8 +26,9 @@ struct Polygon_ring
   std::size_t line; // of the file
 };
 
-// The number of rings that contain each ring, tested at one point of the ring. The algorithm sorts
-// these points by y-coordinate. Complexity: O(n log n) if the y-ranges of few rings overlap.
+// The nesting of rings: for each ring, the number of rings that contain it, tested at one point of
+// the ring. The algorithm sorts these points by y-coordinate. Complexity: O(n log n) if the
+// y-ranges of few rings overlap.
 class Ring_nesting
 {
 public:

@@ -145,7 +145,7 @@ private:
     return result;
   }
 
-  // Returns the value of an attribute. Throws `File_error` if it is not an index or a size.
+  // Returns the value of an attribute. Throws `File_error` if it is not a non-negative integer.
   std::size_t number(const Xml_element& element, const std::string& name) const {
     const std::string text = element.attribute(name);
     const std::optional<std::size_t> result = number_of_word<std::size_t>(text);

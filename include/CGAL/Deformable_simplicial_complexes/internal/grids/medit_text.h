@@ -24,7 +24,7 @@ class Medit_triangles
 public:
   using Triangle = Mesh_entities::Simplex<3>;
 
-  // `labels` contains the two labels at each interface triangle.
+  // Collects the triangles. `labels` contains the two labels at each interface triangle.
   Medit_triangles(const std::vector<Triangle>& listed,
                   const std::vector<std::array<std::size_t, 3>>& interface_,
                   const std::vector<std::array<int, 2>>& labels)

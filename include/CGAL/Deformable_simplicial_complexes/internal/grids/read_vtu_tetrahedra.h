@@ -26,6 +26,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// The content of a VTU file with tetrahedra.
 struct Vtu_tetrahedra
 {
   std::vector<double> coordinates; // three for each point
@@ -35,7 +36,7 @@ struct Vtu_tetrahedra
   Unused_content unused;
 };
 
-// Returns the arrays of numbers on points or cells. Adds other arrays to the unused content.
+// The arrays of numbers on points or cells; others are unused.
 inline std::vector<Mesh_array> read_vtu_arrays(const Vtu_reader& reader, const std::string& section,
                                                std::size_t size, Unused_content& unused) {
   std::vector<Mesh_array> result;
@@ -55,8 +56,7 @@ inline std::vector<Mesh_array> read_vtu_arrays(const Vtu_reader& reader, const s
   return result;
 }
 
-// Removes arrays of integers that `double` cannot represent exactly, and adds them to the unused
-// content.
+// Removes arrays of integers that `double` cannot hold.
 inline void remove_inexact_arrays(std::vector<Mesh_array>& arrays, Unused_content& unused) {
   static constexpr double limit = 9007199254740992.; // 2^53
   const auto is_inexact = [&](const Mesh_array& array) {
@@ -70,8 +70,7 @@ inline void remove_inexact_arrays(std::vector<Mesh_array>& arrays, Unused_conten
   arrays.erase(std::remove_if(arrays.begin(), arrays.end(), is_inexact), arrays.end());
 }
 
-// Reads the tetrahedra of a VTU file, their labels and arrays. Throws `File_error` if the file is
-// not as described for `IO::read_VTU()`.
+// Throws File_error if the file is not as described for `IO::read_VTU()`.
 inline Vtu_tetrahedra read_vtu_tetrahedra(const std::string& path, const std::string& label_array) {
   const Progress_phase phase("reading tetrahedra");
   const Vtu_reader reader(path);

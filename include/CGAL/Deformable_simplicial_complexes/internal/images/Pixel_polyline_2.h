@@ -60,7 +60,8 @@ private:
     bool is_free; // whether the vertex may leave the corner
   };
 
-  static constexpr int most_rounds = 40; // halvings of segments; more than any chain needs
+  // maximum number of halvings of segments, sufficient for any chain
+  static constexpr int most_rounds = 40;
   // number of corners on each side that are averaged for a vertex
   static constexpr std::size_t window = 6;
   // maximum coordinate distance of vertices from corners, and of crossings from the middles of

@@ -70,8 +70,8 @@ public:
   const Improvement_report& report() const { return m_report; }
 
   // Improves all cells below a threshold. The remaining cells often have neighbors that are only
-  // slightly better. In each of `number_of_attempts` further attempts, the cells around the
-  // remaining ones are improved to a higher threshold. A cell whose shape smoothing has changed is
+  // slightly better. Therefore, in `number_of_attempts` further attempts, the cells around the
+  // remaining cells are improved to higher thresholds. A cell whose shape smoothing has changed is
   // tried again.
   void improve_all(double threshold, unsigned rounds, int number_of_attempts) {
     static constexpr double higher = 1.1;
@@ -180,8 +180,7 @@ public:
     return true;
   }
 
-  // Inserts a vertex into a cell. The vertex is connected with the surrounding cells that this
-  // improves.
+  // Inserts a vertex into a cell. Surrounding cells that this improves are replaced, too.
   bool insert(Cell_handle c, Cells& touched) {
     return Own::propose_insertion(m_complex, c, m_cavity) && commit(touched);
   }

@@ -38,8 +38,9 @@ template <class Point> double smallest_sine(const std::array<Point, 3>& p) {
   return product > 0 ? std::abs(determinant(p[1] - p[0], p[2] - p[0])) / product : 0;
 }
 
-// Removes triangles with an angle below a bound. For each triangle, it chooses the flip, collapse
-// or vertex insertion that maximizes the smallest angle. The interface does not change.
+// A function object that removes triangles with an angle below a bound. For each triangle, it
+// chooses the flip, collapse or vertex insertion that maximizes the smallest angle. The interface
+// does not change.
 template <class Complex> class Small_angle_remover_2
 {
 public:

@@ -40,9 +40,10 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Removes cells with a dihedral angle below a bound, or above its supplement. For each cell, it
-// chooses the operation that maximizes the smallest sine of a dihedral angle. Operations that
-// change the interface are tried last, and their changes of the interface are bounded.
+// A function object that removes cells with a dihedral angle below a bound, or above its
+// supplement. For each cell, it chooses the operation that maximizes the smallest sine of a
+// dihedral angle. Operations that change the interface are tried last, and their changes of the
+// interface are bounded.
 template <class Complex> class Small_angle_remover_3
 {
 public:
