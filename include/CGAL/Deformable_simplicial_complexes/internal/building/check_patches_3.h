@@ -14,8 +14,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Throws Invalid_surface_error unless the triangles of soups that need not be closed, their equal
-// points merged, meet only in common vertices and edges. Returns all of them as one. n log n.
+// Returns the union of soups, which may be open. Equal points of a soup are merged. Throws
+// `Invalid_surface_error` unless triangles meet only in common vertices and edges. Complexity: O(n
+// log n).
 inline Joined_soup_3 check_patches(const std::vector<Triangle_soup_3>& patches) {
   if (patches.empty())
     refuse_surface(Invalid_surface_error::Reason::empty, 0);

@@ -21,9 +21,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Makes tetrahedra positive by swapping two vertices of the negative ones. Throws
-// Invalid_cells_error if coordinates are not finite, indices do not exist, or tetrahedra are
-// flat.
+// Orients tetrahedra positively by swapping two vertices of the negative ones. Throws
+// `Invalid_cells_error` if coordinates are not finite, if indices do not exist, or if tetrahedra
+// are degenerate.
 template <class Traits>
 void orient_tetrahedra(const std::vector<typename Traits::Point_3>& points,
                        std::vector<std::array<std::size_t, 4>>& tetrahedra, const Traits& traits) {

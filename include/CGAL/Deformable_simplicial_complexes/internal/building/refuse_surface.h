@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What is wrong, and what to do about it.
+// Returns an explanation of a reason and advice for the user.
 inline const char* explanation(Invalid_surface_error::Reason reason) {
   using Reason = Invalid_surface_error::Reason;
   switch (reason) {
