@@ -117,9 +117,8 @@ private:
     double distance;
   };
 
-  std::vector<double> m_lengths; // target edge lengths, without an upper bound
-  std::vector<std::size_t>
-      m_first; // index of the first neighbor of each vertex, and the number of all neighbors
+  std::vector<double> m_lengths;    // target edge lengths, without an upper bound
+  std::vector<std::size_t> m_first; // first neighbor of each vertex, and their number
   std::vector<Neighbor> m_neighbors;
 };
 

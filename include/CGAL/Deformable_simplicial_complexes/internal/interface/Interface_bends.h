@@ -16,6 +16,7 @@ namespace internal {
 
 /*
 The bending of the interface of a snapshot at its vertices. In each dimension:
+
 - `normals(snapshot, positions)`: the unit normals, out of the larger label; 0 where the facet
   normals cancel each other
 - `on_features(snapshot, positions, angle)`: for each vertex, whether the normals of two incident

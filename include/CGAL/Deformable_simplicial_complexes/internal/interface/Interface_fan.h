@@ -16,6 +16,7 @@ namespace internal {
 
 /*
 The interface facets at a vertex, the center of the fan. In each dimension:
+
 - `Interface_fan(complex, v, star)`, with the star of v
 - `center()`
 - `is_disk()`: whether the interface at the center is a single sheet between the same two labels

@@ -99,7 +99,7 @@ private:
   }
 
   // Returns whether the distance of two vertices at the given positions equals their distance
-  // before the motion, up to rounding of the coordinates.
+  // before the motion, up to a small relative tolerance and rounding of the coordinates.
   template <class Position_of>
   bool are_as_far(Vertex_handle v, Vertex_handle w, const Position_of& position) const {
     static constexpr double same = 1e-6, precision = 1e-15;

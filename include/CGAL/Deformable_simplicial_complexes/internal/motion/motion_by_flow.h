@@ -38,10 +38,8 @@ motion_by_flow(const Complex& complex, const std::vector<typename Complex::Verte
                const Way& way, const Flow& flow, double longest, double negligible) {
   using Vertex_handle = typename Complex::Vertex_handle;
   using Vector = typename Complex::Approximate_vector;
-  static constexpr double fading =
-      .5; // of the smallest distance: cells at the interface keep their shape
-  static constexpr double steepest =
-      .125; // longest displacement relative to the length of the fading
+  static constexpr double fading = .5; // of the distance: cells at the interface keep their shape
+  static constexpr double steepest = .125; // longest displacement relative to that length
   const auto is_negligible = [&](const Vector& d) {
     return d.squared_length() <= negligible * negligible;
   };

@@ -77,8 +77,7 @@ void relocate(Proposed_motion<Complex>& motion, typename Proposed_motion<Complex
 template <class Complex>
 std::vector<typename Complex::Cell_handle>
 untangle(Proposed_motion<Complex>& motion, std::vector<typename Complex::Cell_handle> cells) {
-  static constexpr int rounds =
-      2; // more rounds, or relocating neighbors as well, is slow and seldom helps
+  static constexpr int rounds = 2; // more rounds are slow and seldom help
   const auto is_free = [&](auto i) { return !motion.vertex(i)->is_interface(); };
   auto suspects = cells;
   for (int round = 0; round < rounds && !cells.empty(); ++round) {

@@ -177,14 +177,11 @@ private:
   // Does one step of steepest ascent with a line search. Returns whether the improvement was
   // sufficient to continue.
   bool step() {
-    static constexpr double close =
-        .05; // relative distance to the worst value below which a function is active
-    static constexpr double flat =
-        1e-3; // slope times the longest edge below which no step is tried
+    static constexpr double close = .05;          // relative to the worst value: also active
+    static constexpr double flat = 1e-3;          // slope times the longest edge: no step
     static constexpr double longest_way = .5;     // of the longest edge
     static constexpr double shortest_part = 1e-3; // of the longest step
-    static constexpr double worth =
-        .02; // relative improvement of the worst value that is sufficient to continue
+    static constexpr double worth = .02;          // least relative gain of a step
     static constexpr int maximum_number_of_halvings = 6;
     double before = std::numeric_limits<double>::infinity();
     for (const Function& f : m_functions)
