@@ -33,8 +33,9 @@ std::vector<std::string> known_names(const CLI::App& app, bool are_options) {
   return result;
 }
 
-/// Returns a suggestion for the first unknown command or option: the nearest known name. Returns an
-/// empty string if all are known, or no name is near.
+/// Returns advice on the first unknown argument: the nearest known name of a command or option, or
+/// parentheses for an inequality that begins with '-'. Returns an empty string if there is no
+/// advice.
 std::string advice_on_arguments(const CLI::App& app, int argc, char** argv) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   const CLI::App& command = chosen.empty() ? app : *chosen.front();

@@ -75,8 +75,9 @@ double period(const Motion& motion) {
   return advection ? advection->period : 0;
 }
 
-/// Returns the distance measurement to the initial surfaces. Returns `nullopt` if the motion does
-/// not return to its start, or the input files no longer exist.
+/// Returns the distance measurement to the initial surfaces or curves. Returns `nullopt` if the
+/// motion does not return to its start, the inputs are of another kind, or they can no longer be
+/// read.
 std::optional<Start_distance> start_distance(const Run_options& options,
                                              const Run_position& position) {
   const Run_start& start = position.start;
@@ -96,12 +97,13 @@ bool is_whole_period(double time, double time_step, double period) {
   return std::abs(time - std::round(time / period) * period) < 1e-6 * time_step;
 }
 
-/// The number of cells below the quality floor after steps: the sum, and the worst step.
+/// The steps after which cells were below the quality floor: the number of these steps, the largest
+/// number of such cells, and the worst quality.
 struct Flat_cells
 {
   unsigned steps = 0;
   std::size_t most = 0;
-  double quality = 1; ///< the worst quality
+  double quality = 1; ///< worst quality of any cell
 
   void add(const Step_outcome& outcome, const Statistics& statistics) {
     steps += outcome.flat_cells > 0;

@@ -110,7 +110,7 @@ private:
       m_needs_boundary = true;
       return;
     }
-    // Separates the cell of best quality, because bad cells must be improved.
+    // Separates the cell of best quality, because cells of low quality must be improved.
     const auto best = std::min_element(inside, around.end(), [](Cell_handle a, Cell_handle b) {
       return std::make_pair(-a->quality(), a->time_stamp()) <
              std::make_pair(-b->quality(), b->time_stamp());

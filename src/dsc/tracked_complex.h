@@ -47,7 +47,7 @@ public:
   /// Stores the current complex for go_back(), until forget() is called.
   virtual void keep() = 0;
   virtual void forget() = 0;
-  virtual void go_back() = 0; ///< \pre a complex is stored
+  virtual void go_back() = 0; ///< to the stored complex, if any
 
   virtual Statistics statistics() const = 0;
 

@@ -96,15 +96,15 @@ std::unique_ptr<Tracked_complex> track_image_2(const Run_start& start, const std
   }
 }
 
-/// Reports curves or segments that bound no region.
-/// \throws Input_error if none bounds a region
+/// Reports segments with the same label on both sides, and curves that later curves cover.
+/// \throws Input_error if there is no interface
 void check_bounds(const Curves& curves, const std::string& input, const Complex& complex) {
   const std::size_t facets = complex.interface_facets().size();
   if (facets == 0)
     throw Input_error(input + ": each segment has the same label on both sides, so that nothing "
                               "would move; close the segments, or correct the regions");
   std::map<std::string, Unused_content> unused; // by file
-  if (curves.seeded)                            // no segment bounds a region
+  if (curves.seeded)                            // segments are not divided
     unused[input].add("segments with the same label on both sides",
                       curves.seeded->segments.size() - facets);
   for (std::size_t i = 0; i < curves.closed.size(); ++i)

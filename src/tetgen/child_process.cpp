@@ -106,8 +106,8 @@ extern "C" void exit_without_caller(int) {
     std::_Exit(EXIT_FAILURE);
 }
 
-// Ends the child if the caller was killed, because nobody reads the result. Checked once per
-// second.
+// Ends the child if the caller was killed, because nobody reads the result. Checks once per second
+// of processor time.
 void watch_caller() {
   struct sigaction action = {};
   action.sa_handler = exit_without_caller;

@@ -279,8 +279,8 @@ int execute(const Cut_locus_options& options) {
                       Surface_by_differences<Surface_expressions>(expressions, options.periods));
 }
 
-/// Requires the option `--periods` for surfaces that need it. The ball of a radius may lie on a
-/// surface that is not periodic.
+/// Checks the option `--periods`. A surface in u and v must be periodic, except for a ball of a
+/// given radius. Other surfaces must not have the option.
 void require_periods(const Cut_locus_options& options, bool are_given) {
   if (options.surface == "torus")
     return;

@@ -149,7 +149,7 @@ void warn_of_openness(const Reconstruction_report& report, std::size_t triangles
                  n, triangles);
 }
 
-/// Prints a warning with the places where the surface contradicts the points.
+/// Prints a warning if the surface contradicts the points.
 void warn_of_doubts(const Reconstruction_report& report) {
   if (report.doubtful_places.empty())
     return;
@@ -161,7 +161,8 @@ void warn_of_doubts(const Reconstruction_report& report) {
                report.doubtful_places.size() == 1 ? "place" : "places", p.x(), p.y(), p.z());
 }
 
-/// Returns why the result is not complete; a null pointer if it is complete.
+/// Returns why the result is not complete, as the end of a message; an empty string if it is
+/// complete.
 const char* what_is_incomplete(const Reconstruction_report& report) {
   if (report.is_complete)
     return "";

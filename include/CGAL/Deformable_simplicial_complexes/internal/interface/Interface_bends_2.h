@@ -29,7 +29,7 @@ template <class Complex> struct Interface_bends_2
                                      const Points& positions) {
     std::vector<Vector> result(positions.size(), Vector(0, 0));
     for_each_side(interface_, positions, [&](std::size_t v, const Vector& edge) {
-      // The normal of that circle is the sum of the edge normals, each divided by its edge length.
+      // The normal of the circle is the sum of the edge normals, each divided by its edge length.
       result[v] = result[v] + Vector(edge.y(), -edge.x()) / edge.squared_length();
     });
     static constexpr double rounding = 1e-9; // relative to the sum of weights

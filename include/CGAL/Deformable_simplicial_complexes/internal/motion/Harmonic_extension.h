@@ -55,7 +55,8 @@ public:
     const std::vector<Vertex_handle> vertices = number_vertices();
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       const Vertex_handle v = vertices[i];
-      // On a torus, only the null map is linear: phases follow the mean motion.
+      // On a torus, no linear map except zero is well defined, so phases follow the mean
+      // displacement.
       m_vertices.positions.push_back(Complex::Domain::has_outside ? coordinates(complex.position(v))
                                                                   : Vector::Zero().eval());
       m_vertices.are_held.push_back(i < free.size() ? complex.is_boundary(v) : !v->is_interface());

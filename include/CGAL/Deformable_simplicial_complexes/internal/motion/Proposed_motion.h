@@ -69,8 +69,8 @@ public:
     return chosen(m_cells, is_inverted);
   }
 
-  // Returns the cells whose quality would fall below the floor. Computes the qualities that have
-  // changed since the last call.
+  // Returns the cells whose quality would fall below the floor. Tests all cells in the first call,
+  // and then the cells that have changed since the previous call.
   // \pre all cells would be positively oriented
   std::vector<Cell_handle> degraded_cells() {
     std::vector<char> is_degraded(m_cells.size());
@@ -122,8 +122,8 @@ public:
     return result;
   }
 
-  // Returns the worst quality of the cells after the motion; `bound` as soon as a quality is not
-  // above it.
+  // Returns the worst quality of the cells after the motion, or `bound` if a quality is not above
+  // it.
   double worst_quality(const std::vector<Cell_handle>& cells, double bound) const {
     double worst = std::numeric_limits<double>::infinity();
     for (Cell_handle c : cells) {

@@ -39,7 +39,7 @@ motion_by_flow(const Complex& complex, const std::vector<typename Complex::Verte
   using Vertex_handle = typename Complex::Vertex_handle;
   using Vector = typename Complex::Approximate_vector;
   static constexpr double fading = .5; // of the distance: cells at the interface keep their shape
-  static constexpr double steepest = .125; // longest displacement relative to that length
+  static constexpr double steepest = .125; // longest displacement relative to the fading distance
   const auto is_negligible = [&](const Vector& d) {
     return d.squared_length() <= negligible * negligible;
   };

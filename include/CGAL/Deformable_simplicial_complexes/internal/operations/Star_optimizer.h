@@ -35,7 +35,7 @@ public:
   // An empty star with its vertex at p.
   Star_optimizer(const Measure& measure, const Point& p) : m_measure(measure), m_position(p) {}
 
-  // The star of v.
+  // The star of v, with its finite cells.
   Star_optimizer(const Complex& complex, const Measure& measure, typename Complex::Vertex_handle v,
                  const std::vector<typename Complex::Cell_handle>& star)
       : Star_optimizer(measure, complex.position(v)) {
@@ -178,7 +178,7 @@ private:
   // sufficient to continue.
   bool step() {
     static constexpr double close = .05;          // relative to the worst value: also active
-    static constexpr double flat = 1e-3;          // slope times the longest edge: no step
+    static constexpr double flat = 1e-3;          // slope times the longest edge; below, no step
     static constexpr double longest_way = .5;     // of the longest edge
     static constexpr double shortest_part = 1e-3; // of the longest step
     static constexpr double worth = .02;          // least relative gain of a step

@@ -79,7 +79,7 @@ private:
     Pair points;             // the smaller index first
     std::size_t side, other; // the first and the last side on the edge
     bool is_border;          // incident to a single triangle
-    bool is_smooth;          // incident to two triangles of one patch
+    bool is_smooth;          // exactly two triangles, oriented and labelled alike
   };
   struct Sum
   {
@@ -152,7 +152,8 @@ private:
       }
   }
 
-  // Computes the sums of the points around each closed fan.
+  // Computes the sums of the points that follow the center of each fan. For a closed fan, these are
+  // all points around the center.
   void sum_up_around() {
     m_around.resize(m_corner_of_fan.size());
     for (std::size_t corner = 0; corner < m_fan.size(); ++corner) {
@@ -181,16 +182,18 @@ private:
                  (3 * (a.z() + b.z()) + c.z() + d.z()) / 8);
   }
 
-  // Returns the boundary class of the new point of an edge. An edge between boundary points may
-  // cross the interior of the domain, unless the interface ends there.
+  // Returns the boundary class of the new point of an edge. An edge between two boundary points is
+  // on the boundary only if the interface ends there. Otherwise it may cross the interior of the
+  // domain.
   Boundary_class::Bits boundary_class(const Edge& edge) const {
     const auto& classes = m_surface.boundary_classes;
     return edge.is_border ? classes[edge.points[0]] & classes[edge.points[1]]
                           : Boundary_class::inside;
   }
 
-  // Returns whether a point is fixed by the boundary. Points inside a side of a box follow their
-  // curve. Points on edges of the box, and on the boundary of other domains, are fixed.
+  // Returns whether a point is fixed by the boundary. Points in the interior of a side of a box
+  // follow their curve. Points on edges of the box, and on the boundary of other domains, are
+  // fixed.
   bool is_held_by_boundary(std::size_t p) const {
     const Boundary_class::Bits sides = m_surface.boundary_classes[p];
     return sides == Boundary_class::fixed || (sides & (sides - 1)) != 0;
@@ -237,7 +240,7 @@ private:
   std::vector<std::size_t> m_fan;  // fan of each corner
   std::vector<std::size_t> m_corner_of_fan;
   std::vector<Pair> m_ends;  // ends of each fan
-  std::vector<Sum> m_around; // sums around each closed fan
+  std::vector<Sum> m_around; // sums of points of each fan
 };
 
 } // namespace internal

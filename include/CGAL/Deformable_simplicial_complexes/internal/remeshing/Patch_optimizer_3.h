@@ -36,7 +36,8 @@ struct Patch_goal
   unsigned variation; // selects the random changes
 };
 
-// Returns whether a cell is below a threshold for another reason than the shape of the interface.
+// Returns whether a cell is below a threshold and no dihedral angle of the cell is fixed by the
+// interface.
 template <class Complex>
 bool is_bad_at_rest(const Complex& complex, typename Complex::Cell_handle c, double threshold) {
   return c->quality() < threshold && !has_dictated_angle(complex, c);

@@ -254,7 +254,8 @@ private:
 #endif
   }
 
-  // Throws if a component has a boundary that is too long relative to the extent of the component.
+  // Throws if a hole has a boundary that is too long, absolutely or relative to the extent of its
+  // component.
   void refuse_sheets(Mesh& mesh, const std::vector<Halfedge>& holes) const {
     const auto parts = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part", 0).first;
     std::vector<Bbox_3> boxes(Polygon_mesh_processing::connected_components(mesh, parts));

@@ -98,9 +98,9 @@ inline std::size_t remove_repeated_triangles(Triangle_soup_3& soup) {
 enum class Merged_points { OF_OPEN_EDGES, ALL };
 
 // Merges points closer to each other than a distance. All points are merged, or only the ends of
-// open edges. For open edges, the distance is also bounded by a tenth of the length of the edges at
-// the point. A point is merged with the first point found near it. Returns the number of merged
-// points.
+// open edges. For the latter, the distance is also bounded by a tenth of the length of the open
+// edges at the point. A point is merged with the first point found near it. Returns the number of
+// merged points.
 inline std::size_t merge_near_points(Triangle_soup_3& soup, double distance, Merged_points which) {
   static constexpr double part = .1; // of the shortest open edge: its ends are never merged
   std::map<std::size_t, double> squared_limits;

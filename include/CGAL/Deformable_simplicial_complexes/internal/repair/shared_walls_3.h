@@ -106,7 +106,7 @@ struct Walled_regions_3
 };
 
 // Returns the innermost of the cells that enclose each region. Throws Invalid_surface_error if two
-// cells overlap and neither contains the other.
+// cells enclose the same regions, or overlap and neither contains the other.
 inline std::vector<std::size_t> innermost_cells(const std::vector<std::vector<char>>& enclosed,
                                                 const std::vector<Cell_surface_3>& cells,
                                                 std::size_t number_of_regions) {

@@ -63,9 +63,9 @@ inline Counted_triangles_3 count_triangles(const Split_soup_3& split,
   return counted;
 }
 
-// Returns which regions are inside the solid. If all dividing triangles belong to closed
-// components, these are the regions with a positive winding number. Otherwise they are the regions
-// enclosed by an odd number of nested components.
+// Returns which regions are inside the solid. These are the regions with a positive winding number
+// if all dividing triangles belong to closed components and the winding numbers are consistent.
+// Otherwise they are the regions enclosed by an odd number of nested components.
 inline std::vector<char> solid_regions(const Soup_regions_3& regions,
                                        const Counted_triangles_3& triangles) {
   std::vector<char> result(regions.size());

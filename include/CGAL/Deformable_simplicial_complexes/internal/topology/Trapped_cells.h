@@ -51,9 +51,9 @@ public:
   Topology_log<Complex>& log() { return m_log; }
   std::size_t number_of_relabeled() const { return m_relabeled; }
 
-  // Relabels those of the cells, and of the cells around, that are trapped, below the threshold,
-  // and flat by is_flat(c). Each cell is relabeled at most once, except for components that are cut
-  // off and too small to stay.
+  // Relabels cells among the given cells and the cells around them, if they are trapped, below the
+  // threshold, and flat according to is_flat(c). Each cell is relabeled at most once, except in
+  // components that are cut off and too small to stay.
   template <class Is_flat>
   void relabel(const std::vector<Cell_handle>& cells, double threshold, const Is_flat& is_flat) {
     m_done.clear();
