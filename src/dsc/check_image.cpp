@@ -44,7 +44,8 @@ public:
     read_header();
   }
 
-  /// Throws Input_error if the header is wrong or the number of bytes differs from the header.
+  /// Checks the header and the number of bytes.
+  /// \throws Input_error if the header is wrong, or the number of bytes differs from the header
   void check() {
     std::uint64_t announced = bytes_of_voxel();
     for (const char* key : {"XDIM", "YDIM", "ZDIM"})

@@ -86,8 +86,8 @@ void require_inside(const Fluid_scene& scene, const Pool_shape& pool) {
     throw Input_error("the level of the pool is not inside the domain");
 }
 
-/// Returns a complex of cubes divided into six tetrahedra each. The layers of cubes are separated
-/// by a plane at the level of the pool.
+/// Returns a complex of cubes divided into six tetrahedra each. A plane between two layers of cubes
+/// is at the level of the pool.
 Complex complex_of_pool(const Fluid_scene& scene, int label, const Pool_shape& pool) {
   const auto& d = scene.domain;
   require_inside(scene, pool);

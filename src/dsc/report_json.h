@@ -19,7 +19,7 @@ template <class T> Json value_or_null(const T& value) {
   return value == T() ? Json() : Json(value);
 }
 
-/// Returns the value stored by json_of(); a default value for null.
+/// Returns the value stored by value_or_null().
 template <class T> T value_of(const Json& json) { return json.is_null() ? T() : json.get<T>(); }
 
 /// Returns the statistics that all reports contain.

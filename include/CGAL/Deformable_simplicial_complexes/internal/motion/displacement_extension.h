@@ -40,7 +40,7 @@ displacement_extension(const Complex& complex,
                        const Flow& flow, double longest, const For_each_index& for_each_index) {
   using Vertex_handle = typename Complex::Vertex_handle;
   using Vector = typename Complex::Approximate_vector;
-  static constexpr double part = 1e-6; // of the longest displacement: below is zero
+  static constexpr double part = 1e-6; // relative to the longest displacement
   const double negligible = part * longest;
   if (auto followed = motion_by_flow(complex, free, way, flow, longest, negligible))
     return *std::move(followed);

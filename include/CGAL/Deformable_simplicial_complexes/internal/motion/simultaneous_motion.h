@@ -50,8 +50,8 @@ private:
   static constexpr double shortest_way = 1. / 16; // smaller fractions are set to 0
   static constexpr double lead = .25; // of the edge length: maximum difference along an edge
 
-  // Halves the displacements of the moving vertices of cells, and reduces those of the vertices
-  // around. Returns all vertices with a reduced displacement.
+  // Halves the displacements of the moving vertices of cells, and reduces the displacements of the
+  // vertices around them. Returns all vertices with a reduced displacement.
   std::vector<Number> hold_back(const std::vector<Cell_handle>& cells) {
     std::vector<Number> held = m_motion.vertices_of(cells, [&](Number i) { return m_way[i] > 0; });
     for (Number i : held)

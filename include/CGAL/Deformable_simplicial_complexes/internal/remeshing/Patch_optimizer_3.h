@@ -57,8 +57,8 @@ public:
       : m_complex(complex), m_copy(complex.geom_traits(), complex.quality_measure()),
         m_copy_cavity(m_copy) {}
 
-  // Returns a better patch around the cell. If this patch is not a ball, a patch around one of the
-  // vertices of the cell is tried. Returns `nullopt` if no better patch is found.
+  // Returns a better patch around the cell. If this patch is not a ball, the patches around the
+  // vertices of the cell are tried. Returns `nullopt` if no better patch is found.
   std::optional<Patch_3<Complex>> run(Cell_handle c, const Patch_goal& goal) {
     static constexpr unsigned variations = 16;
     m_goal = goal;
@@ -127,7 +127,8 @@ private:
     return cells;
   }
 
-  // Returns the sum of the deficits of the cells to the threshold, raised to the power `emphasis`.
+  // Returns the sum of the deficits of the cells to the threshold, each raised to the power
+  // `emphasis`.
   double deficit(const std::vector<Cell_handle>& cells) const {
     double result = 0;
     for (Cell_handle c : cells)

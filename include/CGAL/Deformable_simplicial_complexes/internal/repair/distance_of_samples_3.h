@@ -34,8 +34,7 @@ inline double distance_of_samples(const Triangle_soup_3& soup, const Triangle_so
       triangles.push_back(exact_triangle(other, t));
   AABB_tree<Tree_traits_3<Kernel, Triangles::const_iterator>> tree(triangles.cbegin(),
                                                                    triangles.cend());
-  tree.do_not_accelerate_distance_queries(); // the search tree does not terminate if many corners
-                                             // are equal
+  tree.do_not_accelerate_distance_queries(); // does not terminate for many equal corners
 
   double largest = 0;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t) {

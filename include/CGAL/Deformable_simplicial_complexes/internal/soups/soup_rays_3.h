@@ -18,8 +18,7 @@ namespace internal {
 struct Ray_crossing_3
 {
   std::size_t triangle;
-  bool leaves_front; // whether the ray goes from the side behind the triangle to the side in front
-                     // of it
+  bool leaves_front; // whether it goes from behind the triangle to its front
 };
 
 // A ray from a point inside a triangle, in the direction of increasing x.

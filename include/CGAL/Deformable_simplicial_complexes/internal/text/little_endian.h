@@ -22,8 +22,8 @@ using Bits = std::conditional_t<
     std::conditional_t<sizeof(Number) == 2, std::uint16_t,
                        std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>>>;
 
-// Append or read numbers as bytes, lowest byte first. Compilers replace the loops by single moves
-// on little-endian machines.
+// Appends a number as bytes, lowest byte first. Compilers replace the loop by a single move on
+// little-endian machines.
 template <class Number> void append_little_endian(std::string& bytes, Number number) {
   static_assert(std::is_arithmetic<Number>::value && sizeof(Bits<Number>) == sizeof(Number));
   Bits<Number> bits;

@@ -5,7 +5,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_COMPILED_2_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_COMPILED_2_H
 
-/// \file Declares the contents of the component `Compiled` for the plane: the class
+/// \file
+/// Declares the contents of the component `Compiled` for the plane: the class
 /// `CGAL::Deformable_simplicial_complex_2<>` and the functions that change it. A source file that
 /// includes this header uses the compiled code and does not instantiate these templates again.
 /// \pre The program links with `Deformable_simplicial_complex::Compiled`.
