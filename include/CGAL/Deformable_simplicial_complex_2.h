@@ -66,9 +66,8 @@ public:
   explicit Deformable_simplicial_complex_2(const Domain_& domain)
       : Deformable_simplicial_complex_2(Traits_(), domain) {}
 
-  double area(Label label) const {
-    return this->measure(label);
-  } ///< area of the label, in the coordinates of the complex; constant time
+  /// Returns the area of the label, in the coordinates of the complex. Constant time.
+  double area(Label label) const { return this->measure(label); }
   /// Returns the length of the label's interface, without the boundary of the domain. n log n in
   /// the number of cells.
   double length(Label label) const { return region(label).length; }

@@ -83,12 +83,11 @@ public:
   /// around the edge.
   bool is_interface(const Edge& e) const;
 
-  double volume(Label label) const {
-    return measure(label);
-  }                                                        ///< volume of the label; constant time
-  double area(const Facet& f) const { return measure(f); } ///< area of the facet \pre f is finite
-  double
-  area(Label label) const; ///< area of the label's interface, without the boundary of the domain
+  double volume(Label label) const { return measure(label); } ///< constant time
+  /// area of the facet \pre f is finite
+  double area(const Facet& f) const { return measure(f); }
+  /// area of the label's interface, without the boundary of the domain
+  double area(Label label) const;
   double area(Label a, Label b) const; ///< area of the interface between two labels
   /// Returns V - E + F of the label's interface; 2 for the boundary of a ball.
   int euler_characteristic(Label label) const;

@@ -26,10 +26,9 @@ public:
   using Kernel = Kernel_;                   ///< kernel of the predicates
   using Point_2 = typename Kernel::Point_2; ///< points of the predicates
 
-  using Approximate_kernel = Simple_cartesian<double>;     ///< kernel of the measures
-  using Approximate_point_2 = Approximate_kernel::Point_2; ///< points of the measures
-  using Approximate_vector_2 =
-      Approximate_kernel::Vector_2; ///< differences of points of the measures
+  using Approximate_kernel = Simple_cartesian<double>;       ///< kernel of the measures
+  using Approximate_point_2 = Approximate_kernel::Point_2;   ///< points of the measures
+  using Approximate_vector_2 = Approximate_kernel::Vector_2; ///< differences of these points
 
   /// Function object that returns the nearest point with double coordinates.
   struct Construct_approximate_point_2

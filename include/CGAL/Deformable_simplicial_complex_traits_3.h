@@ -21,8 +21,9 @@ namespace CGAL {
 struct Star_exit_3
 {
   std::size_t facet; ///< index of the link facet that the ray meets; the first one on a tie
-  int dimension;    ///< dimension of the link simplex that the ray meets: 2 for the interior of the
-                    ///< facet, 1 for an edge, 0 for a vertex
+  /// dimension of the link simplex that the ray meets: 2 for the interior of the facet, 1 for an
+  /// edge, 0 for a vertex
+  int dimension;
   double parameter; ///< t0 of `p + t0 (q - p)`; less than 1 iff the segment leaves the star
 };
 
@@ -48,10 +49,9 @@ public:
   using Kernel = Kernel_;                   ///< kernel of the predicates
   using Point_3 = typename Kernel::Point_3; ///< points of the predicates
 
-  using Approximate_kernel = Simple_cartesian<double>;     ///< kernel of the measures
-  using Approximate_point_3 = Approximate_kernel::Point_3; ///< points of the measures
-  using Approximate_vector_3 =
-      Approximate_kernel::Vector_3; ///< differences of points of the measures
+  using Approximate_kernel = Simple_cartesian<double>;       ///< kernel of the measures
+  using Approximate_point_3 = Approximate_kernel::Point_3;   ///< points of the measures
+  using Approximate_vector_3 = Approximate_kernel::Vector_3; ///< differences of these points
 
   /// Function object that returns a nearby point with double coordinates.
   struct Construct_approximate_point_3
@@ -101,7 +101,8 @@ public:
     /// \param p source of the ray, inside its star
     /// \param q another point, `q != p`
     /// \param facets range of `std::array<Point_3, 3>`. If p is on the boundary of the domain, its
-    /// finite link is open. The facet index is then `facets.size()` for a ray that points outside.
+    ///        finite link is open. The facet index is then `facets.size()` for a ray that points
+    ///        outside.
     template <class Facets>
     Star_exit_3 operator()(const Point_3& p, const Point_3& q, const Facets& facets) const {
       const auto orientation = m_traits.orientation_3_object();

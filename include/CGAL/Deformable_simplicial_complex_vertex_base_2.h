@@ -32,8 +32,8 @@ public:
   template <class Tds2> struct Rebind_TDS
   {
     using Vb2 = typename Vb::template Rebind_TDS<Tds2>::Other; ///< `Vb` for `Tds2`
-    using Other =
-        Deformable_simplicial_complex_vertex_base_2<Traits, Vb2>; ///< this class for `Tds2`
+    /// this class for `Tds2`
+    using Other = Deformable_simplicial_complex_vertex_base_2<Traits, Vb2>;
   };
 
   using Vb::Vb;

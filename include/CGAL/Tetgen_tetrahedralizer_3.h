@@ -75,10 +75,11 @@ public:
 
   If TetGen fails, the function tries in this order:
   - a smaller tolerance, unless TetGen crashed or was too slow;
-  - another order of the points, unless TetGen reported invalid input;
-  - no bounds, so that tetrahedra are of lower quality.
+  - another order of the points;
+  - no bounds, with both orders of the points, so that tetrahedra are of lower quality.
 
-  If a call takes less than a third of the time limit, its result is deterministic.
+  If TetGen reports invalid input, only the smaller tolerance is tried. If a call takes less than a
+  third of the time limit, its result is deterministic.
 
   Several threads may call this function at the same time on platforms with `fork()`. The allocator
   must then work in the child process. The allocator of glibc does; the one of the address sanitizer

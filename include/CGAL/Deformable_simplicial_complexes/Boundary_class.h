@@ -22,8 +22,8 @@ struct Boundary_class
 {
   using Bits = std::uint8_t;        ///< set of sides
   static constexpr Bits inside = 0; ///< on no side
-  static constexpr Bits fixed =
-      64; ///< on the boundary of a domain that is not a box; the vertex may not move
+  /// on the boundary of a domain that is not a box; the vertex may not move
+  static constexpr Bits fixed = 64;
 
   /// Returns whether motion along an axis (0, 1, 2) leaves the sides.
   static bool fixes(Bits sides, int axis) {

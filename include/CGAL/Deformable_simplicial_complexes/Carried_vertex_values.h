@@ -165,9 +165,8 @@ private:
 
   const Complex& m_complex;
   VertexValueMap m_values;
-  std::function<bool(Cell_handle)> m_has_values; // empty if all cells have values
-  std::vector<std::pair<std::size_t, Value>>
-      m_interpolated; // index of the cavity vertex, and its value
+  std::function<bool(Cell_handle)> m_has_values;             // empty if all cells have values
+  std::vector<std::pair<std::size_t, Value>> m_interpolated; // index and value
 };
 
 } // namespace Deformable_simplicial_complexes

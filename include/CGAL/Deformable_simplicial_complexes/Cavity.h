@@ -48,12 +48,11 @@ geometric test is needed.
 template <class Complex> class Cavity
 {
 public:
-  static constexpr int corners = Complex::dimension + 1; ///< number of vertices of a cell
-  using Vertex_handle = typename Complex::Vertex_handle; ///< vertex of the complex
-  using Cell_handle = typename Complex::Cell_handle;     ///< cell of the complex
-  using Point = typename Complex::Point;                 ///< point of the complex
-  using Approximate_point =
-      typename Complex::Approximate_point; ///< approximate point of the complex
+  static constexpr int corners = Complex::dimension + 1;         ///< number of vertices of a cell
+  using Vertex_handle = typename Complex::Vertex_handle;         ///< vertex of the complex
+  using Cell_handle = typename Complex::Cell_handle;             ///< cell of the complex
+  using Point = typename Complex::Point;                         ///< point of the complex
+  using Approximate_point = typename Complex::Approximate_point; ///< as in the complex
   using Index = std::uint32_t; ///< index of a vertex within the cavity, into `vertices()`
   static constexpr Index none = Index(-1);    ///< no index
   using Indices = std::array<Index, corners>; ///< the corners of a planned cell

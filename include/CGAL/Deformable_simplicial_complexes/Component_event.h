@@ -30,8 +30,8 @@ struct Component_event
   struct Part
   {
     std::uint32_t component; ///< `component()` of its cells, at the previous or at the present call
-    double
-        volume; ///< volume just before or just after the change, in the coordinates of the complex
+    /// volume just before or just after the change, in the coordinates of the complex
+    double volume;
   };
 
   Kind kind;                ///< kind of the change

@@ -42,8 +42,8 @@ template <class Complex> struct Deformation_report
     typename Complex::Label label = 0; ///< label of the components
     std::size_t before = 0;            ///< number of components before
     std::size_t after = 0;             ///< number of components after
-    std::size_t merged = 0;   ///< components that merged into others; before + split + appeared =
-                              ///< after + merged + vanished
+    /// components that merged into others; before + split + appeared = after + merged + vanished
+    std::size_t merged = 0;
     std::size_t split = 0;    ///< components that separated from others
     std::size_t vanished = 0; ///< components of which no cell is left
     std::size_t appeared = 0; ///< components without a predecessor
@@ -65,8 +65,8 @@ template <class Complex> struct Deformation_report
 
   bool complete = true;                      ///< whether `unfinished` is empty
   std::vector<Unfinished_vertex> unfinished; ///< by increasing time stamp
-  std::vector<Flat_cell>
-      flat; ///< all flat cells of the complex at the end, by increasing time stamp
+  /// all flat cells of the complex at the end, by increasing time stamp
+  std::vector<Flat_cell> flat;
   /// number of vertices that a merge or a collapse removed, or took off the interface, before they
   /// arrived
   std::size_t vanished = 0;
@@ -74,8 +74,8 @@ template <class Complex> struct Deformation_report
   /// point of the box
   std::size_t stopped_at_boundary = 0;
   unsigned passes = 0; ///< executions of the main loop of Algorithm 1
-  bool stopped =
-      false; ///< whether the visitor ended the deformation: `go_further()` returned false
+  /// whether the visitor ended the deformation: `go_further()` returned false
+  bool stopped = false;
   /// \var split
   /// number of edges split
   /// \var collapsed
@@ -87,14 +87,16 @@ template <class Complex> struct Deformation_report
   /// \var inserted
   /// number of vertices inserted into cells
   std::size_t split = 0, collapsed = 0, flipped = 0, smoothed = 0, inserted = 0;
-  /// number of vertices of the interface that were moved from their destinations to remove small
-  /// angles, by a twentieth of the mean edge length there, by a quarter at most
+  /// number of vertices of the interface that were moved away from the positions that they had
+  /// reached, to remove small angles; by a twentieth of the mean edge length there, by a quarter at
+  /// most
   std::size_t relocated = 0;
   std::size_t relabeled = 0;        ///< number of cells that changed their label
   std::vector<Label_change> labels; ///< one for each label before or after, by increasing label
   std::vector<Topology_event<Complex>> events;       ///< by increasing pass
   std::vector<Neighbor_exchange<Complex>> exchanges; ///< in 2D only, found at the end
-  Seconds seconds; ///< the only member that differs from run to run
+  /// the only member that differs from run to run
+  Seconds seconds;
 };
 
 } // namespace Deformable_simplicial_complexes

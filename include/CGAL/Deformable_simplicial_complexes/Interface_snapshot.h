@@ -29,9 +29,8 @@ template <class Complex_> struct Interface_vertices
   /// Facet of the interface. Its vertices are indices into `vertices`.
   struct Facet
   {
-    std::array<std::size_t, Complex::dimension>
-        vertices; ///< counterclockwise seen from the front in 3D; with the larger label on the left
-                  ///< in 2D
+    /// counterclockwise seen from the front in 3D; with the larger label on the left in 2D
+    std::array<std::size_t, Complex::dimension> vertices;
     typename Complex::Label behind;   ///< the larger label
     typename Complex::Label in_front; ///< the smaller label
   };
