@@ -202,7 +202,8 @@ of the two vertices, but quadratic in the phases at the ends.
 \param longest largest length of walls to be considered, divided by the mean length of the four
        other interface edges at the ends of the wall
 \param cavity filled with the proposal if there is one; the ends of the wall move
-\return the exchange, if it shortens the interface and all new triangles are positively oriented
+\return the exchange, if it shortens the interface, all new triangles are positively oriented, and
+        `complex.keeps_quality()` holds
 */
 template <class Complex>
 std::optional<Neighbor_exchange<Complex>>
