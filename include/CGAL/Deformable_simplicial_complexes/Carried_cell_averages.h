@@ -63,7 +63,7 @@ public:
   using Vertex_handle = typename Complex::Vertex_handle; ///< vertex of the complex
   using Point = typename Complex::Point;                 ///< point of the complex
   using Cavity = typename Complex::Cavity;               ///< cavity of the complex
-  using Value = typename boost::property_traits<CellValueMap>::value_type; ///< an average
+  using Value = typename boost::property_traits<CellValueMap>::value_type; ///< average over a cell
 
   /// Turns the averages of all finite cells into integrals. Linear in the number of cells. The
   /// complex must outlive the visitor.

@@ -54,8 +54,8 @@ public:
   using Point = typename Complex::Point;                         ///< point of the complex
   using Approximate_point = typename Complex::Approximate_point; ///< as in the complex
   using Index = std::uint32_t; ///< index of a vertex within the cavity, into `vertices()`
-  static constexpr Index none = Index(-1);    ///< no index
-  using Indices = std::array<Index, corners>; ///< the corners of a planned cell
+  static constexpr Index none = Index(-1);    ///< no vertex
+  using Indices = std::array<Index, corners>; ///< vertices of a planned cell
 
   /// Vertex of the complex, or vertex to be created.
   struct Vertex

@@ -42,7 +42,7 @@ the complex may call the setters, since they change values that it caches.
 class Cell_data
 {
 public:
-  using Has_timestamp = Tag_true; ///< makes the container of the cells number them
+  using Has_timestamp = Tag_true; ///< tells the container to number the cells
 
   /// Returns the number in the order of creation; `std::size_t(-1)` for a cell outside a container.
   std::size_t time_stamp() const { return m_time_stamp; }

@@ -78,7 +78,7 @@ facets `segments` and `triangles`.
 */
 template <class Complex, int dimension = Complex::dimension> struct Interface_snapshot;
 
-/// The vertices and facets of an interface in space.
+/// Vertices and facets of an interface in 3D.
 template <class Complex> struct Interface_snapshot<Complex, 3> : public Interface_vertices<Complex>
 {
   using Triangle = typename Interface_vertices<Complex>::Facet; ///< a facet
@@ -93,7 +93,7 @@ template <class Complex> struct Interface_snapshot<Complex, 3> : public Interfac
   const std::vector<Triangle>& facets() const { return triangles; }
 };
 
-/// The vertices and edges of an interface in the plane.
+/// Vertices and facets of an interface in 2D.
 template <class Complex> struct Interface_snapshot<Complex, 2> : public Interface_vertices<Complex>
 {
   using Segment = typename Interface_vertices<Complex>::Facet; ///< a facet

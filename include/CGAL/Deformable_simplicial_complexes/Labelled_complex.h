@@ -334,11 +334,11 @@ public:
     return m_components.take_events();
   }
 
-  /// Returns the relation between the components at the last call and the present ones. The result
-  /// contains the pair of the former and the present number, sorted, if the present component
-  /// contains cells of the former one, or cells that replaced them. Components are renumbered when
-  /// some of them change. A present component in no pair is new; a former component in no pair has
-  /// vanished. Linear if the topology may have changed.
+  /// Returns the relation between the components at the last call and the present ones, as pairs of
+  /// a former and a present number, sorted. A pair tells that the present component contains cells
+  /// of the former one, or cells that replaced them. Components are renumbered when some of them
+  /// change. A present component in no pair is new; a former component in no pair has vanished.
+  /// Linear if the topology may have changed.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> take_component_lineage() {
     update_components();
     return m_components.take_lineage();

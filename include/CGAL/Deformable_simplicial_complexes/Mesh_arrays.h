@@ -15,8 +15,8 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-A named array of numbers on the points or the cells of a mesh, with one row of `components` numbers
-(a tuple of VTK) for each point or cell.
+A named array of numbers on the points or the cells of a mesh. Each point or cell has one row (a
+tuple of VTK) of `components` numbers.
 */
 struct Mesh_array
 {

@@ -15,9 +15,9 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-The entities of a MEDIT file other than points, tetrahedra and their labels: edges and triangles
-with references, for boundary conditions for example, and corners, ridges and required entities,
-which remeshing must preserve. Indices start from 0.
+Entities of a MEDIT file other than points, tetrahedra and their labels. Edges and triangles with
+references are used for boundary conditions, for example. Corners, ridges and required entities must
+be preserved by remeshing. Indices start from 0.
 */
 struct Mesh_entities
 {

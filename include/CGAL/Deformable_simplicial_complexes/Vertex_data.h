@@ -23,7 +23,7 @@ call the setters, since they change values that it caches.
 class Vertex_data
 {
 public:
-  using Has_timestamp = Tag_true; ///< makes the container of the vertices number them
+  using Has_timestamp = Tag_true; ///< tells the container to number the vertices
 
   /// Returns the number in the order of creation; `std::size_t(-1)` for a vertex outside a
   /// container.

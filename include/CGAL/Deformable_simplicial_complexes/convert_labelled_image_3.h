@@ -48,10 +48,10 @@ n log n in the number of voxels at the interface, linear in the number of the ot
        times the longest side of a voxel. Edges are shorter where components are small.
 \param np named parameters `normalize`, `enclosing_box`, `improve`, `quality_threshold`,
        `number_of_iterations` of `make_deformable_simplicial_complex_3()` from surfaces. The default
-       box is a cube. Its center is that of the bounding box of the voxels with labels other than 0,
-       and its half side is 2.5 times half the diagonal of this bounding box. If `enclosing_box` is
-       the box of all voxels, they fill the domain. The interface then ends on the boundary of the
-       domain and can move along it, and 0 is a label like others.
+       box is a cube about the bounding box of the voxels with labels other than 0. Both have the
+       same center, and the half side of the cube is 2.5 times half the diagonal of the bounding
+       box. If `enclosing_box` is the box of all voxels, they fill the domain. The interface then
+       ends on the boundary of the domain and can move along it, and 0 is a label like others.
 
 \throws Error if the image has no voxels, has several values for a voxel, holds a value that is not
         a label, or holds label 0 only; if the sides of voxels are not positive and finite; if more

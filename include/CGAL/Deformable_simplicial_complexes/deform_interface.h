@@ -105,12 +105,12 @@ Each pass does the following:
                           Cells at parts of the interface that stayed or moved rigidly are not
                           removed. Trapped cells may join another phase, as with
                           `relabeling_threshold`. In all other cases, the topology stays. The
-                          interface then moves by the cell, by a volume of at most a tenth of the
-                          cube of the mean edge length there, or by a twentieth of that length at
-                          one of the vertices that moved. If this is not sufficient, the bounds are
-                          up to five times as large. In 2D, triangles with a smaller angle are
-                          removed, and the interface does not change. In [0, 30]; with 0, vertices
-                          that have arrived stay in place.}
+                          interface then moves by the cell, or by a volume of at most a tenth of the
+                          cube of the mean edge length there. Or one of its vertices that moved is
+                          displaced by at most a twentieth of that length. If this is not
+                          sufficient, the bounds are up to five times as large. In 2D, triangles
+                          with a smaller angle are removed, and the interface does not change. In
+                          [0, 30]; with 0, vertices that have arrived stay in place.}
     \cgalParamType{`double`} \cgalParamDefault{5}
   \cgalParamNEnd
   \cgalParamNBegin{minimum_facet_angle}
@@ -155,8 +155,8 @@ Each pass does the following:
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{collision_order}
-    \cgalParamDescription{whether vertices that are moved one by one are ordered by the time at
-                          which their stars would first have a flat cell, instead of the order of
+    \cgalParamDescription{order of the vertices that are moved one by one: if true, by the time at
+                          which their stars would first have a flat cell; otherwise, the order of
                           storage. The rational arithmetic takes some microseconds for each cell
                           around these vertices.}
     \cgalParamType{`bool`} \cgalParamDefault{`false`}

@@ -28,8 +28,8 @@ stars of the vertices. Section 3.1 of the paper.
 \param complex the complex; it is not changed
 \param cell, i the edge opposite to the vertex i, the tip, of a finite triangle
 \param cavity filled with the proposal if there is one
-\return whether the edge and the tip are on the interface, the topology stays, both new triangles
-        are positively oriented, and the worse new triangle is better than the worse old one. The
+\return whether the proposal is valid: the edge and the tip are on the interface, and the topology
+        stays. Both new triangles are positively oriented, and the worst quality rises. The
         interface moves by the area of the cap.
 */
 template <class Complex>

@@ -16,11 +16,10 @@
 #include <cmath>
 #include <utility>
 
-// Simplices that are degenerate: edges nearly without length, facets nearly without area and
-// tetrahedra nearly without volume ("degeneracy removal", section 3.2.1 of the paper). The paper
-// splits an edge and collapses the new vertex into a vertex c beside it. That is to remove the
-// edge, its ring being triangulated by a fan around c; edge removal takes the best of all
-// triangulations.
+// Degenerate simplices: edges of almost zero length, facets of almost zero area, and tetrahedra of
+// almost zero volume ("degeneracy removal", section 3.2.1 of the paper). The paper splits an edge
+// and collapses the new vertex into a vertex c of the ring. This is edge removal with a fan around
+// c as the triangulation of the ring. Edge removal uses the best of all triangulations instead.
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {

@@ -36,7 +36,7 @@ public:
 
   // Returns whether the removed vertex is as regular as the edge: the sectors of one label in its
   // star are exactly those around the edge. The outside of the domain counts as a label. A vertex
-  // in a sheet may thus move along the sheet, a vertex on a triple line along the line, and a
+  // in a sheet may thus move along the sheet, and a vertex on a triple line along the line. A
   // vertex where more labels meet stays.
   bool has_same_stratum(const Star& star_a) const {
     Star around_edge;

@@ -37,8 +37,7 @@ on both sides of the other diagonal of their quadrilateral. Constant time.
 \param complex the complex; it is not changed
 \param cell, i the edge opposite to the vertex i of a finite triangle
 \param cavity filled with the proposal if there is one
-\return whether both new triangles are positively oriented and the worse new triangle is better than
-        the worse old one
+\return whether both new triangles are positively oriented and the worst quality rises
 */
 template <class Complex>
 bool propose_edge_flip(const Complex& complex, typename Complex::Cell_handle cell, int i,

@@ -114,9 +114,10 @@ around the edge.
 \param cell, i, j the edge between the vertices i and j of the cell
 \param cavity filled with the proposal if there is one
 \param minimum_quality if all new tetrahedra are better than this, the worst quality need not rise
-\return whether the ring is finite and of at most 52 cells, exactly two facets of the interface meet
-        in the edge, the worst quality rises or is above `minimum_quality`, and all new tetrahedra
-        are positively oriented. The topology of the interface stays.
+\return whether the proposal is valid: the ring is finite and of at most 52 cells, and exactly two
+        facets of the interface meet in the edge. The worst quality rises or is above
+        `minimum_quality`, and all new tetrahedra are positively oriented. The topology of the
+        interface stays.
 */
 template <class Complex>
 bool propose_interface_edge_flip(const Complex& complex, typename Complex::Cell_handle cell, int i,

@@ -45,10 +45,10 @@ volumes of labels up to rounding; flips, collapses and curved splits change them
     \cgalParamType{`double`} \cgalParamDefault{0.025, the paper's}
   \cgalParamNEnd
   \cgalParamNBegin{flip_angle}
-    \cgalParamDescription{edges that do not fulfill the Delaunay criterion are flipped if the
-                          normals of their facets differ by a smaller angle, in degrees, in [0, 90],
-                          and the worst cell around improves or stays above the threshold; in 3D
-                          only}
+    \cgalParamDescription{an edge that does not fulfill the Delaunay criterion is flipped if the
+                          normals of its facets differ by a smaller angle, in degrees, in [0, 90].
+                          The worst cell around must improve or stay above the threshold. In 3D
+                          only.}
     \cgalParamType{`double`} \cgalParamDefault{5, the paper's}
   \cgalParamNEnd
   \cgalParamNBegin{feature_angle}
@@ -73,8 +73,8 @@ volumes of labels up to rounding; flips, collapses and curved splits change them
   \cgalParamNEnd
   \cgalParamNBegin{curved_splits}
     \cgalParamDescription{whether new vertices are placed on a smooth surface or curve interpolated
-                          from the neighbors of the edge, where the interface is smooth, instead of
-                          on the edge}
+                          from the neighbors of the edge, instead of on the edge; only where the
+                          interface is smooth}
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{split_junctions}

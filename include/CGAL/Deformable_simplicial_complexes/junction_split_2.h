@@ -167,9 +167,9 @@ sectors that become neighbors.
 \param complex the complex; it is not changed
 \param v a finite vertex
 \param cavity filled with the proposal if there is one; its last vertex is the new one
-\return whether v is inside the domain, more than three sectors meet at v, the split shortens the
-        interface, the new neighbors have different labels, all new triangles are positively
-        oriented, and `complex.keeps_quality()` holds
+\return whether the proposal is valid: v is inside the domain, more than three sectors meet at v,
+        and the new neighbors have different labels. The split shortens the interface, all new
+        triangles are positively oriented, and `complex.keeps_quality()` holds.
 */
 template <class Complex>
 bool propose_junction_split(const Complex& complex, typename Complex::Vertex_handle v,

@@ -92,7 +92,7 @@ log n in the number of segments and triangles.
 
 A curve is a set of segments; an even number of them meet at each point. Curves may be nested in any
 way, may touch in common ends of segments, and may have whole segments in common. They must not
-cross or overlap in parts. The label of a point is found along a path from the outside that crosses
+cross or overlap partially. The label of a point is found along a path from the outside that crosses
 as few segments as possible: it is the label of the curve entered last. If several curves are
 entered at once, the one that was given last counts. Points outside all curves have label 0.
 

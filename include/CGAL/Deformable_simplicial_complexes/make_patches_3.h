@@ -89,7 +89,7 @@ make_patches_3(const std::vector<Labelled_surface_3<Point>>& surfaces) {
   const auto label_of = [&](std::size_t cell) {
     return cell == internal::Walled_regions_3::outside ? 0 : labels[cell];
   };
-  // by the labels behind and in front
+  // by the labels behind and in front of it
   std::map<std::array<int, 2>, internal::Triangle_soup_3> walls;
   for (std::size_t t = 0; t < regions.sides.size(); ++t) {
     std::array<int, 2> sides = {label_of(regions.sides[t].behind),

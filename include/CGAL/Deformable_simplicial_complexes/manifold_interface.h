@@ -10,9 +10,8 @@
 
 #include <vector>
 
-/// \file
-/// Where the interface is a manifold, and how it stays one: what the parameter
-/// `manifold_interface()` is about.
+/// \file Tests whether the interface is manifold, and relabeling that keeps it manifold, as used
+/// with the parameter `manifold_interface()`.
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {

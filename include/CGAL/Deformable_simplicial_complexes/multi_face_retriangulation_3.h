@@ -139,9 +139,10 @@ Baerentzen, Anton and Erleben 2009). Cubic in m.
 \param complex the complex; it is not changed
 \param cell, i the facet
 \param cavity filled with the proposal if there is one
-\return whether the two cells of the facet are finite and of one label, the set is a disk without
-        inner vertices and has at most 50 facets, the worst quality rises, and all new tetrahedra
-        are positively oriented. The interface and the boundary of the domain are unchanged.
+\return whether the proposal is valid: the two cells of the facet are finite and of one label, and
+        the set is a disk without inner vertices with at most 50 facets. The worst quality rises,
+        and all new tetrahedra are positively oriented. The interface and the boundary of the domain
+        are unchanged.
 */
 template <class Complex>
 bool propose_multi_face_retriangulation(const Complex& complex, typename Complex::Cell_handle cell,

@@ -16,10 +16,9 @@
 #include <string>
 #include <type_traits>
 
-/// \file
-/// Named parameters of the package. They chain like CGAL's:
-/// `deform_interface(dsc, destination, parameters::maximum_number_of_passes(20).visitor(v))`
-/// with `namespace parameters = CGAL::Deformable_simplicial_complexes::parameters`.
+/// \file Named parameters of the package. They are chained like those of CGAL:
+/// `deform_interface(dsc, destination, parameters::maximum_number_of_passes(20).visitor(v))` with
+/// `namespace parameters = CGAL::Deformable_simplicial_complexes::parameters`.
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {

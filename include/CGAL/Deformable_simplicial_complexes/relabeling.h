@@ -49,10 +49,10 @@ Proposes another label for a nearly flat cell trapped between two parts of the i
 ("tetrahedron relabeling", section 3.2.1 of the paper). The topology of the interface may change.
 Constant time.
 
-First rule: the largest facet of the cell lies on the interface, and the opposite vertex, which is
-on the interface or on the boundary of the domain, projects into the facet. The cell then joins the
-phase behind the facet. The facet may be smaller than the largest one by 2 % (in 2D 1 %), and the
-projection may be outside by a hundredth of the height of the facet.
+First rule: the largest facet of the cell lies on the interface, and the opposite vertex projects
+into the facet. This vertex is on the interface or on the boundary of the domain. The cell then
+joins the phase behind the facet. The facet may be smaller than the largest one by 2 % (in 2D, by 1
+%). The projection may be outside the facet by a hundredth of its height.
 
 Second rule, for half the threshold: the cell joins the neighboring phase for which the measure of
 the interface decreases most, if there is one.

@@ -62,9 +62,9 @@ requires. The following steps are done in this order until the surface bounds a 
   corners, one is kept; none is kept if the triangles are a wall between components that touch.
 - Boundary vertices are stitched if their distance is less than a thousandth of the mean edge and a
   tenth of the boundary edges at them.
-- T-junctions are closed: a boundary edge is split at a boundary vertex if the distance of the
-  vertex from the edge is less than a thousandth of that edge and of the shortest boundary edge at
-  the vertex.
+- T-junctions are closed: a boundary edge is split at a boundary vertex near it. The distance of the
+  vertex from the edge must be less than a thousandth of that edge and of the shortest boundary edge
+  at the vertex.
 - Fins are removed: triangles with a boundary edge that are attached to an otherwise closed surface.
   They stay if they extend farther than two mean edge lengths from the surface.
 - Holes are filled. If a border is too long, an exception is thrown, since the surface is a sheet,

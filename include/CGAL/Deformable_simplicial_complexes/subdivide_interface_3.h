@@ -23,11 +23,13 @@ which is multiplied by four in each subdivision.
 An edge is on a curve if it has one triangle or more than two, or if the labels change at it. On the
 manifold patches between curves, points are those of `Subdivision_method_3::Loop_subdivision()`, up
 to rounding. Curves are subdivided by the rule for borders, 1/8, 3/4, 1/8. Each curve is subdivided
-once for all patches that meet there, so that the patches still share its points. Points do not move
+once for all patches that meet there, so that the patches still share its points. Some points do not
+move:
 
-- where curves branch or end, as in quadruple points, and where sheets touch in a single point,
-- on the edges of a box, so that the interface still ends in the sides of the box; on the boundary
-  of a domain that is not a box, all original vertices.
+- points where curves branch or end, as in quadruple points, and points where sheets touch in a
+  single point;
+- points on the edges of a box, so that the interface still ends in the sides of the box;
+- original vertices on the boundary of a domain that is not a box.
 
 The interface between two labels, extracted alone, has a border where other labels meet it. Its
 subdivision agrees with the corresponding part of the whole interface if no curve branches on it. On

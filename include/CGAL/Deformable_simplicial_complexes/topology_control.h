@@ -9,9 +9,8 @@
 #include <utility>
 #include <vector>
 
-/// \file
-/// Who decides whether the interface may change its topology: values of the parameter
-/// `topology_control()`.
+/// \file Models of `TopologyControl`: values of the parameter `topology_control()`, which permit or
+/// forbid changes of the topology of the interface.
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {

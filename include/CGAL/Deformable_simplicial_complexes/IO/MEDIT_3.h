@@ -144,10 +144,10 @@ tetrahedra is not checked.
 \param unused the skipped sections are added to it, unless it is null
 
 \throws Deformable_simplicial_complexes::File_error with the number of the line if the text is not a
-        mesh of dimension 3, a number is missing or wrong, a coordinate is not finite, a reference
-        is not an integer of 32 bits, an index is out of range, there are no tetrahedra, or there
-        are other three-dimensional cells, such as hexahedra or curved tetrahedra. The arguments are
-        then unchanged.
+        mesh of dimension 3, contains no tetrahedra, or contains other three-dimensional cells, such
+        as hexahedra or curved tetrahedra. Also if a number is missing or wrong, a coordinate is not
+        finite, a reference is not an integer of 32 bits, or an index is out of range. The arguments
+        are then unchanged.
 */
 template <class Point>
 void read_MEDIT(std::istream& in, std::vector<Point>& points,

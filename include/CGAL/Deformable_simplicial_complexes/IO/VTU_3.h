@@ -148,15 +148,16 @@ and no other cell array contains integers that may be labels, all labels are 1.
        the array with one of the names above
 \param arrays replaced by all other arrays of numbers on points and tetrahedra, and the name of the
        array of labels, unless it is null
-\param unused ignored cells and arrays are added to it, and a second array with one of the names
-       above if its values are different, unless it is null. Other arrays of numbers are not added.
+\param unused ignored cells and arrays are added to it, unless it is null. A second array with one
+       of the names above is added if its values are different. Other arrays of numbers are not
+       added.
 
-\throws Deformable_simplicial_complexes::File_error if the file cannot be opened or is not such a
-        grid, arrays are missing or their sizes do not match the number of points or cells, there
-        are no tetrahedra, there are other three-dimensional cells, a coordinate is not finite, an
-        index is out of range, or a label is not an integer of 32 bits. Also if the array of the
-        labels is ambiguous; the message then lists all cell arrays. The arguments are then
-        unchanged.
+\throws Deformable_simplicial_complexes::File_error if the file cannot be opened, is not such a
+        grid, contains no tetrahedra, or contains other three-dimensional cells. Also if arrays are
+        missing or their sizes do not match the number of points or cells. Also if a coordinate is
+        not finite, an index is out of range, or a label is not an integer of 32 bits. Also if the
+        array of the labels is ambiguous; the message then lists all cell arrays. The arguments are
+        then unchanged.
 */
 template <class Point>
 void read_VTU(const std::string& path, std::vector<Point>& points,

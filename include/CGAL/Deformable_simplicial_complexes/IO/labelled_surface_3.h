@@ -209,9 +209,9 @@ fewer than three corners. Facet normals of STL files are redundant and not added
        a part of the unused content may have been added.
 
 \throws Deformable_simplicial_complexes::File_error if the file cannot be opened or understood, has
-        no polygons or more elements than it announces, describes a part of the surface without
-        polygons, has a coordinate that is not finite, or has an invalid polygon: its index of a
-        point is out of range, or it cannot be triangulated since it intersects itself
+        no polygons or more elements than it announces, or describes a part of the surface without
+        polygons. Also if a coordinate is not finite, a polygon refers to a point that does not
+        exist, or a polygon intersects itself and cannot be triangulated.
 */
 template <class Point = Exact_predicates_inexact_constructions_kernel::Point_3>
 Deformable_simplicial_complexes::Labelled_surface_3<Point>
