@@ -83,12 +83,14 @@ public:
   /// around the edge.
   bool is_interface(const Edge& e) const;
 
-  double volume(Label label) const { return measure(label); } ///< constant time
-  /// area of the facet \pre f is finite
+  /// Returns the volume of the label. Constant time.
+  double volume(Label label) const { return measure(label); }
+  /// Returns the area of the facet. \pre f is finite
   double area(const Facet& f) const { return measure(f); }
-  /// area of the label's interface, without the boundary of the domain
+  /// Returns the area of the label's interface, without the boundary of the domain.
   double area(Label label) const;
-  double area(Label a, Label b) const; ///< area of the interface between two labels
+  /// Returns the area of the interface between the labels a and b.
+  double area(Label a, Label b) const;
   /// Returns V - E + F of the label's interface; 2 for the boundary of a ball.
   int euler_characteristic(Label label) const;
 

@@ -23,11 +23,11 @@ template <class Kernel_ = Exact_predicates_inexact_constructions_kernel>
 class Deformable_simplicial_complex_traits_2 : public Kernel_
 {
 public:
-  using Kernel = Kernel_;                   ///< kernel of the predicates
-  using Point_2 = typename Kernel::Point_2; ///< points of the predicates
+  using Kernel = Kernel_;                   ///< the kernel of the predicates
+  using Point_2 = typename Kernel::Point_2; ///< the type of point used by predicates
 
-  using Approximate_kernel = Simple_cartesian<double>;       ///< kernel of the measures
-  using Approximate_point_2 = Approximate_kernel::Point_2;   ///< points of the measures
+  using Approximate_kernel = Simple_cartesian<double>;       ///< the kernel of the measures
+  using Approximate_point_2 = Approximate_kernel::Point_2;   ///< the type of point used by measures
   using Approximate_vector_2 = Approximate_kernel::Vector_2; ///< differences of these points
 
   /// Function object that returns the nearest point with double coordinates.

@@ -46,11 +46,11 @@ template <class Kernel_ = Exact_predicates_inexact_constructions_kernel>
 class Deformable_simplicial_complex_traits_3 : public Kernel_
 {
 public:
-  using Kernel = Kernel_;                   ///< kernel of the predicates
-  using Point_3 = typename Kernel::Point_3; ///< points of the predicates
+  using Kernel = Kernel_;                   ///< the kernel of the predicates
+  using Point_3 = typename Kernel::Point_3; ///< the type of point used by predicates
 
-  using Approximate_kernel = Simple_cartesian<double>;       ///< kernel of the measures
-  using Approximate_point_3 = Approximate_kernel::Point_3;   ///< points of the measures
+  using Approximate_kernel = Simple_cartesian<double>;       ///< the kernel of the measures
+  using Approximate_point_3 = Approximate_kernel::Point_3;   ///< the type of point used by measures
   using Approximate_vector_3 = Approximate_kernel::Vector_3; ///< differences of these points
 
   /// Function object that returns a nearby point with double coordinates.

@@ -95,7 +95,7 @@ template <class Complex> struct Deformation_report
   std::vector<Label_change> labels; ///< one for each label before or after, by increasing label
   std::vector<Topology_event<Complex>> events;       ///< by increasing pass
   std::vector<Neighbor_exchange<Complex>> exchanges; ///< in 2D only, found at the end
-  /// the only member that differs from run to run
+  /// wall-clock times, the only member that differs from run to run
   Seconds seconds;
 };
 

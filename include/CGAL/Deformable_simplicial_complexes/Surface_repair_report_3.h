@@ -35,9 +35,9 @@ struct Surface_repair_report_3
   double offset = 0;       ///< offset of the wrap, in the unit of the coordinates
   /// mean edge length of the input, in the unit of the coordinates
   double mean_edge = 0;
-  double distance_from_input =
-      0; ///< largest distance of a sample of the input from the result; samples of removed
-         ///< components count, but triangles inside united components do not
+  /// largest distance of a sample of the input from the result; samples of removed components
+  /// count, but triangles inside united components do not
+  double distance_from_input = 0;
   double distance_to_input = 0; ///< largest distance of a sample of the result from the input
 
   /// Returns whether the input bounded a solid.
