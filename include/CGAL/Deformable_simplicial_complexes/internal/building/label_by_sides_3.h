@@ -9,7 +9,7 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/Boxed_soup_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/refuse_surface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/checks/refuse_surface.h>
 
 #include <CGAL/enum.h>
 

@@ -9,8 +9,8 @@
 #include <CGAL/Deformable_simplicial_complexes/Surface_repair_options_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Surface_repair_report_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/check_surfaces_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/refuse_surface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/checks/check_surfaces_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/checks/refuse_surface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/repair/clean_soup_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/repair/distance_of_samples_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/repair/remove_fins_3.h>

@@ -7,8 +7,8 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/check_surfaces_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/refuse_surface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/checks/check_surfaces_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/checks/refuse_surface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/soups/Soup_regions_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/soups/Triangle_soup_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/soups/split_at_crossings_3.h>
