@@ -84,8 +84,11 @@ class Header:
     def __init__(self, path):
         parts = path.relative_to(INCLUDE).parts
         self.name = "/".join(parts)
-        self.package = (parts[0] if len(parts) > 1 else
-                        PACKAGE_OF_TOP_HEADER.get(self.name, KERNEL))
+        if parts[0] == "license":  # license/PACKAGE.h
+            self.package = path.stem
+        else:
+            self.package = (parts[0] if len(parts) > 1 else
+                            PACKAGE_OF_TOP_HEADER.get(self.name, KERNEL))
         self.is_internal = "internal" in parts
         after = parts[parts.index("internal") + 1:] if self.is_internal else ()
         self.module = after[0] if len(after) > 1 else None
