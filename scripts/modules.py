@@ -16,6 +16,7 @@ The rules:
 - An internal header of the kernel includes no facade, which is a public header that reads named
   parameters, unless its module comes after LAST_MODULE_BELOW_FACADES.
 - Each internal header belongs to a module. A module has at most MAXIMUM_LINES lines.
+- Each path in backquotes in CONTRIBUTING.md exists, unless it has a placeholder.
 """
 
 import pathlib
@@ -133,6 +134,16 @@ def broken_rules(headers):
     for (package, module), lines in size.items():
         if lines > MAXIMUM_LINES:
             yield f"the module {module} of {package} has {lines} lines, more than {MAXIMUM_LINES}"
+
+
+def missing_paths():
+    """One line for each path in CONTRIBUTING.md that does not exist."""
+    for path in sorted(set(re.findall(r"`([\w.]+/[\w./-]*)[ `]", CONTRIBUTING.read_text()))):
+        if re.search(r"\b(NAME|PACKAGE|MODULE|NAME_\w+)\b", path):
+            continue
+        name = path.replace("KERNEL/", f"include/CGAL/{KERNEL}/")
+        if not any((folder / name).exists() for folder in (ROOT, ROOT / "src/compiled/include/CGAL")):
+            yield f"{CONTRIBUTING.name} names {path}, which does not exist"
 
 
 def rounded(lines):
@@ -265,7 +276,7 @@ def main():
     headers = read_headers()
     command = sys.argv[1] if len(sys.argv) > 1 else ""
     if command == "check":
-        broken = list(broken_rules(headers))
+        broken = [*broken_rules(headers), *missing_paths()]
         print("\n".join(broken), end="\n" if broken else "")
         sys.exit(bool(broken))
     elif command == "table":
