@@ -24,12 +24,12 @@ namespace CGAL {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-A triangulated domain of the plane each triangle of which carries a label. The *interface* is the
-set of edges between triangles of different labels. The domain is a disk, in most cases a rectangle
-whose sides are known to the complex, or a flat torus.
+A triangulated domain of the plane; each triangle carries a label. The *interface* is the set of
+edges between triangles of different labels. The domain is a disk or a flat torus. In most cases,
+the disk is a rectangle whose sides are known to the complex.
 
-All that holds in any dimension is inherited from `Labelled_complex`: its cells are triangles and
-its facets edges.
+Everything that holds in any dimension is inherited from `Labelled_complex`. The cells are
+triangles, and the facets are edges.
 
 \tparam Traits_ model of `DeformableSimplicialComplexTraits_2`
 \tparam Tds_ a `Triangulation_data_structure_2` with the vertices and faces of this package
@@ -51,29 +51,29 @@ class Deformable_simplicial_complex_2
 public:
   using typename Base::Label;
 
-  /// A position as it is stored and as predicates see it.
+  /// Position as stored; predicates use this type.
   using Point_2 = typename Base::Point;
-  /// A position with coordinates of type `double`, to measure with.
+  /// Position with coordinates of type `double`; measures use this type.
   using Approximate_point_2 = typename Base::Approximate_point;
-  /// The difference of two such positions.
+  /// Difference of two approximate positions.
   using Approximate_vector_2 = typename Base::Approximate_vector;
 
-  /// An empty complex.
+  /// Constructs an empty complex.
   explicit Deformable_simplicial_complex_2(const Traits_& traits = Traits_(),
                                            const Domain_& domain = Domain_())
       : Base(traits, Deformable_simplicial_complexes::Area_length_ratio_2(), domain) {}
-  /// An empty complex in a domain.
+  /// Constructs an empty complex in a domain.
   explicit Deformable_simplicial_complex_2(const Domain_& domain)
       : Deformable_simplicial_complex_2(Traits_(), domain) {}
 
-  double area(Label label) const {
-    return this->measure(label);
-  } ///< in the coordinates of the
-    ///< complex; constant time
-  /// Of the label's interface, without the boundary of the domain. As `label_regions()`.
+  /// Returns the area of the label, in the coordinates of the complex. Constant time.
+  double area(Label label) const { return this->measure(label); }
+  /// Returns the length of the label's interface, without the boundary of the domain. n log n in
+  /// the number of cells.
   double length(Label label) const { return region(label).length; }
-  /// V - E + F of the label's region, closed in the complex: components less holes, in a box; 0 for
-  /// a label that is not there. As `label_regions()`.
+  /// Returns V - E + F of the closed region of the label. In a box, it is the number of connected
+  /// components minus the number of holes. It is 0 for a label without cells. n log n in the number
+  /// of cells.
   int euler_characteristic(Label label) const { return region(label).euler_characteristic; }
 
   /// Measures of the region of a label.
@@ -83,7 +83,7 @@ public:
     double length;            ///< `length(label)`
     int euler_characteristic; ///< `euler_characteristic(label)`
   };
-  /// The measures for all labels, increasing, in the time of one label: n log n in the cells.
+  /// Returns the measures of all labels, by increasing label. n log n in the number of cells.
   std::vector<Label_region> label_regions() const;
 
 private:

@@ -24,17 +24,18 @@ namespace CGAL {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-A tetrahedralized domain each cell of which carries a label. The *interface* is the set of facets
-between cells of different labels; it may be non-manifold, and any number of labels may meet. The
-domain is a ball, in most cases a box whose sides are known to the complex, or a flat torus.
+A tetrahedralized domain; each cell carries a label. The *interface* is the set of facets between
+cells of different labels; it may be non-manifold, and any number of labels may meet. The domain is
+a ball or a flat torus. In most cases, the ball is a box whose sides are known to the complex.
 
-All that holds in any dimension is inherited from `Labelled_complex`; its `Point` is called
-`Point_3` here, and so on.
+Everything that holds in any dimension is inherited from `Labelled_complex`. `Point_3`,
+`Approximate_point_3` and `Approximate_vector_3` are other names of its types `Point`,
+`Approximate_point` and `Approximate_vector`.
 
 \tparam Traits_ model of `DeformableSimplicialComplexTraits_3`
 \tparam Tds_ a `Triangulation_data_structure_3` whose items are models of
         `DeformableSimplicialComplexVertexBase_3` and `DeformableSimplicialComplexCellBase_3`
-\tparam QualityMeasure_ model of `TetrahedronQualityMeasure_3`: the quality that cells cache
+\tparam QualityMeasure_ model of `TetrahedronQualityMeasure_3`; the quality cached in cells
 \tparam Domain_ `Ball_domain`, or `Torus_domain<3>`
 */
 template <class Traits_ = Deformable_simplicial_complex_traits_3<>, class Tds_ = Default,
@@ -60,42 +61,47 @@ public:
   using typename Base::Quality_measure;
   using typename Base::Vertex_handle;
 
-  /// A position as it is stored and as predicates see it.
+  /// Position as stored; predicates use this type.
   using Point_3 = typename Base::Point;
-  /// A position with coordinates of type `double`, to measure with.
+  /// Position with coordinates of type `double`; measures use this type.
   using Approximate_point_3 = typename Base::Approximate_point;
-  /// The difference of two such positions.
+  /// Difference of two approximate positions.
   using Approximate_vector_3 = typename Base::Approximate_vector;
-  /// A cell and the indices of the ends of the edge.
+  /// Cell and the indices of the two vertices of the edge.
   using Edge = typename Base::Triangulation::Edge;
 
-  /// An empty complex.
+  /// Constructs an empty complex.
   explicit Deformable_simplicial_complex_3(const Geom_traits& traits = Geom_traits(),
                                            const Quality_measure& quality = Quality_measure(),
                                            const Domain_& domain = Domain_())
       : Base(traits, quality, domain) {}
-  /// An empty complex in a domain.
+  /// Constructs an empty complex in a domain.
   explicit Deformable_simplicial_complex_3(const Domain_& domain)
       : Deformable_simplicial_complex_3(Geom_traits(), Quality_measure(), domain) {}
 
-  /// Whether a facet of the interface contains the edge. Linear in the number of cells around it.
+  /// Returns whether a facet of the interface contains the edge. Linear in the number of cells
+  /// around the edge.
   bool is_interface(const Edge& e) const;
 
-  double volume(Label label) const { return measure(label); } ///< constant time
-  double area(const Facet& f) const { return measure(f); }    ///< \pre f is finite
-  double area(Label label) const; ///< of the label's interface, without the boundary of the domain
-  double area(Label a, Label b) const; ///< of the interface between two labels
-  /// V - E + F of the label's interface: 2 for a ball.
+  /// Returns the volume of the label. Constant time.
+  double volume(Label label) const { return measure(label); }
+  /// Returns the area of the facet. \pre f is finite
+  double area(const Facet& f) const { return measure(f); }
+  /// Returns the area of the label's interface, without the boundary of the domain.
+  double area(Label label) const;
+  /// Returns the area of the interface between the labels a and b.
+  double area(Label a, Label b) const;
+  /// Returns V - E + F of the label's interface; 2 for the boundary of a ball.
   int euler_characteristic(Label label) const;
 
   /// Measures of the interface of a label.
   struct Label_interface
   {
     Label label;              ///< one of `labels()`
-    double area;              ///< `area(label)`, to the same bits
+    double area;              ///< `area(label)`, bitwise equal
     int euler_characteristic; ///< `euler_characteristic(label)`
   };
-  /// The measures for all labels, increasing, in the time of one label: n log n in the interface.
+  /// Returns the measures of all labels, by increasing label. n log n in the size of the interface.
   std::vector<Label_interface> label_interfaces() const;
 };
 
@@ -161,7 +167,7 @@ auto Deformable_simplicial_complex_3<Tr, Tds, Qm, D>::label_interfaces() const
         [](const Label_interface& measures, Label bound) { return measures.label < bound; });
   };
 
-  // An edge of a facet, or a vertex as the edge from it to itself.
+  // Edge of a facet; a vertex is stored as the edge from it to itself.
   struct Part
   {
     std::pair<std::size_t, std::size_t> ends;

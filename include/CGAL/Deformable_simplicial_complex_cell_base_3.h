@@ -28,11 +28,11 @@ class Deformable_simplicial_complex_cell_base_3
       public Deformable_simplicial_complexes::Cell_data
 {
 public:
-  /// The cell of another triangulation data structure.
+  /// Rebinds the cell to another triangulation data structure.
   template <class Tds2> struct Rebind_TDS
   {
     using Cb2 = typename Cb::template Rebind_TDS<Tds2>::Other;            ///< `Cb` for `Tds2`
-    using Other = Deformable_simplicial_complex_cell_base_3<Traits, Cb2>; ///< the same for `Tds2`
+    using Other = Deformable_simplicial_complex_cell_base_3<Traits, Cb2>; ///< this class for `Tds2`
   };
 
   using Cb::Cb;

@@ -14,7 +14,8 @@ namespace CGAL {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Triangle of a deformable simplicial complex in the plane: one of its cells.
+Triangle of a deformable simplicial complex in the plane. The triangles are the cells of the
+complex.
 
 \tparam Traits model of `DeformableSimplicialComplexTraits_2`
 \tparam Fb a face base class of 2D triangulations
@@ -26,11 +27,11 @@ class Deformable_simplicial_complex_face_base_2
       public Deformable_simplicial_complexes::Cell_data
 {
 public:
-  /// The triangle of another triangulation data structure.
+  /// Rebinds the triangle to another triangulation data structure.
   template <class Tds2> struct Rebind_TDS
   {
     using Fb2 = typename Fb::template Rebind_TDS<Tds2>::Other;            ///< `Fb` for `Tds2`
-    using Other = Deformable_simplicial_complex_face_base_2<Traits, Fb2>; ///< the same for `Tds2`
+    using Other = Deformable_simplicial_complex_face_base_2<Traits, Fb2>; ///< this class for `Tds2`
   };
 
   using Fb::Fb;

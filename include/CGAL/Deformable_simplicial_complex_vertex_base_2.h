@@ -28,11 +28,12 @@ public:
   using Cell_handle = typename Vb::Face_handle; ///< handle of a triangle
   using Point = typename Vb::Point;             ///< `DeformableSimplicialComplexTraits_2::Point_2`
 
-  /// The vertex of another triangulation data structure.
+  /// Rebinds the vertex to another triangulation data structure.
   template <class Tds2> struct Rebind_TDS
   {
-    using Vb2 = typename Vb::template Rebind_TDS<Tds2>::Other;              ///< `Vb` for `Tds2`
-    using Other = Deformable_simplicial_complex_vertex_base_2<Traits, Vb2>; ///< the same for `Tds2`
+    using Vb2 = typename Vb::template Rebind_TDS<Tds2>::Other; ///< `Vb` for `Tds2`
+    /// this class for `Tds2`
+    using Other = Deformable_simplicial_complex_vertex_base_2<Traits, Vb2>;
   };
 
   using Vb::Vb;

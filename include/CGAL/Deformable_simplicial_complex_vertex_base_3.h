@@ -31,11 +31,12 @@ public:
       typename Vb::Cell_handle;     ///< handle of a cell of the triangulation data structure
   using Point = typename Vb::Point; ///< `DeformableSimplicialComplexTraits_3::Point_3`
 
-  /// The vertex of another triangulation data structure.
+  /// Rebinds the vertex to another triangulation data structure.
   template <class Tds2> struct Rebind_TDS
   {
-    using Vb2 = typename Vb::template Rebind_TDS<Tds2>::Other;              ///< `Vb` for `Tds2`
-    using Other = Deformable_simplicial_complex_vertex_base_3<Traits, Vb2>; ///< the same for `Tds2`
+    using Vb2 = typename Vb::template Rebind_TDS<Tds2>::Other; ///< `Vb` for `Tds2`
+    /// this class for `Tds2`
+    using Other = Deformable_simplicial_complex_vertex_base_3<Traits, Vb2>;
   };
 
   using Vb::Vb;

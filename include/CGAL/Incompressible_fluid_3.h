@@ -53,43 +53,53 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgIncompressibleFluids3Ref
 
-Incompressible flow of any number of liquids with free surfaces, surface tension, viscosity and
-solids (section 4.4 of the paper; M. K. Misztal, R. Bridson, K. Erleben, J. A. Bærentzen, F. Anton,
-"Optimization-based fluid simulation on unstructured meshes", VRIPHYS 2010), by linear finite
-elements on the tetrahedra of a complex, which go with the flow.
+The incompressible flow of any number of liquids with free surfaces, surface tension, viscosity and
+solids. Linear finite elements on the tetrahedra of a complex discretize the equations. The mesh
+moves with the liquids. See Section 4.4 of the paper, and M. K. Misztal, R. Bridson, K. Erleben,
+J. A. Bærentzen, F. Anton, "Optimization-based fluid simulation on unstructured meshes", VRIPHYS
+2010.
 
-Labels are liquids, gases or void, see `Fluid_properties_3`. A step solves for velocities and
-pressures at once, in the middle of the step, so that energy neither grows nor fades but for
-viscosity and what changes of the mesh take; surface tension is implicit and bounds no step. The
-volume of each connected part of a liquid stays what it was to rounding, but for what sources bring;
-parts that merge add theirs. So do momenta, but for what gravity, gases, walls and sources give.
-Where liquids lie on sides of the domain, which must be a box for that, they slide along them and do
-not leave them; other surfaces keep off by a quarter of an edge, as from a wall. The surface of a
-liquid never enters a solid with a vertex; it may touch and leave it, see `Wall_behavior`.
+Each label is a liquid, a gas or void, see `Fluid_properties_3`. A time step solves one system for
+all velocities and pressures.
 
-All is in the coordinates of the complex, in any units that fit together.
+- With the default `implicitness`, the system is the implicit midpoint rule. Energy then changes
+only by external work, viscosity, damping, contacts and remeshing. Surface tension and viscosity are
+  implicit, so they do not bound the time step.
+- The volume of each connected component of a liquid changes only by sources, up to rounding. When
+  components merge, their volumes are added. `Report::volume_error` contains the remaining error.
+- The momentum and the angular momentum of each connected component change only by gravity, gases,
+  walls and sources.
+- A liquid on a side of the domain slides along this side and stays on it, provided that the domain
+  is a box. Other surfaces keep a distance of a quarter of an edge from the sides.
+- The surface of a liquid can touch a solid and leave it, see `Wall_behavior`. Vertices of the
+  surface are moved out of solids. `Report::depth_in_solids` contains the remaining depth.
+
+Coordinates are those of the complex. All units must be consistent.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
-\tparam Solver model of `SaddlePointSolver`
+\tparam Solver a model of `SaddlePointSolver`
 */
 template <class Complex, class Solver = Saddle_point_solver> class Incompressible_fluid
 {
   static_assert(Complex::Domain::has_outside, "fluids on tori are not supported");
 
 public:
-  using Point = Simple_cartesian<double>::Point_3;       ///< of space
-  using Vector = Simple_cartesian<double>::Vector_3;     ///< of space
-  using Vertex_handle = typename Complex::Vertex_handle; ///< of the complex
-  using Properties = Fluid_properties_3;                 ///< of labels
-  using Balance = Fluid_balance_3;                       ///< of all liquids
-  using Report = Fluid_report_3<Complex>;                ///< of a step
-  using State = Fluid_state_3;                           ///< to go on from
+  using Point = Simple_cartesian<double>::Point_3;       ///< a point in space
+  using Vector = Simple_cartesian<double>::Vector_3;     ///< a vector in space
+  using Vertex_handle = typename Complex::Vertex_handle; ///< a vertex of the complex
+  using Properties = Fluid_properties_3;                 ///< the media of the labels
+  using Balance = Fluid_balance_3;                       ///< the balance of all liquids
+  using Report = Fluid_report_3<Complex>;                ///< the report of a time step
+  using State = Fluid_state_3;                           ///< the state, to be saved and restored
 
   /// \name Creation
   /// @{
 
-  /// A fluid at rest. Its volumes are those of now. The complex must outlive it, and be changed by
-  /// it only. \throws Error if there are no liquids, or no interface of one. n log n.
+  /// Constructs a fluid at rest. The present volumes of the liquids are the volumes to be
+  /// preserved. The complex must outlive the fluid, and only the fluid may change it. Takes O(n log
+  /// n) time.
+  /// \throws Error if no label is a liquid, if no cell has the label of a liquid, or if the liquids
+  /// have no interface
   Incompressible_fluid(Complex& complex, const Properties& properties)
       : m_complex(complex), m_properties(properties) {
     if (properties.liquids().empty())
@@ -104,13 +114,14 @@ public:
     m_gas_ledger.set_bodies(Gas_bookkeeping::measure(flow.mesh, m_properties));
   }
 
-  /// Not to be copied.
+  /// Fluids cannot be copied.
   Incompressible_fluid(const Incompressible_fluid&) = delete;
-  /// Not to be copied.
+  /// Fluids cannot be assigned.
   Incompressible_fluid& operator=(const Incompressible_fluid&) = delete;
 
-  /// Adds a solid, which is copied. \tparam Solid model of `Solid_3`
-  /// \throws Error if the contact angle is out of its range
+  /// Adds a copy of a solid.
+  /// \tparam Solid a model of `Solid_3`
+  /// \throws Error if the contact angle is not in [0, 180] degrees
   template <class Solid> void add_solid(const Solid& solid, const Wall_behavior& behavior = {}) {
     if (!(behavior.contact_angle >= 0 && behavior.contact_angle <= 180))
       throw Error("a contact angle is out of range: use 0 to 180 degrees");
@@ -119,18 +130,24 @@ public:
          std::cos(behavior.contact_angle * CGAL_PI / 180), behavior.sticks, behavior.separates});
   }
 
-  /// Sets sources: `divergence_at(point, time)`, of `Point` and `double`, is what a unit of volume
-  /// of liquid gains there in a unit of time, with the velocity that it has there: inflow if
-  /// positive, outflow if negative. It counts in the middle of each cell, half-way in each step. To
-  /// be set again for a new object that is to `restore()`. What it throws, `advance()` does, and an
-  /// `Error` if it is not finite or, times the step, not between -1 and 1; `relax()` leaves it out.
+  /// Sets the sources. The function `divergence_at(point, time)` takes a `Point` and a `double`,
+  /// and returns the divergence of the velocity: the volume that a unit of volume of liquid gains
+  /// in a unit of time. It is positive for inflow and negative for outflow. New liquid has the
+  /// velocity of the liquid around it. The function is evaluated at the barycenter of each liquid
+  /// cell at the midpoint of the step.
+  ///
+  /// `advance()` throws the exceptions of the function. It throws an `Error` if a divergence is not
+  /// finite, or if its absolute value, multiplied by the time step, is 1 or more. `relax()` ignores
+  /// sources. `state()` does not contain them, so set them again after `restore()` into a new
+  /// fluid.
   template <class DivergenceAt> void set_sources(const DivergenceAt& divergence_at) {
     m_source = divergence_at;
   }
 
-  /// Sets the velocities of all vertices: `velocity_at(v)` is a `Vector`. The next step begins with
-  /// the nearest ones, as masses weigh them, that keep volumes and enter no wall.
-  /// \throws Error if one is not finite; nothing is changed then
+  /// Sets the velocities of all vertices. The function `velocity_at(v)` returns a `Vector`. The
+  /// next step begins with a projection: it takes the nearest velocities, in the norm of the
+  /// kinetic energy, that preserve volumes and enter no wall.
+  /// \throws Error if a velocity is not finite; then nothing is changed
   template <class VelocityAt> void set_velocities(const VelocityAt& velocity_at) {
     internal::Fluid_motion_3 motion;
     for (Vertex_handle v : m_complex.vertices()) {
@@ -147,20 +164,21 @@ public:
   /// \name Access
   /// @{
 
-  const Complex& complex() const { return m_complex; }          ///< what moves
-  const Properties& properties() const { return m_properties; } ///< of labels
-  double time() const { return m_time; }                        ///< 0 in the beginning
-  /// Of a vertex of a liquid.
+  const Complex& complex() const { return m_complex; }          ///< Returns the complex.
+  const Properties& properties() const { return m_properties; } ///< Returns the media.
+  double time() const { return m_time; }                        ///< Returns the time, initially 0.
+  /// Returns the velocity of a vertex of a liquid.
   Vector velocity(Vertex_handle v) const { return vector(m_motion.velocity(v)); }
-  /// Of a vertex of a liquid, in the last step: the mean of the pressures of the liquids around it.
-  /// 0 before the first step.
+  /// Returns the pressure at a vertex of a liquid in the last step: the mean of the pressures of
+  /// the liquids around the vertex. It is 0 before the first step.
   double pressure(Vertex_handle v) const { return m_motion.pressure(v); }
-  /// What all liquids have now. n log n.
+  /// Returns the present balance of all liquids. Takes O(n log n) time.
   Balance balance() const {
     const Flow flow(*this, m_properties);
     return flow.balance(*this, flow.positions, flow.velocities, m_time);
   }
-  /// The connected parts of gases, by component. n log n.
+  /// Returns the connected components of gases, by increasing number of component. Takes O(n log n)
+  /// time.
   std::vector<Fluid_gas_3> gases() const {
     if (m_properties.gases().empty())
       return {};
@@ -172,17 +190,22 @@ public:
                         bodies[k].pressure()});
     return result;
   }
-  /// The volumes that the connected parts of liquids are to have, by `Complex::component()`.
+  /// Returns the volume to be preserved for each connected component of a liquid, by
+  /// `Complex::component()`.
   const std::map<std::uint32_t, double>& volumes() const { return m_ledger.volumes(); }
 
-  /// How deep a vertex of a liquid's surface is in a solid, the most; 0 if none is. n log n.
+  /// Returns the depth of the deepest surface vertex in a solid, or 0 if no vertex is inside a
+  /// solid. Takes O(n log n) time.
   double depth_in_solids() const { return Flow(*this, m_properties).depth_in_solids(*this); }
 
   /*!
-  The longest step in which no vertex of a liquid goes farther than a part of the edges of the
-  interface: of those that its surface had there when it was built or last made finer or coarser,
-  inside of their mean. Infinite at rest. Linear.
-  \param part "CFL number"; .25 where liquids collide
+  Returns the longest time step in which no vertex of a liquid moves by more than a fraction of an
+  edge. It uses the present velocities and the accelerations of the last step. At a vertex of the
+  interface, the length of an edge is the length when the surface was built or last remeshed. At
+  other vertices, it is `mean_interface_edge()`. Returns infinity for a fluid at rest. Takes linear
+  time.
+  \param part the fraction of an edge, also called CFL number. Use at most 0.25 if liquids
+         collide.
   */
   double largest_step(double part = .25) const;
 
@@ -191,52 +214,74 @@ public:
   /// @{
 
   /*!
-  One step of time. It happens whole, or not at all.
+  Performs one time step, completely or not at all.
 
-  A step is undone if its equations have no accurate solution, or if the energy rises, by more than
-  forces and sources explain, by more than 1e-3. The unit of that is the energy: kinetic energy,
-  tension times area, the potential above the lowest vertex, and pressure times volume of gases that
-  are compressible. A step that was undone is repeated: first with the mesh preserved, if only
-  changes of the mesh raise the energy, else after remeshing and in parts of half the length, down
-  to a 32nd of the step. `Report::repetitions` tells all attempts that failed. With an
-  `adaptation_interval` of 0, nothing is remeshed.
+  Each attempt at a step is checked, and an attempt that fails is undone. An attempt fails if
 
-  \param dt its length, positive.
+  - the equations have no accurate solution, or
+  - the energy rises by more than moving walls and sources supply, and this unexplained rise exceeds
+    its bound. The bound is 1e-3 if the motion causes at least half of the rise. It is 0.05 if
+    changes of the mesh cause the larger part.
+
+  Both bounds are relative to an amount of energy. This amount is the sum of the kinetic energy, the
+  absolute surface energy, the potential energy above the lowest vertex, and the products of
+  pressure and volume of compressible gases.
+
+  The next attempt depends on the cause of the failure:
+
+  - If changes of the mesh cause the larger part of the rise, the attempt is repeated with the same
+    length and with the mesh preserved. The mesh then changes only where the motion is otherwise
+    impossible. If this attempt fails for the same reason, the length is halved, and the mesh stays
+    preserved.
+  - In all other cases, the length is halved, and the mesh is improved or adapted before the next
+    attempt.
+
+  If the length is halved, the step is divided into parts. The shortest part is a 32nd of the step.
+  `Report::repetitions` lists all attempts that failed. If `adaptation_interval` is 0, the mesh is
+  neither adapted nor improved before an attempt.
+
+  \param dt the length of the time step, greater than 0
   \param np named parameters: `number_of_threads`, `quality_threshold`, `minimum_angle`,
-         `minimum_facet_angle`, `relabeling_threshold`, `topology_control` and `manifold_interface`
-  of `deform_interface()`, and
+         `minimum_facet_angle`, `relabeling_threshold`, `topology_control`, `manifold_interface` and
+         `collision_order` of `deform_interface()`, and
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{implicitness}
-      \cgalParamDescription{when in the step forces are taken, in [0.5, 1]: 0.5, half-way, keeps
-                            energy, 1 loses most of what oscillates. In the four steps after a
-  change of topology 0.6 at least.}
+      \cgalParamDescription{the time in the step at which forces act, in [0.5, 1], in units of the
+                            step. With 0.5, the step is the implicit midpoint rule, which preserves
+                            energy. With 1, it is the backward Euler method, which damps
+                            oscillations that are faster than the step. In the four steps after a
+                            change of topology, the value is at least 0.6.}
       \cgalParamType{`double`} \cgalParamDefault{0.5}
     \cgalParamNEnd
     \cgalParamNBegin{interface_tolerance}
-      \cgalParamDescription{how far edges of the interface may lie from a smooth surface, in units of
-                            `mean_interface_edge()`: it is made finer and coarser if worn, as by
-                            `advect_adaptively()`; 0 leaves it as it is}
+      \cgalParamDescription{the largest distance of an edge of the interface to a smooth surface, in
+                            units of `mean_interface_edge()`. The interface is remeshed as in
+                            `advect_adaptively()` if too many edges are too long or too short. With
+                            0, the interface is not remeshed before steps.}
       \cgalParamType{`double`} \cgalParamDefault{0.04}
     \cgalParamNEnd
     \cgalParamNBegin{adaptation_interval}
-      \cgalParamDescription{number of steps from one that adapts the mesh to the next, the first one
-                            being one; 0 never adapts it}
+      \cgalParamDescription{the number of steps between two adaptations of the mesh. The first
+                            adaptation precedes the first step. With 0, the mesh is never adapted
+                            before steps.}
       \cgalParamType{`unsigned int`} \cgalParamDefault{4}
     \cgalParamNEnd
   \cgalNamedParamsEnd
 
-  \return what it did.
-  \throws Error if a parameter is out of its range or `dt` too short to change the time.
-  \throws Fluid_step_error if no attempt succeeds: it tells the step, the time, the cause and the
+  \return the report of the step
+  \throws Error if a parameter is out of its range, or if `dt` is not positive, not finite, or too
+          short to change the time
+  \throws Fluid_step_error if no attempt succeeds. It contains the step, the time, the cause and the
           place.
 
-  Whatever is thrown, also by `topology_control`, sources or a `Progress_scope`, the fluid and the
-  complex are in their state before the step. Handles of the complex are invalidated if the step had
-  changed it, also if it was repeated then.
+  After any exception, the fluid and the complex are in their state before the step. This includes
+  exceptions of `topology_control`, of the sources and of a `Progress_scope`. The handles of the
+  complex are invalidated if an attempt that was undone had changed the complex. This also holds if
+  a later attempt succeeds.
 
-  Some dozens of iterations of a linear solver, almost linear in the number of vertices of liquids,
-  and the deformation.
+  A step solves from two to some dozens of linear systems and deforms the complex. Its time is
+  almost linear in the number of vertices of liquids.
   */
   template <class NamedParameters = parameters::Default_named_parameters>
   Report advance(double dt, const NamedParameters& np = NamedParameters()) {
@@ -244,17 +289,24 @@ public:
   }
 
   /*!
-  Takes liquids to rest, where forces balance: steps of full implicitness, velocities dropped before
-  the first one and after each, and between them jumps to where the last steps lead, unless energy
-  would grow. The mesh is adapted in the beginning only. Time stands still, and so do solids. What
-  is round is round after some steps; that vertices of the surface rest along it, to ten digits,
-  takes a hundred.
-  \param dt of a step: about that of a wave over the liquid
-  \param steps at the most; fewer if vertices come to rest up to rounding
+  Moves the liquids to an equilibrium of forces. The function performs time steps with an
+  `implicitness` of 1. Velocities are set to 0 before the first step and after each step. Between
+  the steps, the interface moves to an extrapolation of the last steps (Anderson acceleration). An
+  extrapolation that increases the energy is undone. The mesh is adapted at the beginning only. The
+  time does not advance, and solids do not move.
+
+  The shape converges in a few steps. Vertices converge more slowly in the directions along the
+  surface.
+
+  \param dt the length of a time step, greater than 0: about the time that a wave takes to cross the
+         liquid
+  \param steps the largest number of steps. Fewer steps are made if vertices come to rest up to
+         rounding.
   \param np the named parameters of `advance()`
-  \return the velocity, at the most, by which vertices still went in the last step
-  \throws Error as `advance()` does, and Convergence_error if equations cannot be solved; the complex
-          is valid then, and nothing moves
+  \return the greatest velocity of a vertex in the last step
+  \throws Error as `advance()` does
+  \throws Convergence_error if the equations have no accurate solution. The complex is then valid,
+          and the fluid is at rest.
   */
   template <class NamedParameters = parameters::Default_named_parameters>
   double relax(double dt, unsigned steps, const NamedParameters& np = NamedParameters()) {
@@ -265,12 +317,14 @@ public:
   /// \name Files
   /// @{
 
-  /// What to put aside, besides `Complex::state()`, to go on to the same bits. n log n.
+  /// Returns the state of the fluid. Together with `Complex::state()`, it permits to continue with
+  /// bitwise identical results. It contains neither solids nor sources. Takes O(n log n) time.
   State state() const;
 
-  /// Goes on from what `state()` was, with the complex restored to its state of then.
-  /// \throws Error if it is none of the complex, or numbers are not
-  /// finite; nothing is changed then
+  /// Restores a state of the fluid. Restore the state of the complex first, as it was when
+  /// `state()` was called.
+  /// \throws Error if the state does not fit the complex, or if it contains numbers that are not
+  /// finite; then nothing is changed
   void restore(const State& state);
 
   /// @}
@@ -290,7 +344,7 @@ private:
   using Energy_judge = internal::Energy_check_3;
   using Snapshot = internal::Fluid_snapshot_3<Incompressible_fluid, Complex>;
 
-  // The liquids as they are.
+  // The mesh, positions and motion of the liquids at present.
   struct Flow
   {
     Mesh mesh;
@@ -319,7 +373,7 @@ private:
       return result;
     }
 
-    // With the energy of now.
+    // Returns the budget of a time step that begins with the present energy.
     internal::Energy_budget_3 budget(const Incompressible_fluid& fluid) const {
       double springs = 0;
       for (const auto& gas : fluid.m_gas_ledger.bodies_of(mesh))
@@ -345,13 +399,13 @@ private:
     double implicitness, interface_tolerance;
     unsigned adaptation_interval, number_of_threads;
 
-    // Changes of the mesh only where the motion is impossible otherwise.
+    // Restricts changes of the mesh to those without which the motion is impossible.
     void preserve_mesh() {
       deformation.quality_threshold = deformation.relabeling_threshold = 0;
       deformation.minimum_angle = deformation.minimum_facet_angle = 0;
     }
 
-    // For deformations.
+    // Returns the named parameters of deformations.
     auto parameters() const {
       return Deformable_simplicial_complexes::parameters::quality_threshold(
                  deformation.quality_threshold)
@@ -372,12 +426,13 @@ private:
   static Vector vector(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
   static Approximate_point point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
-  // How long edges of the interface are there, inside of liquids about so.
+  // Returns the length of an edge at a vertex: the initial length for vertices of the interface,
+  // and the mean length of an edge of the initial interface for others.
   double edge_at(Vertex_handle v) const {
     return v->spacing() > 0 ? v->spacing() : m_complex.mean_interface_edge();
   }
 
-  // Numbers of components are caches of the complex.
+  // Returns the complex with its components up to date. They are a cache.
   const Complex& updated_complex() const {
     m_complex.update_components();
     return m_complex;
@@ -428,7 +483,7 @@ private:
   double restore_momenta(Flow& flow);
   template <class MomentumOf> void note_momenta(const Flow& flow, const MomentumOf& momentum_of);
 
-  static constexpr std::uint32_t steps_after_change = 4; // of topology, until waves are smooth
+  static constexpr std::uint32_t steps_after_change = 4; // of topology: waves are then smooth
   static constexpr double implicitness_after_change = .6;
 
   Complex& m_complex;
@@ -437,7 +492,7 @@ private:
   typename Contacts::Solids m_solids;
   internal::Fluid_motion_3 m_motion;
   typename Step::Source m_source;
-  Ledger m_ledger; // of connected parts
+  Ledger m_ledger; // the volumes and momenta of connected components
   Gas_bookkeeping m_gas_ledger;
   double m_time = 0;
   std::uint64_t m_steps = 0;
@@ -447,8 +502,8 @@ private:
 
 } // namespace Deformable_simplicial_complexes
 
-/// \ingroup PkgIncompressibleFluids3Ref
-/// Incompressible flow in a complex, see `Deformable_simplicial_complexes::Incompressible_fluid`.
+/// The incompressible flow of liquids in a complex, see
+/// `Deformable_simplicial_complexes::Incompressible_fluid`.
 template <class Complex, class Solver = Deformable_simplicial_complexes::Saddle_point_solver>
 using Incompressible_fluid_3 =
     Deformable_simplicial_complexes::Incompressible_fluid<Complex, Solver>;

@@ -1,4 +1,4 @@
-// The part of the component Compiled that works in the plane
+// Instantiates the part of the component Compiled that works in the plane.
 #define CGAL_DSC_EXTERN
 #define CGAL_DSC_INSTANTIATION
 

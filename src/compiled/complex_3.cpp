@@ -1,4 +1,4 @@
-// The part of the component Compiled that works in space
+// Instantiates the part of the component Compiled that works in space.
 #define CGAL_DSC_EXTERN
 #define CGAL_DSC_INSTANTIATION
 

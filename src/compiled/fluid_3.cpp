@@ -1,4 +1,5 @@
-// The part of the component Compiled for fluids; the complex itself is in complex_3.cpp.
+// Instantiates the part of the component Compiled for fluids. The complex itself is instantiated in
+// complex_3.cpp.
 #define CGAL_DSC_EXTERN extern
 #define CGAL_DSC_FLUID_INSTANTIATION
 

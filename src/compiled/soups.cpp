@@ -1,5 +1,5 @@
-// What the component Compiled has of soups of segments and triangles, and of polygons: see
-// complex_2.cpp.
+// Instantiates the part of the component Compiled for soups of segments and triangles, and for
+// polygons; see complex_2.cpp.
 #define CGAL_DSC_EXTERN
 
 #include <CGAL/Deformable_simplicial_complexes/internal/IO/triangulated_polygon_impl.h>

@@ -15,15 +15,15 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 
-/// The metric of an embedding of a chart, by differences of the sixth order. With their default
-/// width, a 600th of a full turn, truncation and rounding errors are both about 1e-12.
+/// The metric of an embedding of a chart, computed by finite differences of sixth order. The
+/// default width of the differences, 1/600 of a full turn, balances truncation and rounding errors.
 template <class Embedding> class Surface_by_differences
 {
 public:
   explicit Surface_by_differences(Embedding embedding)
       : m_embedding(std::move(embedding)), m_widths{width, width} {}
 
-  /// \param periods of the chart, whose units the widths of differences follow
+  /// \param periods periods of the chart; the widths of the differences are proportional to them
   Surface_by_differences(Embedding embedding, const std::array<double, 2>& periods)
       : m_embedding(std::move(embedding)), m_widths{periods[0] / turn * width,
                                                     periods[1] / turn * width} {}
@@ -31,7 +31,7 @@ public:
   DSC::Metric_jet_2 operator()(double u, double v) const {
     const double a = m_widths[0], b = m_widths[1];
     const Vector here = m_embedding(u, v);
-    Vector ru, ruu, rv, rvv, unused, ruv; // derivatives by coordinates in widths
+    Vector ru, ruu, rv, rvv, unused, ruv; // derivatives in units of the widths
     derive(here, u, v, a, 0, ru, ruu);
     derive(here, u, v, 0, b, rv, rvv);
     derive(here, u, v, a, b, unused, ruv);
@@ -57,7 +57,7 @@ private:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   }
 
-  // The first two derivatives along a step (du, dv), in steps.
+  // Computes the first and second derivative along a step (du, dv), in units of the step.
   void derive(const Vector& here, double u, double v, double du, double dv, Vector& first,
               Vector& second) const {
     static constexpr double firsts[] = {3. / 4, -3. / 20, 1. / 60},

@@ -14,12 +14,13 @@
 
 namespace dsc {
 
-/// The sets of finite cells that are connected through facets which are no barriers.
+/// The sets of finite cells that are connected through facets other than barriers.
 template <class Complex> struct Cell_regions
 {
   using Cell_handle = typename Complex::Cell_handle;
 
-  /// \param is_barrier `bool is_barrier(Cell_handle c, int i)`, of the facet opposite to vertex i
+  /// \param is_barrier `bool is_barrier(Cell_handle c, int i)` tells whether the facet opposite to
+  /// vertex i of c is a barrier
   template <class Is_barrier> Cell_regions(const Complex& complex, const Is_barrier& is_barrier) {
     constexpr int none = -1;
     of_cell.assign(complex.cell_id_bound(), none);
@@ -45,12 +46,12 @@ template <class Complex> struct Cell_regions
     }
   }
 
-  std::vector<int> of_cell; ///< the number of its region, by the id of the cell
-  int number = 0;           ///< of regions
+  std::vector<int> of_cell; ///< region of each cell, indexed by the id of the cell
+  int number = 0;           ///< number of regions
 };
 
-/// The cells that have all of some vertices, infinite ones included; none if the vertices are those
-/// of no simplex.
+/// Returns the cells, including infinite ones, that contain all given vertices; none if the
+/// vertices are not those of a simplex.
 template <class Complex, std::size_t n>
 std::vector<typename Complex::Cell_handle>
 cells_around(const Complex& complex,
@@ -64,7 +65,7 @@ cells_around(const Complex& complex,
   return result;
 }
 
-/// The handles of vertices of a simplex.
+/// Returns the handles of the vertices of a simplex.
 template <class Vertex_handle, std::size_t n>
 std::array<Vertex_handle, n> handles(const std::vector<Vertex_handle>& all,
                                      const std::array<std::size_t, n>& indices) {

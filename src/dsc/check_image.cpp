@@ -30,7 +30,7 @@ namespace {
 
 namespace internal = CGAL::Deformable_simplicial_complexes::internal;
 
-/// An INR image: lines KEY=VALUE, one with ##}, and the numbers of the voxels.
+/// A file of the INR format: lines KEY=VALUE, the line ##}, and the values of the voxels.
 class Inr_file
 {
 public:
@@ -44,7 +44,8 @@ public:
     read_header();
   }
 
-  /// Throws Input_error if the header is wrong or there are not as many bytes as it announces.
+  /// Checks the header and the number of bytes.
+  /// \throws Input_error if the header is wrong, or the number of bytes differs from the header
   void check() {
     std::uint64_t announced = bytes_of_voxel();
     for (const char* key : {"XDIM", "YDIM", "ZDIM"})
@@ -73,10 +74,10 @@ public:
 private:
   [[noreturn]] void fail(const std::string& what) const { throw Input_error(m_path + " " + what); }
 
-  /// Without its end.
+  /// Returns the next line, without its end; `nullopt` if there is none.
   std::optional<std::string> line() {
     std::string result;
-    constexpr std::size_t longest = 4096; // in a file that is no image, there may be no end
+    constexpr std::size_t longest = 4096; // a file that is not an image may have no line ends
     while (result.size() < longest) {
       const int c = gzgetc(m_file.get());
       if (c < 0)
@@ -111,7 +112,7 @@ private:
     fail("has a header without the line ##} at its end; is it truncated?");
   }
 
-  /// The value of a key, which is forgotten.
+  /// Returns and removes the value of a key.
   std::optional<std::string> take(const std::string& key) {
     const auto found = m_values.find(key);
     if (found == m_values.end())
@@ -138,7 +139,7 @@ private:
   }
 
   std::uint64_t dimension(const std::string& key) {
-    constexpr std::uint64_t largest = 1 << 20; // so that the number of bytes fits 64 bits
+    constexpr std::uint64_t largest = 1 << 20; // so that the number of bytes fits into 64 bits
     const std::string text = need(key);
     const auto value = internal::number_of_word<std::uint64_t>(text);
     if (!value || *value == 0 || *value > largest)
@@ -166,7 +167,7 @@ private:
          (is_real ? "32 bits or 64 bits" : "8 bits, 16 bits or 32 bits"));
   }
 
-  /// Behind the header.
+  /// Counts the bytes behind the header.
   std::uint64_t count_bytes() {
     std::vector<char> buffer(1 << 20);
     std::uint64_t result = 0;

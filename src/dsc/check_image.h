@@ -9,8 +9,8 @@
 
 namespace dsc {
 
-/// Finds out whether an image of voxels (.inr, .inr.gz) can be read, and prints what is not used of
-/// it. \throws Input_error, which names the cause, if it cannot
+/// Checks whether an image of voxels (.inr, .inr.gz) can be read, and prints its unused contents.
+/// \throws Input_error with the cause if the image cannot be read
 void check_image(const std::string& path);
 
 } // namespace dsc

@@ -20,7 +20,7 @@ std::string one_line(std::string text) {
   return text;
 }
 
-/// The commands, or with `-` in front the options, that an app knows.
+/// Returns the names of the commands of an app, or of its options, with leading dashes.
 std::vector<std::string> known_names(const CLI::App& app, bool are_options) {
   std::vector<std::string> result;
   if (are_options)
@@ -33,8 +33,9 @@ std::vector<std::string> known_names(const CLI::App& app, bool are_options) {
   return result;
 }
 
-/// The nearest name to the first command or option that is not known; empty if all are known, or no
-/// name is near.
+/// Returns advice on the first unknown argument: the nearest known name of a command or option, or
+/// parentheses for an inequality that begins with '-'. Returns an empty string if there is no
+/// advice.
 std::string advice_on_arguments(const CLI::App& app, int argc, char** argv) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   const CLI::App& command = chosen.empty() ? app : *chosen.front();

@@ -9,8 +9,9 @@
 
 namespace dsc {
 
-/// Reads the command line and runs its command, a subcommand of `app`. Prints the help if it is
-/// asked for. \throws Usage_error, and what the command throws
+/// Reads the command line and runs its command, a subcommand of `app`. Prints the help if
+/// requested.
+/// \throws Usage_error if the command line is invalid; also throws the exceptions of the command
 void run_command_line(CLI::App& app, int argc, char** argv);
 
 } // namespace dsc

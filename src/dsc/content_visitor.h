@@ -40,7 +40,7 @@ struct Content_row
   }
 };
 
-/// A property map of rows by the ids of vertices or cells.
+/// A property map from vertices or cells to rows, indexed by their ids.
 template <class Handle> struct Content_map
 {
   using key_type = Handle;
@@ -58,10 +58,10 @@ template <class Handle> struct Content_map
   std::vector<Content_row>* rows;
 };
 
-/// A visitor by which the arrays and entities of a mesh follow changes of a complex. Arrays of
-/// floating-point numbers are averages over cells, whose integral is kept, or values at vertices,
-/// which are interpolated. A new vertex takes its integers from the nearest vertex around. Integers
-/// of cells are not followed: see `Separation`.
+/// A visitor that transfers the arrays and entities of a mesh through the changes of a complex.
+/// Arrays of floating-point numbers are averages over cells, whose integrals are conserved, or
+/// values at vertices, which are interpolated. A new vertex gets the integers of the nearest vertex
+/// around it. Integers of cells are not transferred: see `Separation`.
 template <class Complex> class Content_visitor : public DSC::Deformation_visitor
 {
 public:
@@ -119,10 +119,11 @@ public:
       m_carried_values->after_smoothing(v, star);
   }
 
-  /// Returns the content by the vertices and cells of now. No more changes follow.
-  /// \param row_of_cell for each cell a row of before with the same integers
+  /// Returns the content for the current vertices and cells. Must be called once, after all
+  /// changes.
+  /// \param row_of_cell for each cell, the row of an initial cell with the same integers
   Mesh_content finish(const std::vector<std::size_t>& row_of_cell) {
-    m_carried_averages.reset(); // makes averages of integrals
+    m_carried_averages.reset(); // converts integrals into averages
     Mesh_content result = m_content;
     const std::vector<Vertex_handle> vertices = m_complex.vertices();
     take(result.arrays.points, true, m_integers, vertices);
@@ -147,7 +148,7 @@ private:
     return result;
   }
 
-  // The reverse.
+  // Copies the numbers of the rows into the arrays.
   template <class Handle>
   static void take(std::vector<Mesh_array>& arrays, bool of_integers,
                    const std::vector<Content_row>& rows, const std::vector<Handle>& items) {
@@ -180,7 +181,7 @@ private:
     return m_integers[nearest->id()];
   }
 
-  // New vertices have the reference 0; the vertices of entities are still there.
+  // Updates vertex indices. New vertices get the reference 0; the vertices of entities still exist.
   void follow(Mesh_entities& entities, const std::vector<Vertex_handle>& vertices) const {
     std::vector<std::size_t> now(m_time_stamps.size(), 0);
     std::vector<int> references;
@@ -200,8 +201,8 @@ private:
 
   const Complex& m_complex;
   const Mesh_content& m_content;
-  std::vector<std::size_t> m_time_stamps;                          // of the first vertices
-  std::vector<Content_row> m_integers, m_values, m_cell_rows;      // by id
+  std::vector<std::size_t> m_time_stamps;                     // time stamps of the initial vertices
+  std::vector<Content_row> m_integers, m_values, m_cell_rows; // indexed by id
   std::vector<std::pair<std::size_t, Content_row>> m_new_integers; // by vertex of the cavity
   std::optional<DSC::Carried_cell_averages<Complex, Content_map<Cell_handle>>> m_carried_averages;
   std::optional<DSC::Carried_vertex_values<Complex, Content_map<Vertex_handle>>> m_carried_values;

@@ -23,7 +23,7 @@ void require_dt_in_period(const Motion& motion) {
     throw Usage_error("--dt is longer than the period; choose a shorter time per step");
 }
 
-/// Decides option by option between what was and what is asked for.
+/// Completes options: an option that is not given keeps its previous value.
 class Completion
 {
 public:
@@ -104,7 +104,7 @@ std::string continue_steps(const Step_options& before, const std::set<std::strin
   if (command != last) {
     require_options(asked.motion, given);
     require_effect_of_options(asked, given);
-    asked.grows_domain = before.grows_domain; // the domain is the same
+    asked.grows_domain = before.grows_domain; // a property of the domain
     return command + " instead of " + last;
   }
   Completion completion(given);

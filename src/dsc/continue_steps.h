@@ -12,21 +12,21 @@
 
 namespace dsc {
 
-/// Makes sure that a motion has all options it cannot do without, and that they fit together.
-/// \param given the names of the options that the motion was made of
+/// Checks that all required options of a motion are given, and that its options are compatible.
+/// \param given names of the options that define the motion
 /// \throws Usage_error
 void require_options(const Motion& motion, const std::set<std::string>& given);
 
-/// Makes sure that no option of the steps is given that another one makes useless.
+/// Checks that no step option is given that another option makes useless.
 /// \throws Usage_error
 void require_effect_of_options(const Step_options& step, const std::set<std::string>& given);
 
-/// Completes what a command line says of the steps by what a run did in each step so far: an option
-/// that is not given stays as it was. Another command begins another motion, with its own options.
-/// \param given the names of the options in the command line
-/// \param asked what they say; then all there is to know
-/// \return in words, what is not as before; empty if everything is
-/// \throws Usage_error if options are missing, or do not fit together
+/// Completes the step options of a command line by the options of the previous run: an option that
+/// is not given keeps its value. Another command starts another motion, with its own options.
+/// \param given names of the options in the command line
+/// \param asked the options of the command line; replaced by the complete options
+/// \return a text that lists the differences to the previous run; empty if there are none
+/// \throws Usage_error if options are missing or incompatible
 std::string continue_steps(const Step_options& before, const std::set<std::string>& given,
                            Step_options& asked);
 

@@ -7,12 +7,12 @@
 
 namespace dsc {
 
-/// A length, in one of two units.
+/// A length in one of two units.
 struct Distance
 {
   double value;
-  bool in_mean_edges; ///< the unit: mean interface edges of the input, or that of the input's
-                      ///< coordinates
+  bool in_mean_edges; ///< unit: mean interface edge of the input if true, otherwise the unit
+                      ///< of the input coordinates
   bool operator==(const Distance& other) const {
     return value == other.value && in_mean_edges == other.in_mean_edges;
   }

@@ -9,14 +9,14 @@
 
 namespace dsc {
 
-/// A command line that makes no sense: the program ends with exit code 2.
+/// An invalid command line. The program ends with exit code 2.
 class Usage_error : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// An input that cannot be used, or a file that cannot be read or written: exit code 1.
+/// An unusable input, or a file that cannot be read or written. The program ends with exit code 1.
 class Input_error : public std::runtime_error
 {
 public:

@@ -22,7 +22,7 @@ struct Expression::Parser
 {
   std::string text, place, form;
   std::vector<std::string> names;
-  std::vector<double> variables; // where muParser finds them
+  std::vector<double> variables; // read by muParser
   mu::Parser parser;
 
   [[noreturn]] void refuse_value(double value) const {

@@ -12,30 +12,31 @@
 
 namespace dsc {
 
-/// An expression of the command line or of a scene, or several with commas between them: what
-/// muParser knows, with `pi` and chains of comparisons, but without assignments. Copies share the
-/// parser, so that only one thread may evaluate.
+/// One or several expressions of the command line or of a scene, separated by commas. The syntax is
+/// the one of muParser, with `pi` and chained comparisons, but without assignments. Copies share
+/// the parser, so that only one thread may evaluate them.
 class Expression
 {
 public:
-  /// \param variables names of the values that it may depend on
-  /// \param place what the expression is, for messages, like "--velocity"
-  /// \param form what is to be written there, for messages
-  /// \throws Usage_error if it cannot be read, with what is wrong
+  /// \param variables names of the variables
+  /// \param place description of the expression for messages, for example "--velocity"
+  /// \param form expected form, for messages
+  /// \throws Usage_error with the reason if the expression cannot be read
   Expression(const std::string& text, const std::vector<std::string>& variables,
              const std::string& place, const std::string& form);
 
-  /// How many values there are, with commas between them.
+  /// Returns the number of values, which are separated by commas.
   int size() const { return m_size; }
   bool depends_on(const std::string& variable) const;
   bool is_constant() const;
 
-  /// The values; they stay until the next call.
-  /// \param variables their values, in the order of their names
-  /// \throws Input_error if one is not finite, with the place
+  /// Evaluates the expressions. The returned values are valid until the next call.
+  /// \param variables values of the variables, in the order of their names
+  /// \throws Input_error with the place if a value is not finite
   const double* at(std::initializer_list<double> variables) const;
 
-  /// \throws Usage_error that begins with the expression and ends with what is to be written
+  /// Throws an error for the expression, with the reason and the expected form.
+  /// \throws Usage_error always
   [[noreturn]] void refuse(const std::string& why) const;
 
 private:

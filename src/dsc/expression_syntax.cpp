@@ -24,7 +24,7 @@ struct Token
 
 std::string quoted(const std::string& text) { return "'" + text + "'"; }
 
-/// What others write, and what is to be written instead. The longer ones first.
+/// Returns notations of other languages, and their replacements. Longer notations come first.
 const std::vector<std::pair<std::string, std::string>>& foreign_signs() {
   static const std::vector<std::pair<std::string, std::string>> result = {
       {"**", "^"}, {"=<", "<="}, {"=>", ">="}, {"<>", "!="}, {"[", "("},     {"]", ")"},
@@ -37,7 +37,7 @@ const std::vector<std::pair<std::string, std::string>>& foreign_signs() {
 bool is_letter(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
 
-/// Cuts a text into tokens.
+/// A tokenizer.
 class Tokens
 {
 public:
@@ -131,7 +131,7 @@ private:
     if (code < ' ' || code == 127)
       throw Syntax_error("a control character, of the code " + std::to_string(code) +
                          ", is not known");
-    std::size_t end = m_place + 1; // of all bytes of a character
+    std::size_t end = m_place + 1; // includes all bytes of a UTF-8 character
     while (end < m_text.size() && (static_cast<unsigned char>(m_text[end]) & 0xC0) == 0x80)
       ++end;
     throw Syntax_error("the character " + quoted(m_text.substr(m_place, end - m_place)) +
@@ -147,8 +147,8 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// A function for each rank of operators, the one that binds least first. Each returns its part in
-/// the language of muParser.
+/// A recursive descent parser with a function for each operator precedence, lowest precedence
+/// first. Each function returns its part of the expression in the syntax of muParser.
 class Translator
 {
 public:
@@ -279,7 +279,7 @@ private:
     if (!m_tokens.is_next("("))
       throw Syntax_error("the function " + quoted(name) + " needs parentheses, like " + name +
                          "(x)");
-    return name + in_parentheses(true); // muParser wants no space between them
+    return name + in_parentheses(true); // muParser allows no space between them
   }
 
   std::string in_parentheses(bool is_list) {
@@ -295,9 +295,10 @@ private:
 
   std::string take() { return m_tokens.take().text + ' '; }
 
-  /// Chains within chains repeat their middles.
+  /// Returns the text, and throws if it is too long: nested chains of comparisons repeat their
+  /// operands.
   static std::string limited(std::string text) {
-    static constexpr std::size_t most = 10000; // letters, within the limits of muParser
+    static constexpr std::size_t most = 10000; // characters, within the limits of muParser
     if (text.size() > most)
       throw Syntax_error("it is too long");
     return text;
@@ -306,7 +307,7 @@ private:
   struct Nesting
   {
     explicit Nesting(Translator& translator) : m_depth(translator.m_depth) {
-      static constexpr int most = 100; // for the stack
+      static constexpr int most = 100; // nesting depth, limits the stack
       if (++m_depth > most)
         throw Syntax_error("it is nested too deeply");
     }

@@ -11,16 +11,16 @@
 
 namespace dsc {
 
-/// What is wrong with a text that is to be an expression.
+/// The error thrown for a text that is not a valid expression.
 class Syntax_error : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// Translates expressions, with commas between them, into the language of muParser. A chain of
-/// comparisons such as `a<b<=c` becomes `(a<b && b<=c)`. What muParser would misread is refused:
-/// assignments, chains with `==`, `!=` or both directions, and names that are not known.
+/// Translates expressions, separated by commas, into the syntax of muParser. A chain of comparisons
+/// such as `a<b<=c` becomes `(a<b && b<=c)`. Throws for constructs that muParser would
+/// misinterpret: assignments, chains with `==`, `!=` or both directions, and unknown names.
 /// \throws Syntax_error
 std::string translate_expressions(const std::string& text, const std::vector<std::string>& values,
                                   const std::vector<std::string>& functions);

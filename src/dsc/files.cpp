@@ -14,7 +14,7 @@ namespace dsc {
 namespace fs = std::filesystem;
 namespace {
 
-/// One name for a file, which need not exist, whatever it is called.
+/// Returns a canonical path of a file, which need not exist.
 fs::path canonical(const std::string& path) {
   std::error_code error;
   const fs::path result = fs::weakly_canonical(fs::absolute(path, error), error);
@@ -38,7 +38,8 @@ void require_writable(const std::string& path) {
   const fs::file_status status = fs::status(path, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw Input_error("'" + path + "' is not a regular file; choose another name");
-  // Results are written beside their place and renamed, so this is what must be possible.
+  // Tests whether a file can be created in the folder, because results are written to a new file
+  // that is then renamed.
   std::string probe = path + ".probe";
   while (fs::exists(probe, error))
     probe += '~';

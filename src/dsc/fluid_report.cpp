@@ -19,7 +19,7 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 namespace dsc {
 namespace {
 
-// Returns a number as far as it means something: of a residual, the size.
+// Returns a number rounded to three digits. More digits of a residual have no meaning.
 double three_digits(double x) {
   if (!(x > 0))
     return x;
@@ -57,7 +57,7 @@ const char* name_of(DSC::Component_event::Kind kind) {
   return "appeared";
 }
 
-/// Changes of topology, with what liquids had before and afterwards.
+/// Returns the topology changes, with the state of the liquids before and after them.
 Json events_json(const Fluid::Report& report) {
   Json result = Json::array();
   for (const auto& event : report.deformation.events) {
@@ -77,7 +77,7 @@ Json events_json(const Fluid::Report& report) {
   return result;
 }
 
-/// The least and largest coordinates of points.
+/// The bounding box of points.
 class Extent
 {
 public:
@@ -95,7 +95,7 @@ private:
                         m_largest = {-infinity, -infinity, -infinity};
 };
 
-/// Of the surfaces of liquids.
+/// Returns the bounding box of the interface.
 Json extent_json(const Complex& complex) {
   Extent result;
   for (const auto v : complex.interface_vertices())
@@ -103,8 +103,8 @@ Json extent_json(const Complex& complex) {
   return result.json();
 }
 
-/// The amplitude of a Legendre polynomial in the distances of the interface from a point: a mean by
-/// solid angle.
+/// Returns the amplitude of a Legendre polynomial in the distance of the interface from a point,
+/// relative to the mean distance. The interface is weighted by solid angle.
 double amplitude(const Complex& complex, std::size_t degree, const std::array<double, 3>& center) {
   const Complex::Approximate_point c(center[0], center[1], center[2]);
   double sum = 0, squares = 0, mean = 0, angles = 0;
@@ -133,7 +133,7 @@ double amplitude(const Complex& complex, std::size_t degree, const std::array<do
   return sum / squares;
 }
 
-/// Where the interface is above a place, at its highest; nothing if it is not.
+/// Returns the largest z-coordinate of the interface at a point (x, y); null if there is none.
 Json height(const Complex& complex, const std::array<double, 2>& place) {
   static constexpr double rounding = 1e-9;
   Json result;
@@ -212,7 +212,7 @@ const char* name_of(CGAL::Deformable_simplicial_complexes::Fluid_failure_3 cause
   return "mesh";
 }
 
-/// The attempts at a step that were undone.
+/// Returns the rejected attempts of a step.
 Json repetitions_json(const Fluid::Report& report) {
   Json result = Json::array();
   for (const auto& repetition : report.repetitions)

@@ -15,22 +15,22 @@
 
 namespace dsc {
 
-/// Returns what is reported of a moment: after a step, or without a report at the beginning.
+/// Returns the report of a state: after a step, or before the first step if there is no `report`.
 Json step_json(const Fluid& fluid, const Fluid_scene& scene, unsigned step,
                const std::optional<Fluid::Report>& report);
 
-/// Counts the steps that were repeated, and the attempts that were undone, by cause.
+/// A counter of repeated steps, and of rejected attempts by their cause.
 class Repetitions
 {
 public:
   void add(const Fluid::Report& report);
   Json json() const { return {{"steps", m_steps}, {"attempts", m_attempts}}; }
-  /// Returns a part of the summary, which is empty if no step was repeated.
+  /// Returns the text for the summary; empty if no step was repeated.
   std::string text() const;
 
 private:
   unsigned m_steps = 0;
-  std::map<std::string, unsigned> m_attempts; // by cause
+  std::map<std::string, unsigned> m_attempts; // number by cause
 };
 
 } // namespace dsc

@@ -22,7 +22,7 @@
 namespace dsc {
 namespace {
 
-constexpr double most_amplitude = .5; // of radii
+constexpr double most_amplitude = .5; // in radii
 constexpr std::size_t highest_mode = 100;
 
 double read_amplitude(const Json_fields& shape) {
@@ -39,7 +39,7 @@ std::size_t read_mode(const Json_fields& json) {
   return result;
 }
 
-/// Two fields that have an effect together only.
+/// Throws if only one of two fields is given that have an effect only together.
 void require_both_or_none(const Json_fields& shape, const char* a, const char* b) {
   if (shape.has(a) != shape.has(b)) {
     const bool has_a = shape.has(a);
@@ -110,7 +110,7 @@ Fluid_shape read_shape(const Json_fields& shape) {
   return Surroundings();
 }
 
-/// A vector of three numbers, or three expressions.
+/// Reads a vector of three numbers, or three expressions.
 std::optional<Expression> read_velocity(const Json_fields& liquid) {
   static const std::string form = "three expressions in x, y and z like '-y,x,0'";
   static const std::vector<std::string> variables = {"x", "y", "z"};
@@ -124,7 +124,7 @@ std::optional<Expression> read_velocity(const Json_fields& liquid) {
   return Expression(text, variables, "velocity of " + liquid.name(), form);
 }
 
-/// Where a liquid or gas is, and its label.
+/// Reads the shape of a liquid or gas, and its label.
 template <class Filling>
 void read_filling(const Json_fields& json, std::size_t index, Filling& filling) {
   filling.shape = read_shape(json.object("shape"));
@@ -176,7 +176,7 @@ std::array<double, 3> read_direction(const Json_fields& solid, const char* field
   return result;
 }
 
-/// The fields of a solid that its type alone has.
+/// Reads the fields of a solid that depend on its type.
 void read_body(const Json_fields& solid, Scene_solid& result) {
   const auto require_known = [&](std::vector<std::string> fields) {
     for (const char* field :

@@ -18,15 +18,15 @@
 
 namespace dsc {
 
-/// A ball whose radius is, in the direction of a unit vector with the third coordinate z, times
-/// 1 + amplitude P(z), with the Legendre polynomial of some degree.
+/// A perturbed ball. In the direction of a unit vector with third coordinate z, its radius is
+/// `radius` (1 + amplitude P(z)), where P is the Legendre polynomial of degree `mode`.
 struct Ball_shape
 {
   std::array<double, 3> center;
   double radius;
   std::size_t mode;
   double amplitude;
-  std::size_t triangles; ///< 0 for edges as the scene has them
+  std::size_t triangles; ///< 0 for edges of the length given in the scene
 };
 
 struct Box_shape
@@ -34,30 +34,31 @@ struct Box_shape
   std::array<double, 3> from, to;
 };
 
-/// From one center of a cap to the other. Its radius is times 1 + amplitude cos(2 pi s /
-/// wave_length) at a distance s from the first cap.
+/// A cylinder between the centers of its two caps. At distance s from the first cap, its radius is
+/// `radius` (1 + amplitude cos(2 pi s / wave_length)).
 struct Cylinder_shape
 {
   std::array<double, 3> from, to;
   double radius, amplitude, wave_length;
 };
 
-/// A closed surface, to be fitted into a ball.
+/// A closed surface of a file, fitted into a ball.
 struct File_shape
 {
   std::string file;
   Ball ball;
-  std::size_t triangles; ///< 0 for those of the file
+  std::size_t triangles; ///< 0 keeps the triangles of the file
 };
 
-/// All of the domain below a height, which may be any expression in x and y near to a level.
+/// The part of the domain below a height. The height is an expression in x and y whose values are
+/// near `level`.
 struct Pool_shape
 {
   double level;
-  std::optional<Expression> height; ///< the level if not set
+  std::optional<Expression> height; ///< equal to `level` if not set
 };
 
-/// All that no other liquid fills, with label 0.
+/// The part of the domain that no other liquid fills. Its label is 0.
 struct Surroundings
 {
 };
@@ -70,7 +71,7 @@ struct Scene_liquid
   int label;
   Fluid_shape shape;
   double density, viscosity;
-  std::optional<Expression> velocity; ///< three values of x, y and z; at rest if not set
+  std::optional<Expression> velocity; ///< three expressions in x, y and z; zero velocity if not set
 };
 
 /// A gas, see `Gas`.
@@ -81,7 +82,7 @@ struct Scene_gas
   double pressure, exponent;
 };
 
-/// A ball in which liquids gain a share of their volume in a unit of time, or lose it.
+/// A ball in which liquids gain or lose a fraction of their volume per unit of time.
 struct Scene_source
 {
   std::array<double, 3> center;
@@ -97,29 +98,30 @@ struct Scene_solid
   double radius = 0;
   std::array<double, 6> box = {};
   bool is_open = false;
-  bool contains_liquid = false; ///< of ball, cylinder and mesh
+  bool contains_liquid = false; ///< of a ball, cylinder or mesh
   std::string file;
   double contact_angle = 90;
   bool sticks = false, separates = true;
   std::array<double, 3> velocity = {}, angular_velocity = {};
 };
 
-/// Something to be measured in each step.
+/// A quantity to be measured in each step: the amplitude of a Legendre polynomial in the shape of
+/// the interface, or the height of the interface at a point (x, y).
 struct Scene_probe
 {
   std::string name;
-  std::optional<std::size_t> mode;            ///< amplitude of a Legendre polynomial, or
-  std::optional<std::array<double, 2>> place; ///< height of the interface at x and y
+  std::optional<std::size_t> mode;            ///< degree of a Legendre polynomial, or
+  std::optional<std::array<double, 2>> place; ///< x and y of a height
   std::array<double, 3> center = {};
 };
 
-/// What `dsc fluid` computes.
+/// The input of `dsc fluid`.
 struct Fluid_scene
 {
-  Json json; ///< what it was read from
+  Json json; ///< the source of the scene
   std::string title;
   std::array<double, 6> domain;
-  double edge; ///< about how long edges of surfaces are
+  double edge; ///< target edge length of surfaces
   std::vector<Scene_liquid> liquids;
   std::vector<Scene_gas> gases;
   std::vector<Scene_source> sources;
@@ -132,9 +134,9 @@ struct Fluid_scene
   std::array<double, 3> gravity = {};
   std::vector<Scene_solid> solids;
   std::vector<Scene_probe> probes;
-  double time_step; ///< at the most
-  double cfl;       ///< 0 for steps that are all as long
-  double end;       ///< time
+  double time_step; ///< maximum
+  double cfl;       ///< 0 for constant time steps
+  double end;       ///< final time
   double implicitness;
   double interface_tolerance;
   std::size_t adaptation_interval;
@@ -142,18 +144,20 @@ struct Fluid_scene
   std::size_t relaxation_steps;
 };
 
-/// What fills labels, liquids first.
+/// Returns the labels and shapes, liquids first.
 std::vector<std::pair<int, const Fluid_shape*>> shapes_of(const Fluid_scene& scene);
 
-/// \throws Usage_error if a field is unknown, missing, out of its range or without effect
+/// Reads a scene.
+/// \throws Usage_error if a field is unknown, missing, out of range or without effect
 Fluid_scene read_scene(const Json& json);
 
-/// Of a file, or of the name of a scene that the program has.
-/// \throws Input_error if there is neither; Usage_error as above
+/// Reads a scene from a file, or finds an installed scene by its name.
+/// \throws Input_error if there is neither
+/// \throws Usage_error as read_scene() does
 Fluid_scene find_scene(const std::string& name);
 
-/// Name and title of each scene that the program has, sorted by name.
-/// \throws Input_error if the program finds none of its scenes
+/// Returns name and title of each installed scene, sorted by name.
+/// \throws Input_error if no installed scene is found
 std::vector<std::array<std::string, 2>> scene_names();
 
 } // namespace dsc

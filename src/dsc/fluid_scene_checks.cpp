@@ -74,7 +74,7 @@ using Vector = std::array<double, 3>;
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// The least and the largest distance of a point from a box.
+/// Returns the smallest and the largest distance of a point from a box.
 std::pair<double, double> distances(const Vector& p, const std::array<double, 6>& box) {
   Vector nearest, farthest;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -84,15 +84,15 @@ std::pair<double, double> distances(const Vector& p, const std::array<double, 6>
   return {std::sqrt(dot(nearest, nearest)), std::sqrt(dot(farthest, farthest))};
 }
 
-/// Whether the domain is wholly in front of a plane.
+/// Returns whether the whole domain is in front of a plane.
 bool is_in_front(const Scene_solid& plane, const std::array<double, 6>& box) {
-  double least = 0; // signed distance, times the length of the normal
+  double least = 0; // signed distance times the length of the normal
   for (std::size_t i = 0; i < 3; ++i)
     least += plane.direction[i] * ((plane.direction[i] > 0 ? box[i] : box[i + 3]) - plane.point[i]);
   return least > 0;
 }
 
-/// Whether the walls of a tank are all outside the domain.
+/// Returns whether all walls of a tank are outside the domain.
 bool is_around(const Scene_solid& tank, const std::array<double, 6>& box) {
   for (std::size_t i = 0; i < 3; ++i)
     if (box[i] <= tank.box[i] || (box[i + 3] >= tank.box[i + 3] && !(i == 2 && tank.is_open)))
@@ -100,8 +100,8 @@ bool is_around(const Scene_solid& tank, const std::array<double, 6>& box) {
   return true;
 }
 
-/// Whether no liquid can ever arrive at a solid, wherever it goes in the domain. A solid that moves
-/// may come into the domain; of cylinders and meshes it is not decided.
+/// Returns whether no liquid inside the domain can touch a solid. Returns false for moving solids,
+/// which may enter the domain, and for cylinders and meshes, which are not tested.
 bool is_out_of_reach(const Scene_solid& solid, const std::array<double, 6>& domain) {
   if (solid.velocity != Vector() || solid.angular_velocity != Vector())
     return false;

@@ -10,8 +10,10 @@
 
 namespace dsc {
 
-/// Checks what the fields of a scene mean together: labels, pairs of labels, names, and what has no
-/// effect wherever liquids go. \param json the scene, for messages. \throws Usage_error
+/// Checks the consistency of the fields of a scene: labels, pairs of labels, names, and fields that
+/// have no effect wherever the liquids move.
+/// \param json the scene, for messages
+/// \throws Usage_error
 void require_consistent(const Fluid_scene& scene, const Json_fields& json);
 
 } // namespace dsc

@@ -24,7 +24,7 @@ std::size_t number_of_parts(double parts) {
 }
 
 Surface surface_of(const Ball_shape& ball, double edge) {
-  // Equilateral triangles that cover the sphere.
+  // The area of the equilateral triangles on the unit sphere.
   const double area = std::sqrt(3.) / 4 * edge * edge / (ball.radius * ball.radius);
   Run_start start;
   start.ball = Ball{ball.center, ball.radius};
@@ -70,7 +70,7 @@ Surface surface_of(const Box_shape& shape, double edge) {
             return point(at);
           };
           const std::size_t a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
-          // Diagonals in turns, so that no direction is another than the others.
+          // Alternating diagonals, so that no direction is preferred.
           if ((i + j) % 2 == 0) {
             surface.triangles.push_back({a, b, c});
             surface.triangles.push_back({a, c, d});
@@ -83,11 +83,11 @@ Surface surface_of(const Box_shape& shape, double edge) {
   return surface;
 }
 
-/// The caps are of rings around their centers, of six triangles, eighteen and so on, so that all
-/// are about equilateral; those of the mantle are turned by half an edge from ring to ring.
 namespace {
 
-/// The surface of a cylinder, in layers of triangles about its axis and two caps.
+/// The surface of a cylinder. Each cap consists of rings of triangles around its center, with six
+/// triangles, eighteen and so on, so that all triangles are nearly equilateral. The mantle consists
+/// of layers of triangles; successive rings are rotated by half an edge.
 class Cylinder_surface
 {
 public:
@@ -111,7 +111,7 @@ private:
   const Cylinder_shape& m_shape;
   Surface_point m_from;
   double m_length;
-  Vector m_along, m_u, m_v; // of length 1, at right angles
+  Vector m_along, m_u, m_v; // orthonormal
   std::size_t m_rings, m_around, m_layers;
   Surface m_surface;
 };
@@ -121,7 +121,8 @@ Cylinder_surface::Cylinder_surface(const Cylinder_shape& shape, double edge)
   const Vector axis = Surface_point(shape.to[0], shape.to[1], shape.to[2]) - m_from;
   m_length = std::sqrt(axis.squared_length());
   m_along = axis / m_length;
-  // Across the axis, from the coordinate that it has least of.
+  // Computes a direction across the axis, from the coordinate direction with the smallest
+  // component.
   const double x = std::abs(m_along.x()), y = std::abs(m_along.y()), z = std::abs(m_along.z());
   std::array<double, 3> unit = {};
   unit[x <= std::min(y, z) ? 0 : y <= z ? 1 : 2] = 1;
@@ -183,7 +184,8 @@ void Cylinder_surface::add_cap(double height, double first_angle, const Ring& ri
   }
 }
 
-/// Adds the triangles between two rings; `above` is ahead by half an edge, or behind.
+/// Adds the triangles between two rings. If `is_ahead`, `above` is rotated forwards by half an
+/// edge, otherwise backwards.
 void Cylinder_surface::add_layer(const Ring& below, const Ring& above, bool is_ahead) {
   for (std::size_t k = 0; k < m_around; ++k) {
     const std::size_t next = (k + 1) % m_around;

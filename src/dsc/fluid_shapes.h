@@ -13,17 +13,18 @@
 
 namespace dsc {
 
-/// How many parts of about the length of an edge something is cut into: at least 1.
-/// \throws Input_error if that is more than any computer could hold
+/// Returns the number of parts, rounded, at least 1.
+/// \throws Input_error if the number exceeds the memory of any computer
 std::size_t number_of_parts(double parts);
 
-/// The closed surface of a shape, with edges of about a length, if the shape does not tell how many
-/// triangles it has. \throws Input_error if there would be too many
+/// Return the closed surface of a shape. The target edge length is `edge`, unless the shape defines
+/// the number of triangles.
+/// \throws Input_error if there would be too many triangles
 Surface surface_of(const Ball_shape& ball, double edge);
 Surface surface_of(const Box_shape& shape, double edge);
 Surface surface_of(const Cylinder_shape& shape, double edge);
 
-/// Whether a place is in a shape, or may be.
+/// Returns whether a point is in a shape, or may be in it.
 bool is_about(const Fluid_shape& shape, const std::array<double, 3>& p);
 
 } // namespace dsc

@@ -71,7 +71,7 @@ Complex complex_of_surfaces(const Fluid_scene& scene, const std::string& folder)
       start.triangles = file->triangles;
       surfaces.push_back(start_surfaces(start).front());
     } else {
-      continue; // around the others
+      continue; // fills the space around the others
     }
     surfaces.back().label = label;
   }
@@ -86,7 +86,8 @@ void require_inside(const Fluid_scene& scene, const Pool_shape& pool) {
     throw Input_error("the level of the pool is not inside the domain");
 }
 
-/// Cubes, each of six tetrahedra, which have a plane at a level between them.
+/// Returns a complex of cubes divided into six tetrahedra each. A plane between two layers of cubes
+/// is at the level of the pool.
 Complex complex_of_pool(const Fluid_scene& scene, int label, const Pool_shape& pool) {
   const auto& d = scene.domain;
   require_inside(scene, pool);
@@ -112,7 +113,7 @@ Complex complex_of_pool(const Fluid_scene& scene, int label, const Pool_shape& p
     for (std::size_t j = 0; j < ny; ++j)
       for (std::size_t i = 0; i < nx; ++i) {
         std::array<std::size_t, 3> axes = {0, 1, 2};
-        do { // a way from corner to corner for each order of the axes
+        do { // one tetrahedron for each order of the axes: a path from corner to corner
           std::array<std::size_t, 4> t;
           t[0] = i + j * stride[1] + k * stride[2];
           for (std::size_t a = 0; a < 3; ++a)
@@ -131,7 +132,7 @@ Complex complex_of_pool(const Fluid_scene& scene, int label, const Pool_shape& p
   return complex;
 }
 
-/// By the labels of places: pools beside others.
+/// Returns a complex for a pool beside other shapes, built from the labels of points.
 Complex complex_of_places(const Fluid_scene& scene) {
   number_of_parts((scene.domain[3] - scene.domain[0]) * (scene.domain[4] - scene.domain[1]) *
                   (scene.domain[5] - scene.domain[2]) / std::pow(scene.edge, 3));
@@ -278,8 +279,8 @@ std::unique_ptr<Fluid> fluid_of_scene(const Fluid_scene& scene, const std::strin
 
 namespace {
 
-/// That every liquid and gas has cells of its own: where shapes of one label overlap, those of the
-/// last one.
+/// Throws unless every liquid and gas has cells. Where shapes of one label overlap, the cells
+/// belong to the last shape.
 void require_cells_of_all(const Fluid_scene& scene, const Complex& complex) {
   const auto shapes = shapes_of(scene);
   std::vector<std::size_t> cells(shapes.size(), 0);
@@ -326,7 +327,7 @@ void require_effect(const Fluid_scene& scene, const Complex& complex) {
 }
 
 void require_outside_of_solids(const Fluid_scene& scene, const Fluid& fluid) {
-  static constexpr double rounding = 1e-6; // edges
+  static constexpr double rounding = 1e-6; // relative to the edge length
   if (fluid.depth_in_solids() > rounding * scene.edge)
     throw Input_error("a liquid of the scene begins inside a solid, " +
                       Json(fluid.depth_in_solids()).dump() + " deep");
@@ -334,8 +335,9 @@ void require_outside_of_solids(const Fluid_scene& scene, const Fluid& fluid) {
 
 void set_velocities(const Fluid_scene& scene, Fluid& fluid) {
   const Complex& complex = fluid.complex();
-  // Of the liquids of its label, a connected part is the one that has most of its cells.
-  std::map<std::uint32_t, std::vector<std::size_t>> cells; // by part and liquid
+  // A connected component gets the velocity of the liquid of its label that contains most of its
+  // cells.
+  std::map<std::uint32_t, std::vector<std::size_t>> cells; // by component and liquid
   for (const auto c : complex.cells()) {
     std::vector<std::size_t>& of_part = cells[c->component()];
     of_part.resize(scene.liquids.size(), 0);

@@ -17,24 +17,31 @@ namespace dsc {
 
 using Fluid = CGAL::Incompressible_fluid_3<Tracked_complex_3::Complex>;
 
-/// \throws Input_error if a file is missing; Usage_error if there is a folder, but no file
+/// Checks that the files of a scene exist.
+/// \throws Input_error if a file is missing
+/// \throws Usage_error if a folder is given, but the scene has no file
 void require_files(const Fluid_scene& scene, const std::string& folder);
 
-/// The liquids of a scene where they begin. Files that it names are in a folder.
-/// \throws Input_error if they cannot be built, as they overlap, or a file cannot be read
+/// Returns the complex with the initial liquids of a scene. Files of the scene are searched in
+/// `folder`.
+/// \throws Input_error if the complex cannot be built, for example because liquids overlap, or a
+/// file cannot be read
 Tracked_complex_3::Complex start_of_scene(const Fluid_scene& scene, const std::string& folder);
 
-/// \throws Input_error if a liquid or gas fills nothing, or a source meets no liquid
+/// Checks that the shapes of the scene have an effect.
+/// \throws Input_error if a liquid or gas has no cells, or a source contains no liquid
 void require_effect(const Fluid_scene& scene, const Tracked_complex_3::Complex& complex);
 
-/// With the solids of the scene. \throws Input_error if a file cannot be read
+/// Returns the fluid in the complex, with the solids of the scene.
+/// \throws Input_error if a file cannot be read
 std::unique_ptr<Fluid> fluid_of_scene(const Fluid_scene& scene, const std::string& folder,
                                       Tracked_complex_3::Complex& complex);
 
+/// Checks that all liquids are outside of the solids.
 /// \throws Input_error if a liquid is inside a solid
 void require_outside_of_solids(const Fluid_scene& scene, const Fluid& fluid);
 
-/// Those of the scene.
+/// Sets the initial velocities of the scene.
 void set_velocities(const Fluid_scene& scene, Fluid& fluid);
 
 } // namespace dsc

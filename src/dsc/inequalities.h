@@ -13,16 +13,17 @@
 
 namespace dsc {
 
-/// Regions, each given by an inequality in x, y and z like 'x^2+y^2+z^2<1', or by several with &&
-/// and || between them. Copies share the parsers.
+/// Regions, each defined by an inequality in x, y and z like 'x^2+y^2+z^2<1', or by several
+/// inequalities with && and || between them. Copies share the parsers.
 class Inequalities
 {
 public:
-  /// \throws Usage_error if one cannot be read, or is constant
+  /// \throws Usage_error if an inequality cannot be read, or is constant
   explicit Inequalities(const std::vector<std::string>& expressions);
 
-  /// The number, from 1, of the last one that holds; 0 if none does. Comparisons with an undefined
-  /// value, like sqrt(x) of a negative x, do not hold. \throws Input_error if a value is not finite
+  /// Returns the number, from 1, of the last inequality that holds at a point; 0 if none holds. A
+  /// comparison with an undefined value, like sqrt(x) for negative x, does not hold.
+  /// \throws Input_error if a value is not finite
   int label_at(const std::array<double, 3>& p) const;
 
 private:

@@ -16,8 +16,9 @@ namespace {
 volatile std::sig_atomic_t flag = 0;
 timespec time_of_first = {};
 
-// Whoever asks twice does not want to wait; but timeout(1) and some shells send the
-// same signal to the program and to its process group.
+// Raises the flag at the first signal. A later signal ends the program at once. Signals that follow
+// within a second are ignored, because timeout(1) and some shells send the same signal to the
+// program and to its process group.
 extern "C" void raise_flag(int signal) {
   timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);

@@ -11,22 +11,22 @@
 
 namespace dsc {
 
-constexpr int exit_code_of_interrupt = 130; ///< what shells use for SIGINT
+constexpr int exit_code_of_interrupt = 130; ///< exit code of shells for SIGINT
 
-/// From now on the first SIGINT, SIGTERM or SIGHUP only raises a flag; one some seconds later ends
-/// the program. Files that grow too large and pipes that nobody reads make writing fail, and no
-/// longer end the program.
+/// Installs the signal handlers. The first SIGINT, SIGTERM or SIGHUP only raises a flag; another
+/// one some seconds later ends the program. Files that grow too large and closed pipes make write
+/// operations fail, and no longer end the program.
 void catch_signals();
 
 /// Returns whether the flag is raised.
 bool interrupted();
 
-/// While it exists, the functions of the package throw Interrupted_error once the flag is raised.
-/// On a terminal, a line names what takes longer than a second.
+/// A scope in which functions of the package throw Interrupted_error after the flag is raised. On a
+/// terminal, a line names phases that take longer than a second.
 class Interruptible
 {
 public:
-  /// \param quiet whether the line is left out
+  /// \param quiet whether the line is suppressed
   explicit Interruptible(bool quiet);
   ~Interruptible();
 

@@ -15,35 +15,38 @@
 
 namespace dsc {
 
-/// The fields of an object of a JSON file. Each must be known, of the right type and in its range.
+/// The fields of an object of a JSON file. Checks that each field is known, of the correct type and
+/// in its range.
 class Json_fields
 {
 public:
-  /// \param name of the object, for messages. \throws Usage_error if it is none
+  /// \param name name of the object, for messages
+  /// \throws Usage_error if `json` is not an object
   Json_fields(const Json& json, std::string name);
 
-  /// To be called before fields are read, so that a misspelt field is found before the field that
-  /// it was meant to be is missing. \throws Usage_error if the object has a field that is not in
-  /// the list, with the nearest one
+  /// Checks that all fields are in the list. Must be called before fields are read, so that a
+  /// misspelt field is reported before the missing field with the correct name.
+  /// \throws Usage_error with the nearest known name if the object has another field
   void require_known(const std::vector<std::string>& fields) const;
 
   bool has(const std::string& field) const { return m_json->contains(field); }
   const std::string& name() const { return m_name; }
-  /// \throws Usage_error if the field is missing; all below do so if it is of another type or not
-  /// finite
+  /// Return the value of a field.
+  /// \throws Usage_error if the field is missing; these and all following functions also throw it
+  /// if the field has another type or is not finite
   const Json& any(const std::string& field) const;
   double number(const std::string& field) const;
   double number(const std::string& field, double otherwise) const;
   double positive(const std::string& field) const;
-  /// 0 or more.
+  /// Returns a number that is at least 0.
   double not_negative(const std::string& field, double otherwise) const;
   std::size_t count(const std::string& field, std::size_t otherwise) const;
   bool flag(const std::string& field, bool otherwise) const;
   std::string text(const std::string& field) const;
   std::string text(const std::string& field, const std::string& otherwise) const;
-  /// One of some words.
+  /// Returns one of the given words.
   std::string choice(const std::string& field, const std::vector<std::string>& words) const;
-  /// \param form what is to be written there, for messages
+  /// \param form expected form, for messages
   Expression expression(const std::string& field, const std::vector<std::string>& variables,
                         int size, const std::string& form) const;
   template <std::size_t n> std::array<double, n> numbers(const std::string& field) const {
@@ -51,11 +54,12 @@ public:
     read_numbers(field, n, result.data());
     return result;
   }
-  /// The objects of a list, none if it is missing.
+  /// Returns the objects of a list; none if the list is missing.
   std::vector<Json_fields> objects(const std::string& field) const;
   Json_fields object(const std::string& field) const;
 
-  /// \throws Usage_error that begins with the place of a field
+  /// Throws an error for a field; the message begins with the place of the field.
+  /// \throws Usage_error always
   [[noreturn]] void refuse(const std::string& field, const std::string& why) const;
 
 private:

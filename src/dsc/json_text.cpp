@@ -13,7 +13,7 @@
 namespace dsc {
 namespace {
 
-/// Follows the parser into objects and lists, and looks for fields that are there twice.
+/// A parser callback that detects duplicate fields in objects and lists.
 class Field_names
 {
 public:
@@ -57,7 +57,7 @@ private:
       ++m_levels.back().index;
   }
 
-  /// Of the field that was read last, like "liquids[0].density".
+  /// Returns the place of the field read last, like "liquids[0].density".
   std::string place() const {
     std::string result;
     for (const Level& level : m_levels)
@@ -70,7 +70,7 @@ private:
   std::vector<Level> m_levels;
 };
 
-/// What the library says, without its number of the kind of error.
+/// Returns the message of the library, without its error number.
 std::string reason(const Json::exception& error) {
   const std::string text = error.what();
   const std::size_t bracket = text.find("] ");

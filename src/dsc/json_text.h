@@ -11,8 +11,9 @@
 
 namespace dsc {
 
-/// Reads JSON that people wrote. \param name of its file, for messages
-/// \throws Input_error if it is not JSON, or an object has two fields of one name
+/// Parses JSON written by users.
+/// \param name name of the file, for messages
+/// \throws Input_error if the text is not JSON, or an object has two fields of the same name
 Json parse_json(const std::string& text, const std::string& name);
 
 } // namespace dsc

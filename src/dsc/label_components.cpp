@@ -20,7 +20,7 @@ namespace {
 
 using Counts = std::array<std::size_t, 3>;
 
-/// Disjoint sets, each with a label.
+/// Disjoint sets with labels.
 class Labelled_sets
 {
 public:
@@ -57,8 +57,8 @@ private:
   std::vector<int> m_labels;
 };
 
-/// Connects the samples of a grid, which come in the order of their places. Only those of two
-/// layers are kept.
+/// Connects the samples of a grid, which are added in the order of their positions. Only two layers
+/// are stored.
 class Grid_components
 {
 public:
@@ -95,7 +95,8 @@ private:
     std::uint32_t set;
   };
 
-  /// With the sample of a layer at (i, j), and with those around it, if corners count.
+  /// Connects a sample to the sample of a layer at (i, j) and, if corners count, to the samples
+  /// around it.
   void connect(Sample& sample, const std::vector<Sample>& layer, std::size_t i, std::size_t j,
                std::size_t di, std::size_t dj) {
     if (!m_with_corners)
@@ -118,9 +119,9 @@ private:
   Labelled_sets m_sets;
 };
 
-/// Numbers of samples that are about so far from each other, all odd or all even: a sheet in the
-/// middle of the box is met by odd ones however thin it is, and by even ones only if it is not
-/// thin.
+/// Returns the numbers of samples along the axes for a spacing, all odd or all even. Odd numbers of
+/// samples hit a thin sheet in the middle of the box. Even numbers of samples hit it only if it is
+/// thick enough.
 Counts samples(const std::array<double, 6>& box, double spacing, bool odd) {
   Counts result;
   for (std::size_t i = 0; i < 3; ++i)
@@ -137,13 +138,14 @@ bool are_equal(const Component_ranges& a, const Component_ranges& b) {
 struct Shorter_edge
 {
   double length;
-  bool is_enough; ///< or is too long as well
+  bool is_enough; ///< false if this length is also too long
 };
 
-/// The edge length, halved again and again, at which samples show the same wherever they are.
+/// Returns an edge length that resolves the components, found by repeated halving: samples at
+/// different positions show the same components.
 Shorter_edge shorter_edge(const std::array<double, 6>& box, double edge,
                           const Label_function& label_at, const std::map<int, std::string>& names) {
-  static constexpr double most = 1e7; // samples: seconds
+  static constexpr double most = 1e7; // samples: takes seconds
   for (double length = edge / 2;; length /= 2) {
     const Counts n = samples(box, length, true);
     if (double(n[0]) * double(n[1]) * double(n[2]) > most)

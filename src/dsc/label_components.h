@@ -13,27 +13,27 @@
 
 namespace dsc {
 
-/// Tells the label at a point.
+/// A function that returns the label at a point.
 using Label_function = std::function<int(const std::array<double, 3>&)>;
 
-/// How many connected components a label has, as samples on a grid show it: `least` if samples that
-/// have a corner in common are connected, `most` if only those are that share a face.
+/// The number of connected components of a label on a grid of samples. For `least`, samples with a
+/// common corner are connected; for `most`, only samples with a common face.
 struct Component_range
 {
   std::size_t least, most;
 };
 
-/// Of each label.
+/// The ranges of all labels.
 using Component_ranges = std::map<int, Component_range>;
 
 /// Counts the connected components of each label in a box.
-/// \param box the least x, y and z, then the largest
-/// \param samples their number along each axis
+/// \param box lower and then upper bounds of x, y and z
+/// \param samples number of samples along each axis
 Component_ranges count_components(const std::array<double, 6>& box,
                                   const std::array<std::size_t, 3>& samples,
                                   const Label_function& label_at);
 
-/// The number of connected components of each label of a complex.
+/// Returns the number of connected components of each label of a complex.
 template <class Complex> std::map<int, std::size_t> numbers_of_components(const Complex& complex) {
   std::map<int, std::size_t> result;
   for (const auto label : complex.labels())
@@ -41,18 +41,19 @@ template <class Complex> std::map<int, std::size_t> numbers_of_components(const 
   return result;
 }
 
-/// Counts them by samples that are three times as close as the edges of a complex.
+/// Counts the connected components with a sample spacing of a third of the edge length of a
+/// complex.
 Component_ranges count_components(const std::array<double, 6>& box, double edge,
                                   const Label_function& label_at);
 
-/// Makes sure that a complex shows what a function tells: each label that has a name, and the same
-/// number of connected components of each label as samples show.
-/// \param edge length of edges of the complex
-/// \param expected what `count_components()` tells
+/// Checks that a complex resolves a label function: it has all labels with names, and for each
+/// label the number of connected components that samples show.
+/// \param edge edge length of the complex
+/// \param expected result of `count_components()`
 /// \param found number of components of each label of the complex
-/// \param names of the labels but 0, for messages
-/// \throws Input_error if that is not so, with the label, the numbers, and an edge length that is
-/// enough
+/// \param names names of the labels except 0, for messages
+/// \throws Input_error with the label, the numbers, and a sufficient edge length if the complex
+/// does not resolve the function
 void require_resolved(const std::array<double, 6>& box, double edge, const Label_function& label_at,
                       const Component_ranges& expected, const std::map<int, std::size_t>& found,
                       std::map<int, std::string> names);

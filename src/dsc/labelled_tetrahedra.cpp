@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-/// Removes the items that are no more, and gives the others new indices.
-/// \param new_indices of the items; `none` for those that go
+/// Removes items and renumbers the others.
+/// \param new_indices new index of each item; `none` for items to be removed
 template <class Item>
 void remove_items(std::vector<Item>& items, const std::vector<std::size_t>& new_indices) {
   std::size_t n = 0;
@@ -31,7 +31,7 @@ void remove_items(std::vector<Item>& items, const std::vector<std::size_t>& new_
   items.resize(n);
 }
 
-/// Follows items to their new indices; returns how many are no more.
+/// Replaces indices by the new indices of their items. Returns the number of removed items.
 std::size_t renumber(std::vector<std::size_t>& indices,
                      const std::vector<std::size_t>& new_indices) {
   const std::size_t before = indices.size();
@@ -41,8 +41,8 @@ std::size_t renumber(std::vector<std::size_t>& indices,
   return before - indices.size();
 }
 
-/// Follows vertices of simplices to their new indices, removes simplices with vertices that are no
-/// more, and returns the new indices of the simplices.
+/// Renumbers the vertices of simplices and removes simplices with removed vertices. Returns the new
+/// indices of the simplices.
 template <std::size_t n>
 std::vector<std::size_t> renumber(std::vector<Mesh_entities::Simplex<n>>& simplices,
                                   const std::vector<std::size_t>& new_vertices) {
@@ -76,7 +76,7 @@ void renumber(Mesh_entities& entities, const std::vector<std::size_t>& new_verti
   renumber(entities.required_triangles, new_triangles);
 }
 
-// Other programs write points of lines and surfaces, or those that they once had a use for.
+// Files of other programs contain points of lines and surfaces, and points that are no longer used.
 void remove_unused_points(Labelled_tetrahedra& mesh) {
   std::vector<std::size_t> new_indices(mesh.points.size(), none), rows;
   for (const auto& tetrahedron : mesh.tetrahedra)
@@ -99,7 +99,7 @@ void remove_unused_points(Labelled_tetrahedra& mesh) {
   renumber(mesh.entities, new_indices, mesh.unused);
 }
 
-/// Values at vertices that other programs keep in a file beside a mesh.
+/// Looks for the solution files that other programs store beside a mesh: values at vertices.
 void look_for_solutions(const std::string& path, Unused_content& unused) {
   for (const char* extension : {".sol", ".solb"}) {
     const auto solutions = std::filesystem::path(path).replace_extension(extension);

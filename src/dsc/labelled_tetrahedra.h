@@ -24,7 +24,7 @@ using CGAL::Deformable_simplicial_complexes::Mesh_arrays;
 using CGAL::Deformable_simplicial_complexes::Mesh_entities;
 using CGAL::Deformable_simplicial_complexes::Unused_content;
 
-/// Tetrahedra as a file has them, with only those of its points that they use.
+/// The tetrahedra of a file, with the points that they use.
 struct Labelled_tetrahedra
 {
   std::vector<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> points;
@@ -32,20 +32,20 @@ struct Labelled_tetrahedra
   std::vector<int> labels;
   Mesh_arrays arrays;     ///< of a VTU file
   Mesh_entities entities; ///< of a MEDIT file
-  Unused_content unused;  ///< what else is in the file
+  Unused_content unused;  ///< other contents of the file
 
-  /// Counts arrays and entities as unused, for what makes no use of them.
+  /// Moves arrays or entities to the unused content, for callers that do not use them.
   void leave_out_arrays();
   void leave_out_entities();
 };
 
 /// Reads a mesh (.mesh, .vtu) in the format of its extension.
-/// \param label_array is the name of the array of a .vtu file that holds the labels, `none` for
-/// label 1 everywhere; empty for the one with a name that is known
-/// \throws std::runtime_error if that fails
+/// \param label_array name of the array of a .vtu file that contains the labels; `none` for label 1
+/// everywhere; empty for an array with a known name
+/// \throws std::runtime_error if the mesh cannot be read
 Labelled_tetrahedra read_tetrahedra(const std::string& path, const std::string& label_array);
 
-/// Says in parentheses where in a mesh an error is, or nothing if that is not known.
+/// Returns the place of an error in a mesh, in parentheses; empty if the place is not known.
 std::string place_of(const CGAL::Deformable_simplicial_complexes::Invalid_cells_error& error,
                      const Labelled_tetrahedra& mesh);
 

@@ -10,7 +10,7 @@
 
 namespace dsc {
 
-/// The Legendre polynomial of a degree, by its recurrence.
+/// Returns the value of the Legendre polynomial of a degree at z, by recurrence.
 inline double legendre(std::size_t degree, double z) {
   double before = 0, value = 1;
   for (std::size_t n = 0; n < degree; ++n)

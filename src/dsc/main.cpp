@@ -28,10 +28,10 @@ int fail(std::string message, Exit_code code) {
   return code;
 }
 
-// CGAL throws after it has printed; the message comes with the exception.
+// Suppresses the output of CGAL before it throws: the exception contains the message.
 void print_nothing(const char*, const char*, const char*, int, const char*) {}
 
-/// Returns whether everything that was printed has arrived.
+/// Flushes the output. Returns whether all output was written.
 bool flush_output() {
   std::cout.flush();
   std::fflush(stdout);

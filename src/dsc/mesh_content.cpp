@@ -25,7 +25,7 @@ using Vertex_handle = Complex::Vertex_handle;
 using Cell_handle = Complex::Cell_handle;
 using CGAL::Deformable_simplicial_complexes::Progress_scope;
 
-/// The indices of items, sorted by what `key` tells of each.
+/// Returns the indices of items, sorted by the key of each item.
 template <class Key> std::vector<std::size_t> sorted_by(std::size_t size, const Key& key) {
   std::vector<std::size_t> result(size);
   std::iota(result.begin(), result.end(), std::size_t(0));
@@ -34,7 +34,7 @@ template <class Key> std::vector<std::size_t> sorted_by(std::size_t size, const 
   return result;
 }
 
-/// For each vertex the point of the mesh that it was made from: both have the same coordinates.
+/// Returns, for each vertex, the point of the mesh with the same coordinates.
 std::vector<std::size_t> points_of(const std::vector<Vertex_handle>& vertices,
                                    const Labelled_tetrahedra& mesh, const Complex& complex) {
   const auto coordinates = [](const auto& p) {
@@ -52,7 +52,7 @@ std::vector<std::size_t> points_of(const std::vector<Vertex_handle>& vertices,
   return result;
 }
 
-/// For each cell the tetrahedron of the mesh that it was made from.
+/// Returns, for each cell, the corresponding tetrahedron of the mesh.
 /// \param vertex_of_point index of the vertex of each point
 std::vector<std::size_t> tetrahedra_of(const std::vector<Cell_handle>& cells,
                                        const std::vector<Vertex_handle>& vertices,
@@ -80,7 +80,7 @@ std::vector<std::size_t> tetrahedra_of(const std::vector<Cell_handle>& cells,
   return result;
 }
 
-/// Removes simplices that are none of the complex, and returns how many.
+/// Removes simplices that are not in the complex. Returns their number.
 template <std::size_t n>
 std::size_t remove_foreign(std::vector<Mesh_entities::Simplex<n>>& simplices,
                            const std::vector<std::vector<std::size_t>*>& lists,
@@ -107,7 +107,8 @@ std::size_t remove_foreign(std::vector<Mesh_entities::Simplex<n>>& simplices,
   return removed;
 }
 
-/// Whether an array has a value of its own for nearly each cell, as numbers of cells are.
+/// Returns whether an array has a different value for nearly each cell, like an array of cell
+/// numbers.
 bool differs_everywhere(const Mesh_array& array, const Complex& complex,
                         const std::vector<std::size_t>& row_of_cell) {
   static constexpr std::size_t few = 16, cells_of_region = 8;
@@ -123,12 +124,12 @@ bool differs_everywhere(const Mesh_array& array, const Complex& complex,
   return number > few && number * cells_of_region > complex.number_of_cells();
 }
 
-/// Whether `write_VTU()` writes an array of this name in any case.
+/// Returns whether `write_VTU()` always writes an array of this name.
 bool is_computed(const Mesh_array& array) {
   return CGAL::Deformable_simplicial_complexes::internal::is_computed_vtu_array(array.name);
 }
 
-/// Whether the computed arrays are there together, so that the file is one of ours.
+/// Returns whether all computed arrays are present: the file was written by this package.
 bool has_computed_arrays(const Mesh_arrays& arrays) {
   const auto number = std::count_if(arrays.points.begin(), arrays.points.end(), is_computed) +
                       std::count_if(arrays.cells.begin(), arrays.cells.end(), is_computed);

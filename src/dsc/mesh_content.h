@@ -11,26 +11,26 @@
 
 namespace dsc {
 
-/// What a file of tetrahedra holds besides points and labels, by the vertices and cells of a
-/// complex in the order of their time stamps.
+/// The contents of a file of tetrahedra other than points and labels. Arrays are ordered by the
+/// time stamps of the vertices and cells of a complex.
 struct Mesh_content
 {
   Mesh_arrays arrays;
   Mesh_entities entities;
 
-  /// Returns whether nothing has to follow changes of the complex.
+  /// Returns whether there is nothing to transfer through changes of the complex.
   bool is_empty() const;
 };
 
-/// Returns the content of a mesh for the complex that was made from it.
-/// \param unused is told of what cannot follow changes of the complex: edges and triangles that are
-/// none of it, arrays of integers that differ nearly everywhere, arrays named as those that are
-/// written anyway
+/// Returns the content of a mesh for the complex that was built from it.
+/// \param unused receives the content that cannot follow changes of the complex: edges and
+/// triangles that are not in the complex, arrays of integers that differ nearly everywhere, and
+/// arrays with names of computed arrays
 Mesh_content content_of(Labelled_tetrahedra mesh,
                         const CGAL::Deformable_simplicial_complex_3<>& complex,
                         Unused_content& unused);
 
-/// Gives the vertices of edges, triangles and corners, and required vertices, their new indices.
+/// Replaces the vertex indices of edges, triangles, corners and required vertices by new indices.
 void renumber_vertices(Mesh_entities& entities, const std::vector<std::size_t>& new_indices);
 
 } // namespace dsc

@@ -16,43 +16,43 @@
 
 namespace dsc {
 
-/// Turn about an axis through the centre of the domain, in the plane about that.
+/// A rotation about an axis through the center of the domain; in the plane, about the center.
 struct Rotation
 {
   std::array<double, 3> axis; ///< of any length; zero in the plane
   double degrees;             ///< per step
 };
 
-/// Move along the outward normals.
+/// A motion along the outward normals.
 struct Offset
 {
   Distance distance; ///< per step, positive outwards
-  bool moves_faces;  ///< as a whole, and not each vertex along its own normal
+  bool moves_faces;  ///< whether faces move as a whole, instead of each vertex along its own normal
 };
 
-/// Move with a field of velocities, given in the coordinates of the input.
+/// A motion by a velocity field in the coordinates of the input.
 struct Advection
 {
   enum class Field { enright, vortex, expressions };
 
   Field field;
-  std::string expressions; ///< of the coordinates, in x, y, z and t, if the field is these
+  std::string expressions; ///< in x, y, z and t, if `field` is `expressions`
   double period;           ///< T of the factor cos(pi t / T); 0 for no such factor
   double dt;               ///< per step
   CGAL::Deformable_simplicial_complexes::Integration_scheme scheme;
-  std::optional<double> tolerance; ///< of the interface, in mean edges; the library's if not set
+  std::optional<double> tolerance; ///< in mean edges; the library's default if not set
 };
 
-/// Move by the mean curvature.
+/// A motion by the mean curvature.
 struct Curvature_flow
 {
-  double dt; ///< per step, in squares of the input's unit of length; 0 for the square of the mean
+  double dt; ///< per step, in squares of the unit of the input; 0 for the square of the mean
              ///< interface edge of the input
   bool keeps_volumes;
-  std::optional<double> tolerance; ///< of the interface, in mean edges; the library's if not set
+  std::optional<double> tolerance; ///< in mean edges; the library's default if not set
 };
 
-/// Turn about the point (50, 50) of the plane, once in 628 units of time.
+/// A rotation about the point (50, 50) of the plane, one turn in 628 units of time.
 struct Zalesak
 {
   static constexpr double period = 628;
@@ -62,13 +62,13 @@ struct Zalesak
 
 using Motion = std::variant<Rotation, Offset, Advection, Curvature_flow, Zalesak>;
 
-/// What each step of a run does.
+/// The options of each step of a run.
 struct Step_options
 {
   Motion motion;
   bool improves_interface = false;      ///< before the motion
-  std::optional<double> aggressiveness; ///< of that; the library's if not set
-  bool grows_domain = false;            ///< where the interface comes near its boundary
+  std::optional<double> aggressiveness; ///< of the improvement; default if not set
+  bool grows_domain = false;            ///< when the interface comes near its boundary
 };
 
 } // namespace dsc

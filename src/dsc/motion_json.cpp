@@ -52,7 +52,7 @@ Json json_of(const Curvature_flow& flow) {
 
 Json json_of(const Zalesak& zalesak) { return {{"command", "zalesak"}, {"dt", zalesak.dt}}; }
 
-// Checkpoints of older versions may not have it.
+// Checkpoints of older versions may have no tolerance.
 std::optional<double> tolerance_of(const Json& json) {
   const auto found = json.find("tolerance");
   return found == json.end() || found->is_null() ? std::nullopt

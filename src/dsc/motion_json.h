@@ -10,10 +10,11 @@
 
 namespace dsc {
 
-/// The subcommand and its own options.
+/// Returns the subcommand and its own options.
 Json motion_json(const Motion& motion);
 
-/// The inverse. \throws Json::exception or std::out_of_range if there is no motion in `json`
+/// Returns the motion stored by motion_json().
+/// \throws Json::exception or std::out_of_range if `json` contains no motion
 Motion motion_from_json(const Json& json);
 
 } // namespace dsc

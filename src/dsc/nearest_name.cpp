@@ -10,7 +10,7 @@
 namespace dsc {
 namespace {
 
-/// The number of letters to insert, remove, replace or exchange with their neighbors.
+/// Returns the number of letters to insert, remove, replace or exchange with their neighbors.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::vector<std::size_t>> distance(a.size() + 1,
                                                  std::vector<std::size_t>(b.size() + 1));
@@ -38,7 +38,7 @@ std::string lower_case(std::string text) {
 } // namespace
 
 std::string nearest_name(const std::string& name, const std::vector<std::string>& known) {
-  static constexpr std::size_t longest = 100, // letters: longer ones are no misspelt names
+  static constexpr std::size_t longest = 100, // letters; longer names are not compared
       letters_per_error = 3;
   if (name.size() > longest)
     return "";
@@ -47,7 +47,7 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
   for (const std::string& candidate : known) {
     if (lower_case(candidate) == lower_case(name))
       return candidate;
-    // A single letter is not near to another one.
+    // A name whose letters must all change is not near.
     if (const std::size_t d = edit_distance(name, candidate);
         d < least && d < std::max(name.size(), candidate.size())) {
       least = d;

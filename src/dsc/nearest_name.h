@@ -10,12 +10,12 @@
 
 namespace dsc {
 
-/// The known name that a misspelt one is probably meant to be: the nearest by inserted, removed,
-/// replaced and exchanged letters, if these are few. Empty if no name is near.
+/// Returns the known name nearest to a misspelt one, measured by the number of inserted, removed,
+/// replaced and exchanged letters. Returns an empty string if no name is near.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& known);
 
-/// What is to be done about an unknown name, for the end of a message: "; did you mean 'gravity'?"
-/// or, if no name is near, "; " + `list` + " are a, b, c".
+/// Returns the advice on an unknown name, for the end of a message: "; did you mean 'gravity'?" or,
+/// if no name is near, "; " + `list` + " are a, b, c".
 std::string advice_on_name(const std::string& name, const std::vector<std::string>& known,
                            const std::string& list);
 

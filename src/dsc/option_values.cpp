@@ -15,7 +15,7 @@
 namespace dsc {
 namespace {
 
-/// The number that `text` starts with; moves `text` behind it.
+/// Returns the number at the beginning of `text`, and removes it from `text`.
 double take_number(std::string& text, const std::string& option) {
   if (!text.empty() && text[0] == '+')
     text.erase(0, 1);

@@ -17,45 +17,45 @@
 
 namespace dsc {
 
-constexpr int most_subdivisions = 5; ///< of a surface: each makes four triangles of one
+constexpr int most_subdivisions = 5; ///< of a surface; each replaces a triangle by four
 
-/// The values of options, whose numbers are read in the same way in every locale. All functions
-/// throw Usage_error, with what they expect.
+/// The following functions parse the values of options. Numbers are read independently of the
+/// locale. All functions throw Usage_error with the expected form.
 
 std::array<double, 3> parse_axis(const std::string& text);
 
-/// \return the least x, y and z, then the largest
+/// \return lower and then upper bounds of x, y and z
 std::array<double, 6> parse_domain(const std::string& text, int dimension);
 
-/// Takes the word `grow` off the end of `--domain`, and the comma before it. Returns whether it was
-/// there. What is left may be empty.
+/// Removes the word `grow` and the comma before it from the end of the value of `--domain`. Returns
+/// whether the word was there. The rest may be empty.
 bool take_growth(std::string& domain);
 
 double parse_angle(const std::string& text);
 
 std::array<double, 2> parse_pair(const std::string& text, const std::string& option);
 
-/// Two or three numbers.
+/// Parses two or three numbers.
 std::vector<double> parse_point(const std::string& text);
 
-/// A quality in (0, 1].
+/// Parses a quality in (0, 1].
 double parse_threshold(const std::string& text);
 
-/// In the unit of the input or, with an e behind it, in mean edges.
+/// Parses a length in the unit of the input or, with the suffix e, in mean edges.
 Distance parse_distance(const std::string& text);
 
-/// A positive length, in the unit of the input or, with an e behind it, in mean edges.
+/// Parses a positive length in the unit of the input or, with the suffix e, in mean edges.
 Distance parse_length(const std::string& text, const std::string& option);
 
 double parse_positive(const std::string& text, const std::string& option);
 
-/// Not negative.
+/// Parses a number that is at least 0.
 double parse_tolerance(const std::string& text);
 
-/// In [0, 1).
+/// Parses a number in [0, 1).
 double parse_aggressiveness(const std::string& text);
 
-/// The schemes by their names.
+/// Returns the integration schemes by their names.
 const std::map<std::string, CGAL::Deformable_simplicial_complexes::Integration_scheme>&
 integration_schemes();
 

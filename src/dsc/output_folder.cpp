@@ -18,9 +18,9 @@ namespace dsc {
 namespace fs = std::filesystem;
 namespace {
 
-using Moment = std::pair<double, std::string>; // and the file of it
+using Moment = std::pair<double, std::string>; // time, and file of the state
 
-/// What a collection of an earlier run lists up to `time`, as long as it is there.
+/// Returns the existing files of a collection of an earlier run, up to `time`.
 std::vector<Moment> moments_until(double time, const std::string& collection) {
   static const std::regex entry("timestep=\"([^\"]*)\".* file=\"([^\"]*)\"");
   std::vector<Moment> moments;

@@ -15,24 +15,27 @@
 
 namespace dsc {
 
-/// The files of a run: one pair of VTU files for each written step, in the plane also a picture,
-/// and if asked for a smooth surface; the two collections of them, and the checkpoint of the last.
+/// The output files of a run. Each written state has two VTU files; in the plane also a picture
+/// and, if requested, a smooth surface. The folder also contains the two collections of these
+/// files, and the checkpoint of the last state.
 class Output_folder
 {
 public:
-  /// Creates the folder if need be. \throws Input_error if nothing can be written there, or if it
-  /// holds another run than that of the checkpoint `resume`
+  /// Creates the folder if necessary.
   /// \param subdivisions of the interface, for a smooth surface; none if 0
+  /// \throws Input_error if nothing can be written there, or if the folder contains another run
+  /// than the run of the checkpoint `resume`
   Output_folder(const std::string& path, const std::string& resume, int subdivisions);
 
-  /// Goes on with the collections of an earlier run in this folder, up to a moment.
+  /// Continues the collections of an earlier run in this folder, up to a time.
   void keep_until(double time);
 
-  /// Whether the checkpoint is that of a moment, or of a later one.
+  /// Returns whether the checkpoint is from this position or a later one.
   bool holds(const Run_position& position) const { return position.time <= m_checkpoint_time; }
 
-  /// Writes a state, less what is there already. The checkpoint comes last, when all it promises is
-  /// there. \throws std::runtime_error if that fails
+  /// Writes a state, except files that already exist. The checkpoint is written last, when all
+  /// other files are complete.
+  /// \throws std::runtime_error if a file cannot be written
   void write(const Tracked_complex& complex, const Run_position& position,
              const std::string& metadata);
 
@@ -44,7 +47,7 @@ private:
   std::string m_path;
   int m_subdivisions;
   CGAL::IO::PVD_series m_volume, m_interface;
-  double m_last_time = -std::numeric_limits<double>::infinity(); // in the collections
+  double m_last_time = -std::numeric_limits<double>::infinity(); // last time in the collections
   double m_checkpoint_time = m_last_time;
 };
 

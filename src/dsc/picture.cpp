@@ -18,7 +18,7 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-constexpr int side = 800, samples = 2; // pixels; points along the side of one
+constexpr int side = 800, samples = 2; // size in pixels; samples along the side of a pixel
 constexpr int points = side * samples;
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -32,7 +32,7 @@ Vector unit(const Vector& a) {
   return {a[0] / length, a[1] / length, a[2] / length};
 }
 
-/// Axes of the picture: to the right, upwards, and towards the eye.
+/// The axes of the picture: to the right, upwards, and towards the viewer.
 struct View
 {
   Vector eye = unit({.55, -1, .5});
@@ -42,7 +42,7 @@ struct View
   Vector seen(const Vector& p) const { return {dot(right, p), dot(up, p), dot(eye, p)}; }
 };
 
-/// Red, green and blue, light ones to be shaded.
+/// Returns the color of a label, light enough to be shaded.
 Vector color(int label) {
   static constexpr std::array<Vector, 6> colors = {
       {{.55, .7, .9}, {.95, .7, .45}, {.6, .85, .6}, {.85, .6, .8}, {.9, .85, .5}, {.6, .85, .85}}};
@@ -56,7 +56,7 @@ public:
       : m_depths(std::size_t(points) * points, -std::numeric_limits<double>::infinity()),
         m_colors(m_depths.size(), Vector{1, 1, 1}) {}
 
-  /// A triangle whose corners have coordinates in points, and depths.
+  /// Draws a triangle whose corners have sample coordinates and depths.
   void draw(const std::array<Vector, 3>& t, const Vector& color) {
     const double area =
         (t[1][0] - t[0][0]) * (t[2][1] - t[0][1]) - (t[1][1] - t[0][1]) * (t[2][0] - t[0][0]);
@@ -87,7 +87,7 @@ public:
       }
   }
 
-  /// Rows from above.
+  /// Returns the pixels, row by row from the top.
   std::vector<png_byte> pixels() const {
     std::vector<png_byte> result;
     for (int y = side; y-- > 0;)
@@ -122,11 +122,11 @@ void write_picture(const std::string& path, const std::vector<Picture_triangle>&
         most[i] = std::max(most[i], q[i]);
       }
     }
-  static constexpr double margin = .05; // of the side
+  static constexpr double margin = .05; // relative to the side
   const double extent = std::max({most[0] - least[0], most[1] - least[1], 1e-300}),
                scale = (1 - 2 * margin) * points / extent;
   Canvas canvas;
-  const Vector light = unit({-.4, .5, 1}); // by the axes of the picture
+  const Vector light = unit({-.4, .5, 1}); // in the axes of the picture
   for (const Picture_triangle& t : triangles) {
     std::array<Vector, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -143,7 +143,7 @@ void write_picture(const std::string& path, const std::vector<Picture_triangle>&
     if (dot(normal, normal) == 0)
       continue;
     normal = unit(normal);
-    // Both sides are lit, as surfaces may be open.
+    // Both sides of a triangle are lit, because surfaces may be open.
     static constexpr double ambient = .35;
     const double shade =
         ambient + (1 - ambient) * std::max(0., dot(light, normal) * (normal[2] < 0 ? -1 : 1));

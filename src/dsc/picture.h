@@ -11,15 +11,16 @@
 
 namespace dsc {
 
-/// A triangle of a surface, and the label behind it, by which it is colored.
+/// A triangle of a surface, and the label behind it, which determines its color.
 struct Picture_triangle
 {
   std::array<std::array<double, 3>, 3> corners;
   int label;
 };
 
-/// Draws triangles as seen from afar, from the front, the right and above, z upwards, into a PNG
-/// file. \throws Input_error if it cannot be written
+/// Draws triangles into a PNG file, in parallel projection from the front, the right and above,
+/// with z upwards.
+/// \throws Input_error if the file cannot be written
 void write_picture(const std::string& path, const std::vector<Picture_triangle>& triangles);
 
 } // namespace dsc

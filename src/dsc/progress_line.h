@@ -9,15 +9,15 @@
 
 namespace dsc {
 
-/// Returns whether stderr is a terminal, where lines are overwritten.
+/// Returns whether stderr is a terminal, on which lines can be overwritten.
 bool shows_lines();
 
-/// One line on the terminal that is overwritten after every step, with an estimate of the
-/// remaining time. Shows nothing if stderr is not a terminal.
+/// A line on the terminal that is overwritten after every step, with an estimate of the remaining
+/// time. Shows nothing if stderr is not a terminal.
 class Progress_line
 {
 public:
-  /// \param unit what steps are called
+  /// \param unit name of a step
   Progress_line(unsigned steps, bool quiet, const char* unit = "step");
   ~Progress_line() { clear(); }
   Progress_line(const Progress_line&) = delete;

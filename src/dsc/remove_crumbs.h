@@ -23,7 +23,8 @@ template <class Complex> struct Component_cells
   std::vector<typename Complex::Cell_handle> cells;
 };
 
-/// The label of most neighbors of a component; of the least label, if several have as many.
+/// Returns the label with the largest number of facets around a component; the smallest such label
+/// if there are several.
 template <class Complex>
 typename Complex::Label label_around(const Complex& complex,
                                      const Component_cells<Complex>& crumb) {
@@ -41,13 +42,14 @@ typename Complex::Label label_around(const Complex& complex,
 
 } // namespace internal
 
-/// Gives crumbs the label around them. Crumbs are the smallest components of a label, beyond the
-/// number that a function shows, if they are a small part of its volume together. They come from
-/// cells at sharp rims, whose barycenters alone were asked for their label.
-/// \return how many crumbs there were
+/// Relabels crumbs with the label around them. Crumbs are the smallest components of a label in
+/// excess of the expected number, if their total volume is a small fraction of the volume of the
+/// label. They arise from cells at sharp edges, because cells are labelled by their barycenters
+/// only.
+/// \return the number of crumbs
 template <class Complex>
 std::size_t remove_crumbs(Complex& complex, const Component_ranges& expected) {
-  static constexpr double small = .01; // of the volume of the label
+  static constexpr double small = .01; // relative to the volume of the label
   using Cells = internal::Component_cells<Complex>;
   std::map<std::uint32_t, Cells> components;
   complex.update_components();

@@ -38,7 +38,7 @@ DSC::Surface_repair_options_3 repair_options(const Surface& surface,
   return options;
 }
 
-/// Calls `repair_surface` for each of the surfaces.
+/// Calls `repair_surface` for each surface.
 template <class Function>
 Repairs for_each(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
                  const Function& repair_surface) {
@@ -56,7 +56,7 @@ Repairs for_each(std::vector<Surface>& surfaces, const std::vector<std::string>&
   return repairs;
 }
 
-/// What a second repair did counts, too.
+/// Adds the report of a second repair.
 void add(DSC::Surface_repair_report_3& sum, const DSC::Surface_repair_report_3& second) {
   sum.merged_points += second.merged_points;
   sum.degenerate_triangles += second.degenerate_triangles;
@@ -95,7 +95,7 @@ Repairs repair(std::vector<Surface>& surfaces, const std::vector<std::string>& n
 bool merge_near_vertices(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
                          Repairs& repairs) {
   DSC::Surface_repair_options_3 options;
-  options.merge_distance = 1e-6; // mean edges: what TetGen takes for equal in a large surface
+  options.merge_distance = 1e-6; // in mean edges: what TetGen treats as equal
   const Repairs merged = for_each(
       surfaces, names, [&](Surface& surface) { return DSC::repair_surface_3(surface, options); });
   add(repairs, merged);

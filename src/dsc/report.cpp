@@ -87,7 +87,7 @@ void Report::write() {
   if (m_path.empty())
     return;
   write_json(m_path, m_json);
-  // A thousand short steps shall not write the long file a thousand times.
+  // Limits the frequency of writing, so that many short steps do not rewrite a long file each time.
   m_next_write = std::chrono::steady_clock::now() + std::chrono::seconds(1);
 }
 

@@ -17,19 +17,20 @@
 
 namespace dsc {
 
-/// What happened in each step, as one JSON object in a file. The file is replaced in one go, so
-/// that it is whole whenever the program ends. Without the name of a file nothing is written.
+/// The report of all steps, as one JSON object in a file. The file is replaced atomically, so that
+/// it is complete whenever the program ends. Without a file name, nothing is written.
 class Report
 {
 public:
   Report(const Run_options& options, const Run_start& start, const Repairs& repairs,
          double sweep_seconds);
 
-  /// Adds the state after a step, and writes the file unless that was done a moment ago.
-  /// \throws std::runtime_error if that fails
+  /// Adds the state after a step. Writes the file unless it was written less than a second ago.
+  /// \throws std::runtime_error if the file cannot be written
   void add(const Run_position& position, const Step_outcome& outcome, const Statistics& statistics);
 
-  /// \throws std::runtime_error if that fails
+  /// Writes the file.
+  /// \throws std::runtime_error if the file cannot be written
   void write();
 
 private:

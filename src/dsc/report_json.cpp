@@ -13,7 +13,7 @@
 namespace dsc {
 namespace {
 
-// What the same thing is called in the plane and in space.
+// The names of quantities in the plane and in space.
 struct Names
 {
   const char *cells, *measure, *interface_measure, *facets;

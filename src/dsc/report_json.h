@@ -19,14 +19,14 @@ template <class T> Json value_or_null(const T& value) {
   return value == T() ? Json() : Json(value);
 }
 
-/// The inverse.
+/// Returns the value stored by value_or_null().
 template <class T> T value_of(const Json& json) { return json.is_null() ? T() : json.get<T>(); }
 
-/// What all reports tell of a state.
+/// Returns the statistics that all reports contain.
 Json statistics_json(const Statistics& statistics);
 
-/// Writes a file in one go, so that it is whole whenever the program ends.
-/// \throws std::runtime_error if that fails
+/// Replaces a file atomically, so that it is complete whenever the program ends.
+/// \throws std::runtime_error if the file cannot be written
 void write_json(const std::string& path, const Json& json);
 
 } // namespace dsc

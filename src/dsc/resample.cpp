@@ -37,7 +37,8 @@ namespace {
 
 using Mesh = CGAL::Surface_mesh<Surface_point>;
 
-// Whether each edge has an even number of triangles, and no triangle a vertex twice.
+// Returns whether each edge has an even number of triangles, and no vertex occurs twice in a
+// triangle.
 bool is_closed(const std::vector<std::array<std::size_t, 3>>& triangles) {
   std::vector<std::pair<std::size_t, std::size_t>> edges;
   for (const std::array<std::size_t, 3>& t : triangles)
@@ -53,8 +54,8 @@ bool is_closed(const std::vector<std::array<std::size_t, 3>>& triangles) {
   return true;
 }
 
-// Where parts of the surface touch, the mesh has several vertices at the same point: it falls apart
-// in vertices and has borders along edges of four or more triangles.
+// Returns a closed surface as a mesh. Where the surface touches itself, the mesh has several
+// vertices at the same point. The mesh has border edges at edges with four or more triangles.
 Mesh closed_mesh(Surface surface, const std::string& name) {
   PMP::merge_duplicate_points_in_polygon_soup(surface.points, surface.triangles);
   const bool closed = is_closed(surface.triangles);
@@ -71,7 +72,7 @@ Mesh closed_mesh(Surface surface, const std::string& name) {
 
 using Touching_points = std::set<Surface_point>;
 
-// The points with several vertices.
+// Returns the points with several vertices.
 Touching_points touching_points(const std::vector<Mesh>& meshes) {
   std::vector<Surface_point> points;
   for (const Mesh& mesh : meshes)
@@ -84,7 +85,7 @@ Touching_points touching_points(const std::vector<Mesh>& meshes) {
   return result;
 }
 
-// Which of the meshes have an edge in common with another one.
+// Returns, for each mesh, whether it has an edge in common with another mesh.
 std::vector<bool> share_edges(const std::vector<Mesh>& meshes, const Touching_points& touching) {
   std::vector<bool> result(meshes.size(), false);
   std::map<std::pair<Surface_point, Surface_point>, std::size_t> owners;
@@ -101,7 +102,8 @@ std::vector<bool> share_edges(const std::vector<Mesh>& meshes, const Touching_po
   return result;
 }
 
-// That of Lindstrom and Turk, but for points where parts touch: these stay.
+// The placement of Lindstrom and Turk, except that points where the surface touches itself are
+// fixed.
 struct Placement : SMS::LindstromTurk_placement<Mesh>
 {
   using Base = SMS::LindstromTurk_placement<Mesh>;
@@ -123,7 +125,7 @@ struct Placement : SMS::LindstromTurk_placement<Mesh>
 };
 
 void decimate(Mesh& mesh, std::size_t triangles, const Touching_points& touching) {
-  // Border edges, along which parts touch, stay.
+  // Border edges, along which the surface touches itself, are not collapsed.
   const auto border = std::count_if(mesh.halfedges().begin(), mesh.halfedges().end(),
                                     [&](Mesh::Halfedge_index h) { return mesh.is_border(h); });
   const std::size_t edges = (3 * triangles + static_cast<std::size_t>(border)) / 2;
@@ -134,10 +136,10 @@ void decimate(Mesh& mesh, std::size_t triangles, const Touching_points& touching
   mesh.collect_garbage();
 }
 
-// Bisects the longest edge of all again and again. It is the longest of both its triangles, so that
-// no angle falls below half the smallest of the input. Edges along which parts touch are
-// bisected even beyond the number of triangles if others of their length are: those at the same
-// place stay the same.
+// Bisects the longest edge repeatedly. It is the longest edge of both its triangles, so that no
+// angle becomes smaller than half the smallest angle of the input. Edges along which the surface
+// touches itself are also bisected beyond the number of triangles if edges of equal length are
+// bisected, so that coincident edges stay equal.
 void refine(Mesh& mesh, std::size_t triangles, Touching_points touching) {
   struct Item
   {
@@ -192,7 +194,8 @@ void assign(Surface& surface, const Mesh& mesh) {
   }
 }
 
-// Parts may touch, unlike for Polygon_mesh_processing.
+// Returns whether the surface intersects itself. Unlike Polygon_mesh_processing, accepts touching
+// parts.
 bool does_self_intersect(const Surface& surface) {
   namespace internal = CGAL::Deformable_simplicial_complexes::internal;
   internal::Triangle_soup_3 soup;

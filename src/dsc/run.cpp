@@ -44,8 +44,7 @@ void print_changes(const Run_position& position, const std::string& changes) {
   std::printf("dsc: goes on from step %u with %s\n", position.step, changes.c_str());
 }
 
-/// Builds or reads the complex; a run that is resumed goes on as before where `options` do not say
-/// how.
+/// Builds or reads the complex. A resumed run keeps all options that are not given in `options`.
 std::unique_ptr<Tracked_complex> start_or_resume(Run_options& options, Run_position& position,
                                                  Repairs& repairs) {
   if (options.resume.empty()) {
@@ -68,7 +67,7 @@ std::unique_ptr<Tracked_complex> start_or_resume(Run_options& options, Run_posit
   return complex;
 }
 
-/// The time after which everything is back; 0 if there is none.
+/// Returns the time after which a motion returns to its start; 0 if it does not.
 double period(const Motion& motion) {
   if (std::holds_alternative<Zalesak>(motion))
     return Zalesak::period;
@@ -76,8 +75,9 @@ double period(const Motion& motion) {
   return advection ? advection->period : 0;
 }
 
-/// Measures from the surfaces that a run started from, if its motion brings them back and they are
-/// still there.
+/// Returns the distance measurement to the initial surfaces or curves. Returns `nullopt` if the
+/// motion does not return to its start, the inputs are of another kind, or they can no longer be
+/// read.
 std::optional<Start_distance> start_distance(const Run_options& options,
                                              const Run_position& position) {
   const Run_start& start = position.start;
@@ -97,12 +97,13 @@ bool is_whole_period(double time, double time_step, double period) {
   return std::abs(time - std::round(time / period) * period) < 1e-6 * time_step;
 }
 
-/// What remained below the floor of quality after steps, in all and in the worst one.
+/// The steps after which cells were below the quality floor: the number of these steps, the largest
+/// number of such cells, and the worst quality.
 struct Flat_cells
 {
   unsigned steps = 0;
   std::size_t most = 0;
-  double quality = 1; ///< the worst
+  double quality = 1; ///< worst quality of any cell
 
   void add(const Step_outcome& outcome, const Statistics& statistics) {
     steps += outcome.flat_cells > 0;
@@ -131,8 +132,8 @@ void print_summary(const Run_position& position, const Statistics& statistics,
               seconds);
 }
 
-/// Does a step. A domain that may grow does so before the interface comes near its boundary, and
-/// where the step would leave it: the step is then repeated.
+/// Does a step. A growing domain is enlarged before the interface comes near its boundary. If the
+/// step would leave the domain, the domain is enlarged and the step is repeated.
 Step_outcome step_with_room(Tracked_complex& complex, const Run_options& options, double time) {
   complex.keep();
   while (options.step.grows_domain && !complex.has_room())
@@ -164,22 +165,23 @@ void print_interruption(const Run_position& position, const std::string& checkpo
   std::cerr << '\n';
 }
 
-/// A run: the complex, its position, and everything that is written and printed of it.
+/// A run: the complex, its position, and the output files and messages.
 class Run
 {
 public:
   explicit Run(const Run_options& options) : m_options(options) {}
 
-  /// Checks the files that will be written. \throws Usage_error, Input_error
+  /// Checks whether the output files can be written.
+  /// \throws Usage_error, Input_error
   void check_places();
 
-  /// Builds or reads the complex, and writes its state.
+  /// Builds or reads the complex, and writes the initial state.
   void start();
 
-  /// Does the steps, or those before an interrupt.
+  /// Does the steps until the end or an interrupt.
   void do_steps();
 
-  /// Writes and prints the result, and returns the exit code.
+  /// Writes and prints the result. Returns the exit code.
   int finish();
 
 private:
@@ -275,7 +277,7 @@ void Run::do_steps() {
   } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {
     m_complex->go_back();
   } catch (...) {
-    // A step that cannot be done, for whatever reason. Those before it are worth keeping.
+    // After an error of any kind in a step, the previous steps are kept.
     progress.clear();
     m_complex->go_back();
     write_files();
@@ -316,7 +318,7 @@ int run(const Run_options& options) {
   if (options.output.quiet)
     keep_silent_about_unused();
   Run run(options);
-  run.check_places(); // before anything is computed
+  run.check_places(); // fails before the computation starts
   run.start();
   run.do_steps();
   return run.finish();

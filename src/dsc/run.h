@@ -15,32 +15,32 @@
 
 namespace dsc {
 
-/// The files that a run writes, and whether it prints its progress and result.
+/// The output files of a run, and whether progress and result are printed.
 struct Output_options
 {
   std::string folder;   ///< empty for no files
-  unsigned every = 1;   ///< of so many steps
-  int subdivisions = 0; ///< for smooth surfaces there, by Loop's scheme; none if 0
+  unsigned every = 1;   ///< number of steps between written states
+  int subdivisions = 0; ///< of the smooth surfaces in the output, by Loop's scheme; 0 for none
   std::string picture;  ///< file; empty for none
   std::string report;   ///< file; empty for none
   bool quiet = false;
 };
 
-/// What the commands that move an interface are asked to do.
+/// The options of the commands that move an interface.
 struct Run_options
 {
   Step_options step;
   std::set<std::string> given;                 ///< names of the options in the command line
   Run_start start;                             ///< empty if `resume` is set
-  std::string resume;                          ///< a checkpoint
-  std::optional<std::array<double, 6>> domain; ///< of the input's coordinates: least, largest ones
-  unsigned steps = 10;                         ///< to do in this run
-  unsigned threads = 1;                        ///< to use
+  std::string resume;                          ///< checkpoint file
+  std::optional<std::array<double, 6>> domain; ///< lower, upper bounds in input coordinates
+  unsigned steps = 10;                         ///< number of steps of this run
+  unsigned threads = 1;                        ///< number of threads
   Output_options output;
 };
 
-/// Moves an interface, and returns the exit code of the program. \throws std::runtime_error with a
-/// message of one line that says what is wrong and what to do
+/// Moves an interface. Returns the exit code of the program.
+/// \throws std::runtime_error with a message of one line that states the cause and what to do
 int run(const Run_options& options);
 
 } // namespace dsc

@@ -11,8 +11,8 @@
 namespace dsc {
 
 std::string to_metadata(const Run_position& position, const Step_options& step) {
-  // Nothing that depends on where a run was interrupted or on how many threads it had, so that
-  // checkpoints of the same state are the same.
+  // Contains nothing that depends on interruptions or the number of threads, so that checkpoints of
+  // the same state are equal.
   Json parameters = motion_json(step.motion);
   parameters["grow_domain"] = step.grows_domain;
   parameters["improve_interface"] = step.improves_interface;
@@ -29,7 +29,7 @@ std::string to_metadata(const Run_position& position, const Step_options& step) 
               {"time", position.time},
               {"input", position.start.inputs},
               {"parameters", parameters}}
-      .dump(-1, ' ', false, Json::error_handler_t::replace); // names may be any bytes
+      .dump(-1, ' ', false, Json::error_handler_t::replace); // names may contain any bytes
 }
 
 std::optional<Saved_run> from_metadata(const std::string& metadata) {
@@ -43,7 +43,7 @@ std::optional<Saved_run> from_metadata(const std::string& metadata) {
     const Json& parameters = json.at("parameters");
     position.start.triangles = parameters.at("triangles");
     position.start.segments = parameters.at("segments");
-    position.start.repairs = parameters.value("repair", false); // older ones do not say it
+    position.start.repairs = parameters.value("repair", false); // missing in older checkpoints
     position.start.figure = static_cast<Figure>(parameters.at("figure").get<int>());
     if (parameters.contains("largest_hole")) {
       const Json& hole = parameters.at("largest_hole");
@@ -54,7 +54,7 @@ std::optional<Saved_run> from_metadata(const std::string& metadata) {
       position.start.ball = Ball{ball.at("center"), ball.at("radius")};
     }
     run.step.motion = motion_from_json(parameters);
-    run.step.grows_domain = parameters.value("grow_domain", false); // older ones do not say it
+    run.step.grows_domain = parameters.value("grow_domain", false); // missing in older checkpoints
     run.step.improves_interface = parameters.at("improve_interface");
     if (const Json& aggressiveness = parameters.at("aggressiveness"); !aggressiveness.is_null())
       run.step.aggressiveness = aggressiveness.get<double>();

@@ -13,7 +13,7 @@
 
 namespace dsc {
 
-/// Where a run stands.
+/// The current position of a run.
 struct Run_position
 {
   unsigned step = 0;
@@ -21,17 +21,18 @@ struct Run_position
   Run_start start;
 };
 
-/// What a checkpoint has to tell beside the complex.
+/// The data of a checkpoint other than the complex.
 struct Saved_run
 {
   Run_position position;
   Step_options step;
 };
 
-/// The text that goes into a checkpoint: JSON.
+/// Returns the metadata of a checkpoint, as JSON text.
 std::string to_metadata(const Run_position& position, const Step_options& step);
 
-/// The run in such a text; nothing if another program wrote the checkpoint.
+/// Returns the run described by the metadata of a checkpoint; `nullopt` if another program wrote
+/// the checkpoint.
 std::optional<Saved_run> from_metadata(const std::string& metadata);
 
 } // namespace dsc

@@ -22,35 +22,35 @@ struct Ball
   double radius;
 };
 
-/// A figure in the plane that needs no file.
+/// A figure in the plane that is generated without a file.
 enum class Figure { none, disk, slotted_disk };
 
-/// The surfaces, or the figures of the plane, that a run starts from.
+/// The surfaces, or the figures of the plane, from which a run starts.
 struct Run_start
 {
   std::vector<std::string> inputs; ///< files
-  std::size_t triangles = 0;       ///< of all surfaces together; 0 keeps them as they are
-  std::optional<Ball> ball;        ///< that the inputs are fitted into or, without any, that is the
+  std::size_t triangles = 0;       ///< of all surfaces together; 0 for no change
+  std::optional<Ball> ball;        ///< inputs are fitted into it; without inputs, the initial
                                    ///< surface
-  std::size_t segments = 0;        ///< of all curves together, at least; 0 keeps them as they are
-  Figure figure = Figure::none;    ///< without any input in the plane
-  bool repairs = false;            ///< surfaces that bound no solid
-  std::string labels; ///< name of the array of a .vtu file that holds them, `none` for label 1
-                      ///< everywhere; empty for the one with a name that is known
-  std::optional<Distance> largest_hole; ///< length of its border that is filled at the most; the
-                                        ///< library's bound if not set
-  double edge = 0; ///< about how long interface edges are to be, of images and inequalities; 0 for
-                   ///< the default of each
+  std::size_t segments = 0;        ///< of all curves together, at least; 0 for no change
+  Figure figure = Figure::none;    ///< used without inputs in the plane
+  bool repairs = false;            ///< whether surfaces that bound no solid are repaired
+  std::string labels; ///< name of the array of a .vtu file with the labels, `none` for label 1
+                      ///< everywhere; empty for an array with a known name
+  std::optional<Distance> largest_hole; ///< length of the boundary of the largest hole to be
+                                        ///< filled; the default of the library if not set
+  double edge = 0; ///< target edge length of the interface for images and inequalities; 0 for
+                   ///< the default
 };
 
-/// What the inputs of a run in space are; all of them are of the same kind.
+/// The kind of the inputs of a run in space. All inputs are of the same kind.
 enum class Input_kind { surfaces, inequalities, image, tetrahedra };
 
-/// Of a file, or of what is written in its place.
+/// Returns the kind of an input: a file, or the text given in its place.
 Input_kind input_kind(const std::string& input);
 Input_kind input_kind(const Run_start& start);
 
-/// 2 if a run starts in the plane, else 3.
+/// Returns 2 if a run starts in the plane, 3 otherwise.
 int dimension_of(const Run_start& start);
 
 } // namespace dsc

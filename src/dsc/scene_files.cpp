@@ -12,7 +12,7 @@ namespace dsc {
 namespace fs = std::filesystem;
 namespace {
 
-/// Returns the folders of scenes, the preferred one first.
+/// Returns the folders of scenes, the preferred folder first.
 std::vector<fs::path> scene_folders() {
   std::vector<fs::path> result;
   std::error_code error;

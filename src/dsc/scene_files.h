@@ -10,9 +10,9 @@
 
 namespace dsc {
 
-/// Returns the files of the scenes that come with the program, by the names of the scenes. The
-/// first folder that exists is used: the installed folder, relative to the program, or the folder
-/// of the source tree. Returns nothing if neither exists.
+/// Returns the files of the installed scenes, by the names of the scenes. The first existing folder
+/// is used: the installed folder, relative to the program, or the folder of the source tree.
+/// Returns an empty map if neither exists.
 std::map<std::string, std::string> scene_files();
 
 /// Returns the end of a message about missing scenes: the folders that scene_files() searches.

@@ -19,13 +19,13 @@
 
 namespace dsc {
 
-/// Regions of cells such that edges, triangles and vertices that have to stay as they are lie
-/// between regions, or on the boundary of the domain. If the regions take the place of labels,
-/// improvement leaves all of them alone, as it leaves the interface alone.
+/// A partition of the cells into regions. Edges, triangles and vertices that must not change lie
+/// between regions, or on the boundary of the domain. If labels are replaced by regions, mesh
+/// improvement preserves these simplices as it preserves the interface.
 ///
-/// Cells of a region agree in their label and in all arrays of integers, and no listed triangle is
-/// between them. Where that does not hold a simplex, such as a triangle that ends inside a region,
-/// one of the cells around it becomes a region of its own.
+/// The cells of a region have the same label and the same values in all arrays of integers, and no
+/// listed triangle is between them. If a simplex is still inside a region, for example a triangle
+/// that ends inside the region, a cell around it becomes a separate region.
 template <class Complex> class Separation
 {
 public:
@@ -55,13 +55,13 @@ public:
     tell_results(regions());
   }
 
-  /// Returns whether something lies on the boundary of the domain and nowhere else.
+  /// Returns whether a simplex lies on the boundary of the domain only, and not between regions.
   bool needs_boundary() const { return m_needs_boundary; }
 
   /// Returns the region of each cell, by increasing time stamp.
   const std::vector<int>& region_of_row() const { return m_region_of_row; }
 
-  /// Returns a cell of each region, as its number by increasing time stamp.
+  /// Returns, for each region, the index of one of its cells by increasing time stamp.
   const std::vector<std::size_t>& row_of_region() const { return m_row_of_region; }
 
 private:
@@ -86,7 +86,7 @@ private:
   void mark(const std::array<Vertex_handle, 3>& triangle) {
     CGAL::Deformable_simplicial_complexes::Progress_scope::check();
     for (const Cell_handle c : cells_around(m_complex, triangle)) {
-      int sum = 6; // of the indices of all four vertices
+      int sum = 6; // sum of the indices of all four vertices
       for (const Vertex_handle v : triangle)
         sum -= c->index(v);
       m_listed[c->id()] |= static_cast<std::uint8_t>(1 << sum);
@@ -110,7 +110,7 @@ private:
       m_needs_boundary = true;
       return;
     }
-    // Bad cells are to be improved.
+    // Separates the cell of best quality, because cells of low quality must be improved.
     const auto best = std::min_element(inside, around.end(), [](Cell_handle a, Cell_handle b) {
       return std::make_pair(-a->quality(), a->time_stamp()) <
              std::make_pair(-b->quality(), b->time_stamp());
@@ -129,10 +129,10 @@ private:
 
   const Complex& m_complex;
   std::vector<Cell_handle> m_cells;
-  std::vector<std::size_t> m_row;              // of each cell, by its id
+  std::vector<std::size_t> m_row;              // row of each cell, by id
   std::vector<const Mesh_array*> m_categories; // arrays of integers
-  std::vector<std::uint8_t> m_listed;          // facets that are listed triangles, as bits
-  std::vector<bool> m_is_alone;                // cells that are regions of their own
+  std::vector<std::uint8_t> m_listed;          // bits of the facets that are listed triangles
+  std::vector<bool> m_is_alone;                // cells that are separate regions
   std::vector<int> m_region_of_row;
   std::vector<std::size_t> m_row_of_region;
   bool m_needs_boundary = false;

@@ -68,7 +68,8 @@ std::unique_ptr<Tracked_complex> track_inequalities(const Run_start& start,
   return track(std::move(complex));
 }
 
-/// Whether all tetrahedra at the boundary have label 0: then there is room around the interface.
+/// Returns whether all tetrahedra at the boundary have label 0, so that there is room around the
+/// interface.
 bool has_room_around(const Complex& complex) {
   const auto& triangulation = complex.triangulation();
   const auto all = triangulation.all_cell_handles();
@@ -90,7 +91,7 @@ std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path,
       auto complex = Tracked_complex_3::from_mesh(path, mesh);
       if (has_room_around(complex->complex))
         return complex;
-    } catch (const Input_error&) { // of another shape than a ball, or really wrong
+    } catch (const Input_error&) { // not a ball, or invalid
     }
   }
   const auto build = [&](const auto& np) {
@@ -107,13 +108,14 @@ std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path,
   }
 }
 
-/// Whether a tetrahedralizer may do better with another surface of the same size.
+/// Returns whether a tetrahedralizer may succeed with another surface of the same size.
 bool is_of_surface(const Tetrahedralization_error& error) {
-  static constexpr int out_of_memory = 1; // of TetGen
+  static constexpr int out_of_memory = 1; // exit code of TetGen
   return error.code() != out_of_memory;
 }
 
-/// Where surfaces bound solids and TetGen fails, further repairs follow if repairs are permitted.
+/// Builds the complex from surfaces. If TetGen fails for surfaces that bound solids, they are
+/// repaired further, provided that repairs are permitted.
 std::unique_ptr<Tracked_complex> track_surfaces_of_run(const Run_options& options,
                                                        const std::vector<std::string>& names,
                                                        Repairs& repairs) {

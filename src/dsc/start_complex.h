@@ -16,14 +16,14 @@
 
 namespace dsc {
 
-/// The complex that a run starts from, of any kind of inputs in space or in the plane.
-/// \param repairs what was done to surfaces is written there
-/// \throws std::runtime_error if an input cannot be read, or makes no complex
+/// Returns the initial complex of a run, for any kind of inputs in space or in the plane.
+/// \param repairs receives the repairs of the surfaces
+/// \throws std::runtime_error if an input cannot be read, or does not define a complex
 std::unique_ptr<Tracked_complex> start_complex(const Run_options& options, Repairs& repairs);
 
-/// The complex of a labelled image (.inr, .inr.gz).
-/// \param edge about how long interface edges are to be, in the unit of the image; 0 for the default
-/// \param domain least and largest coordinates of the box; that of the library if not set
+/// Returns the complex of a labelled image (.inr, .inr.gz).
+/// \param edge target edge length of the interface, in the unit of the image; 0 for the default
+/// \param domain lower and upper bounds of the box; the default of the library if not set
 std::unique_ptr<Tracked_complex> track_image(const std::string& path, double edge,
                                              const std::optional<std::array<double, 6>>& domain);
 

@@ -30,7 +30,8 @@ Curve_point on_circle(const Curve_point& center, double radius, double angle) {
   return {center.x() + radius * std::cos(angle), center.y() + radius * std::sin(angle)};
 }
 
-/// A regular polygon with the area of the disk in which single vortices usually start.
+/// Returns a regular polygon with the area of the disk that is the usual start of the single
+/// vortex.
 Curve disk(std::size_t segments) {
   const Curve_point center(.5, .75);
   const double radius = .15, step = 2 * CGAL_PI / double(segments);
@@ -43,14 +44,14 @@ Curve disk(std::size_t segments) {
   return curve;
 }
 
-/// Zalesak's disk. The vertices of the arc are a little outside the circle, but for its ends, so
-/// that the area is that of the figure.
+/// Returns Zalesak's disk. The vertices of the arc, except its ends, are slightly outside the
+/// circle, so that the polygon has the area of the figure.
 Curve slotted_disk(std::size_t segments) {
   const Curve_point center(50, 75);
   const double radius = 15, half_width = 2.5, top = 10, half_gap = std::asin(half_width / radius),
                first = half_gap - CGAL_PI / 2, whole = 2 * (CGAL_PI - half_gap),
                step = whole / double(segments);
-  // (n - 2) r^2 + 2 R r = R^2 n step / sin(step), r being the radius of inner vertices
+  // The radius r of the inner vertices fulfills (n - 2) r^2 + 2 R r = R^2 n step / sin(step).
   const double a = double(segments) - 2, b = 2 * radius,
                c = -radius * radius * whole / std::sin(step);
   const double inner = (std::sqrt(b * b - 4 * a * c) - b) / (2 * a);

@@ -22,16 +22,17 @@ namespace dsc {
 
 using Curve_point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
 
-/// What divides the plane when a run starts: closed curves, or segments with seeds.
+/// The initial division of the plane: closed curves, or segments with seeds.
 struct Curves
 {
   std::vector<DSC::Labelled_curve_2<Curve_point>> closed;
-  std::vector<std::string> names; ///< of these, for messages
+  std::vector<std::string> names; ///< names of the curves, for messages
   std::optional<DSC::Seeded_segments_2<Curve_point>> seeded;
 };
 
-/// The curves that a run starts from: those of its files or, without any, of its figure; none if it
-/// starts from an image. \throws std::runtime_error if a file cannot be read
+/// Returns the initial curves of a run: the curves of its files or, without files, of its figure;
+/// none if the run starts from an image.
+/// \throws std::runtime_error if a file cannot be read
 Curves start_curves(const Run_start& start);
 
 /// Calls f(p, q) for the ends of all segments.

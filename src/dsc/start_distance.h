@@ -18,14 +18,15 @@
 
 namespace dsc {
 
-/// How far an interface is from the surfaces that it started from.
+/// The distance of an interface from its initial surfaces.
 class Start_distance
 {
 public:
   explicit Start_distance(const std::vector<Surface>& surfaces);
   explicit Start_distance(const Curves& curves);
 
-  /// Of points, in units of `edge`; nothing if there are none.
+  /// Returns the statistics of the distances of points, in units of `edge`; `nullopt` without
+  /// points.
   std::optional<Distance_statistics> of(const std::vector<Surface_point>& points,
                                         double edge) const;
 
@@ -33,17 +34,17 @@ private:
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Triangles = std::vector<Kernel::Triangle_3>;
   using Tree_traits =
-      CGAL::Deformable_simplicial_complexes::Tree_traits_3<Kernel,
-                                                                     Triangles::const_iterator>;
+      CGAL::Deformable_simplicial_complexes::Tree_traits_3<Kernel, Triangles::const_iterator>;
 
-  using Segments = std::vector<Kernel::Segment_3>; // of the plane, where z is 0
-  using Segment_traits = CGAL::Deformable_simplicial_complexes::Segment_tree_traits_3<
-      Kernel, Segments::const_iterator>;
+  using Segments = std::vector<Kernel::Segment_3>; // of curves in the plane, with z = 0
+  using Segment_traits =
+      CGAL::Deformable_simplicial_complexes::Segment_tree_traits_3<Kernel,
+                                                                   Segments::const_iterator>;
 
   Triangles m_triangles;
   Segments m_segments;
   CGAL::AABB_tree<Tree_traits> m_tree;
-  CGAL::AABB_tree<Segment_traits> m_segment_tree; // one of the trees is empty
+  CGAL::AABB_tree<Segment_traits> m_segment_tree; // one of the two trees is empty
 };
 
 } // namespace dsc

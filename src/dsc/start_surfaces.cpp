@@ -25,15 +25,15 @@ Surface_point center(const Ball& ball) { return {ball.center[0], ball.center[1],
 
 double length(const Vector& v) { return std::sqrt(v.squared_length()); }
 
-/// An icosahedron, each face of which is cut into n^2 triangles for the n that comes nearest to a
-/// number of triangles, blown up to the sphere.
+/// Returns a sphere: an icosahedron whose faces are divided into n^2 triangles and projected to the
+/// sphere. The number n is chosen so that the number of triangles is nearest to `triangles`.
 Surface sphere(const Ball& ball, std::size_t triangles) {
   const auto n = std::max(1, static_cast<int>(std::lround(std::sqrt(triangles / 20.))));
   CGAL::Surface_mesh<Surface_point> icosahedron;
   CGAL::make_icosahedron(icosahedron, Surface_point(0, 0, 0));
   Surface surface;
   surface.label = 1;
-  // A point is known by the corners it lies between, and by how near it is to each.
+  // A point is identified by the corners of its simplex and by its barycentric coordinates.
   std::map<std::map<std::size_t, int>, std::size_t> known;
   for (const auto face : icosahedron.faces()) {
     std::array<std::size_t, 3> corners;
@@ -65,8 +65,8 @@ Surface sphere(const Ball& ball, std::size_t triangles) {
   return surface;
 }
 
-/// Moves and scales surfaces together so that their farthest point from the centre of their
-/// bounding box touches the ball.
+/// Moves and scales surfaces together, so that they touch the ball from inside. The center of their
+/// common bounding box is moved to the center of the ball.
 void fit(std::vector<Surface>& surfaces, const Ball& ball) {
   CGAL::Bbox_3 box;
   for (const Surface& surface : surfaces)

@@ -17,18 +17,18 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 
-/// One label of a complex; lengths in the units of the input.
+/// The statistics of a label of a complex. Lengths are in the unit of the input.
 struct Label_statistics
 {
   int label;
   std::size_t cells;
-  double volume; ///< in the plane, area
-  double area;   ///< of the label's part of the interface; in the plane, its length
+  double volume; ///< area in the plane
+  double area;   ///< of the interface of the label; its length in the plane
   std::size_t components;
-  int euler_characteristic; ///< of the label's part of the interface; in the plane, of its region
+  int euler_characteristic; ///< of the interface of the label; in the plane, of its region
 };
 
-/// The state of a complex in numbers; angles in degrees.
+/// The statistics of a complex. Angles are in degrees.
 struct Statistics
 {
   int dimension;
@@ -36,7 +36,7 @@ struct Statistics
   std::size_t cells;
   std::size_t interface_facets;
   std::vector<Label_statistics> labels;
-  double min_angle; ///< dihedral in space
+  double min_angle; ///< dihedral angle in space
   double max_angle;
   std::array<std::size_t, 18> angle_histogram; ///< bins of 10 degrees
   double angles_outside_6_171;                 ///< fraction of all angles
@@ -50,43 +50,44 @@ struct Distance_statistics
   double maximum;
 };
 
-/// What one step did; the state before the first step has all zeros.
+/// The outcome of a step. All values are zero before the first step.
 struct Step_outcome
 {
-  double seconds = 0; ///< of the deformation, and of preparing the mesh and the interface for it
+  double seconds = 0; ///< time of the deformation, and of the preparation of mesh and interface
   bool complete = true;
   std::size_t unfinished_vertices = 0;
-  std::size_t stopped_at_boundary = 0; ///< vertices whose destinations lay outside the domain
-  std::size_t flat_cells = 0;          ///< cells that the step left below the floor of quality
+  std::size_t stopped_at_boundary = 0; ///< vertices with destinations outside the domain
+  std::size_t flat_cells = 0;          ///< cells below the quality floor after the step
   unsigned passes = 0;
   std::size_t split = 0;
   std::size_t collapsed = 0;
   std::size_t flipped = 0;
   std::size_t relabeled = 0;
-  std::optional<Distance_statistics> distance_to_start; ///< of the interface, at whole periods
+  std::optional<Distance_statistics> distance_to_start; ///< of the interface, after whole periods
 };
 
-/// What improving the tetrahedra did; the state before has all zeros.
+/// The outcome of a mesh improvement. All values are zero for the state before it.
 struct Improvement_outcome
 {
-  double seconds = 0; ///< of the improvement alone
+  double seconds = 0; ///< time of the improvement alone
   DSC::Improvement_report changes;
 };
 
-/// A surface in numbers, whether or not it bounds anything; angles in degrees.
+/// The statistics of a surface, which may be open. Angles are in degrees.
 struct Surface_statistics
 {
-  std::size_t vertices; ///< those that are used
+  std::size_t vertices; ///< used vertices
   std::size_t triangles;
-  std::size_t boundary_edges; ///< edges of a single triangle; 0 means closed
-  std::size_t components;     ///< connected through vertices
+  std::size_t boundary_edges; ///< edges with a single triangle; 0 for a closed surface
+  std::size_t components;     ///< connected components, through vertices
   long euler_characteristic;  ///< V - E + F
   double area;
-  double volume; ///< inside, if the surface is closed and oriented
+  double volume; ///< volume inside, if the surface is closed and oriented
   double min_angle;
   double max_angle;
 };
 
+/// Returns the statistics of the surface of a file.
 /// \throws std::runtime_error if the surface cannot be read
 Surface_statistics surface_statistics(const std::string& path);
 

@@ -26,14 +26,14 @@ Surface_expressions::Surface_expressions(const std::string& expressions)
 
 bool Surface_expressions::repeats_after(const std::array<double, 2>& periods) const {
   static constexpr int samples = 5;
-  static constexpr double short_step = 1e-3, // of periods
-      tolerance = 1e-3;                      // relative, for periods of few digits
+  static constexpr double short_step = 1e-3, // in periods
+      tolerance = 1e-3;                      // relative, for periods with few digits
   const auto length = [&](double u, double v, double du, double dv) {
     const std::array<double, 3> p = (*this)(u, v), q = (*this)(u + du, v + dv);
     return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
   };
   for (int i = 0; i < samples; ++i) {
-    // Neither on a line of symmetry nor on one line.
+    // The samples are neither on a line of symmetry nor on a common line.
     const double u = periods[0] * (.1 + .17 * i), v = periods[1] * (.83 - .13 * i * i / samples);
     for (const auto& [a, b] : {std::pair(1, 0), std::pair(0, 1), std::pair(1, 1)}) {
       const double du = a * short_step * periods[0], dv = b * short_step * periods[1],

@@ -12,20 +12,19 @@
 
 namespace dsc {
 
-/// A surface given by three expressions, with commas between them, in u and v, the coordinates
-/// of a chart, or in x, y and z, those of the unit sphere. Copies share the parser.
+/// A surface given by three expressions, separated by commas, in the coordinates u and v of a
+/// chart, or in the coordinates x, y and z of the unit sphere. Copies share the parser.
 class Surface_expressions
 {
 public:
-  /// \throws Usage_error if these are not three expressions in one of the two sets of variables,
-  /// with what is wrong and where
+  /// \throws Usage_error with the reason and the place if these are not three expressions in one of
+  /// the two sets of variables
   explicit Surface_expressions(const std::string& expressions);
 
-  /// Whether it is the image of the unit sphere.
+  /// Returns whether the surface is the image of the unit sphere.
   bool is_of_sphere() const { return m_is_of_sphere; }
 
-  /// Whether lengths on a surface in u and v are the same a period further, where samples are
-  /// taken.
+  /// Returns whether lengths on a surface in u and v are periodic, tested at samples.
   bool repeats_after(const std::array<double, 2>& periods) const;
 
   std::array<double, 3> operator()(double u, double v) const { return at({u, v, 0, 0, 0}); }

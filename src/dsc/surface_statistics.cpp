@@ -29,7 +29,7 @@ Surface_statistics surface_statistics(const std::string& path) {
   CGAL::Deformable_simplicial_complexes::internal::Number_groups connected(surface.points.size());
   std::vector<bool> used(surface.points.size());
   std::vector<std::array<std::size_t, 2>> edges;
-  // Far from the origin, tetrahedra with it would cancel to nothing.
+  // A point of the surface as origin avoids cancellation far from the coordinate origin.
   const Surface_point& origin = surface.points[surface.triangles[0][0]];
   for (const std::array<std::size_t, 3>& triangle : surface.triangles) {
     for (int i = 0; i < 3; ++i) {

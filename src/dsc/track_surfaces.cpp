@@ -32,6 +32,7 @@ using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
+/// Returns the complex of the space inside and around surfaces.
 /// \param boundaries surfaces or patches
 template <class Boundaries>
 std::unique_ptr<Tracked_complex> fill(const Boundaries& boundaries,

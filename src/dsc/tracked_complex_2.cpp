@@ -73,7 +73,7 @@ std::optional<CGAL::Bbox_2> box_of(const std::optional<std::array<double, 6>>& d
 
 std::unique_ptr<Tracked_complex> track_image_2(const Run_start& start, const std::string& format,
                                                const std::optional<CGAL::Bbox_2>& box) {
-  static constexpr double default_edge = 2.5; // in pixels, as of voxels
+  static constexpr double default_edge = 2.5; // in pixels, as for voxels
   const std::string& path = start.inputs[0];
   Unused_content unused;
   const auto image = format == "png" ? CGAL::IO::read_labelled_PNG(path, &unused)
@@ -96,14 +96,15 @@ std::unique_ptr<Tracked_complex> track_image_2(const Run_start& start, const std
   }
 }
 
-/// Tells which curves or segments bound nothing. \throws Input_error if none does
+/// Reports segments with the same label on both sides, and curves that later curves cover.
+/// \throws Input_error if there is no interface
 void check_bounds(const Curves& curves, const std::string& input, const Complex& complex) {
   const std::size_t facets = complex.interface_facets().size();
   if (facets == 0)
     throw Input_error(input + ": each segment has the same label on both sides, so that nothing "
                               "would move; close the segments, or correct the regions");
   std::map<std::string, Unused_content> unused; // by file
-  if (curves.seeded)                            // no segment is divided
+  if (curves.seeded)                            // segments are not divided
     unused[input].add("segments with the same label on both sides",
                       curves.seeded->segments.size() - facets);
   for (std::size_t i = 0; i < curves.closed.size(); ++i)
@@ -144,7 +145,7 @@ std::unique_ptr<Tracked_complex> track_figure(const Run_start& start,
 void Tracked_complex_2::go_back() {
   if (!m_kept)
     return;
-  complex.clear(); // as memory may be short
+  complex.clear(); // to save memory
   complex.restore(*m_kept);
   m_kept.reset();
 }

@@ -44,7 +44,8 @@ std::array<Point, 4> corners(const Complex& complex, Complex::Cell_handle c) {
           complex.position(c->vertex(2)), complex.position(c->vertex(3))};
 }
 
-/// The six dihedral angles in degrees, from the normals of the facets: finite for any corners.
+/// Returns the six dihedral angles in degrees, computed from the facet normals. They are finite for
+/// any corners.
 std::array<double, 6> dihedral_angles(const std::array<Point, 4>& p) {
   const auto normal = [&](int i, int j, int k) {
     return CGAL::cross_product(p[j] - p[i], p[k] - p[i]);
@@ -91,7 +92,7 @@ std::unique_ptr<Tracked_complex_3> Tracked_complex_3::from_mesh(const std::strin
 void Tracked_complex_3::go_back() {
   if (!m_kept)
     return;
-  complex.clear(); // as memory may be short
+  complex.clear(); // to save memory
   complex.restore(*m_kept);
   m_kept.reset();
 }

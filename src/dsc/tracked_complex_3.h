@@ -21,11 +21,11 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 
-/// How tetrahedra are improved.
+/// The options of the improvement of tetrahedra.
 struct Improvement_options
 {
-  bool aggressive = false;         ///< takes minutes instead of seconds
-  std::optional<double> threshold; ///< of the quality, in (0, 1]; that of the library if not set
+  bool aggressive = false;         ///< whether more expensive operations are used
+  std::optional<double> threshold; ///< in (0, 1]; the library's default if not set
 };
 
 class Tracked_complex_3 : public Tracked_complex
@@ -36,8 +36,8 @@ public:
   Tracked_complex_3() = default;
   explicit Tracked_complex_3(Complex&& built) : complex(std::move(built)) {}
 
-  /// The labelled tetrahedra of a file.
-  /// \throws Input_error if they make no complex
+  /// Returns the complex of the labelled tetrahedra of a file.
+  /// \throws Input_error if the tetrahedra do not define a complex
   static std::unique_ptr<Tracked_complex_3> from_mesh(const std::string& path,
                                                       const Labelled_tetrahedra& mesh);
 
@@ -60,17 +60,17 @@ public:
   void write_picture(const std::string&) const override {}
   void write_checkpoint(const std::string& path, const std::string& metadata) const override;
 
-  /// Improves the tetrahedra; neither the interface nor the boundary changes its shape.
-  /// \param content of the vertices and cells follows: entities stay as they are, averages over
-  /// cells keep their integral, values at vertices are interpolated, and integers of cells stay
-  /// where they are
+  /// Improves the tetrahedra. The interface and the boundary keep their shape.
+  /// \param content the content of the vertices and cells, which is updated: entities are
+  /// preserved, averages over cells keep their integrals, values at vertices are interpolated, and
+  /// integers of cells keep their regions
   Improvement_outcome improve(const Improvement_options& options, Mesh_content& content);
 
-  /// Writes the tetrahedra (.mesh, .vtu) with what follows them.
+  /// Writes the tetrahedra (.mesh, .vtu) with their content.
   void write(const std::string& path, const Mesh_content& content) const;
 
   Complex complex;
-  /// What `write_volume_vtu()` tells of vertices; both are set or none.
+  /// The values that `write_volume_vtu()` writes for vertices. Both functions are set or none.
   std::function<CGAL::Simple_cartesian<double>::Vector_3(Complex::Vertex_handle)> velocity_at;
   std::function<double(Complex::Vertex_handle)> pressure_at;
 

@@ -24,7 +24,7 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 namespace dsc {
 namespace {
 
-// At rest, angles count.
+// The quality measure depends on angles, because the complex does not move.
 using Complex_at_rest =
     CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
                                           CGAL::Default, DSC::Biased_minimum_sine_3>;
@@ -39,7 +39,7 @@ DSC::Improvement_report improve(Complex_at_rest& complex, const Improvement_opti
                            : DSC::improve_mesh(complex, np);
 }
 
-/// Calls `f(i, k)` for the k-th finite cell of a state, which is its cell i.
+/// Calls `f(i, k)` for the k-th finite cell of a state, which has index i.
 template <class Function> void for_each_finite_cell(const State& state, const Function& f) {
   std::size_t k = 0;
   for (std::size_t i = 0; i < state.cells.size(); ++i)
@@ -47,7 +47,7 @@ template <class Function> void for_each_finite_cell(const State& state, const Fu
       f(i, k++);
 }
 
-/// Lets the regions take the place of labels, and the boundary stay as it is if need be.
+/// Replaces the labels by regions, and fixes the boundary if necessary.
 void separate(State& state, const Separation<Complex_at_rest>& separation) {
   for_each_finite_cell(state, [&](std::size_t i, std::size_t k) {
     state.cell_labels[i] = separation.region_of_row()[k];
@@ -59,7 +59,7 @@ void separate(State& state, const Separation<Complex_at_rest>& separation) {
         sides = DSC::Boundary_class::fixed;
 }
 
-/// The state of a complex whose cells get other labels.
+/// Returns the state of a complex with other labels of the cells.
 State relabeled_state(const Complex_at_rest& complex, const std::vector<int>& labels) {
   const std::vector<Cell_handle> cells = complex.cells();
   std::vector<int> label_of_cell(complex.cell_id_bound());
@@ -83,7 +83,7 @@ std::vector<int> labels_by_time_stamp(const Complex_at_rest& complex) {
   return result;
 }
 
-/// Checks that entities are still there, which all of the above is for.
+/// Checks that all entities still exist after the improvement.
 void require_entities(const Complex_at_rest& complex, const Mesh_entities& entities) {
   const auto vertices = complex.vertices();
   const auto require = [&](const auto& simplices, const char* name) {
@@ -129,7 +129,7 @@ Improvement_outcome Tracked_complex_3::improve(const Improvement_options& option
       at_rest.domain().classify_boundary(at_rest);
     state = relabeled_state(at_rest, new_labels);
   }
-  // What was tried in vain was measured otherwise.
+  // The failure counters belong to another quality measure.
   std::fill(state.failures.begin(), state.failures.end(), std::uint8_t(0));
   complex.restore(state);
   return {seconds_since(start), report};

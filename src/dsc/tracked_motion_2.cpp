@@ -41,7 +41,7 @@ Point centre_of_domain(const Complex& complex) {
   return CGAL::midpoint(Point(box.xmin(), box.ymin()), Point(box.xmax(), box.ymax()));
 }
 
-/// The length of a step of each motion.
+/// A visitor that returns the length of a time step of each motion.
 struct Time_step
 {
   const Complex& complex;
@@ -56,7 +56,7 @@ struct Time_step
   }
 };
 
-/// Does a step of each motion.
+/// A visitor that does a step of each motion.
 struct Step
 {
   Complex& complex;
@@ -114,7 +114,8 @@ private:
                   parameters::number_of_threads(threads).scheme(advection.scheme));
   }
 
-  // An interface that is improved in each step needs room in each step, but no other changes.
+  // An interface that is improved before each step needs mesh adaptation in each step, but no other
+  // changes of the interface.
   template <class Velocity, class NamedParameters>
   Report follow(const Velocity& velocity, double dt, const std::optional<double>& tolerance,
                 const NamedParameters& np) const {
@@ -126,7 +127,7 @@ private:
     return tolerance ? step(np.interface_tolerance(*tolerance)) : step(np);
   }
 
-  // Offsets stretch the interface, and the mesh around it has to follow.
+  // Adapts the mesh, because offsets stretch the interface.
   void make_room() const { DSC::control_detail(complex, parameters::collapse_length(2.)); }
 
   template <class Flow> Report advect(const Flow& flow, double dt) const {
@@ -134,8 +135,9 @@ private:
   }
 };
 
-/// Segments as short as the curvature asks for, so that a smooth interface stays smooth when it is
-/// pressed together; corners stay. Ten times as exact as in space: curves have few segments.
+/// Improves the interface. Its segments are adapted to the curvature, so that a smooth interface
+/// stays smooth under compression. Corners are preserved. The tolerance is smaller than in space,
+/// because curves have few segments.
 void improve_interface(Complex& complex, const std::optional<double>& aggressiveness) {
   const double edge = complex.mean_interface_edge();
   static constexpr double feature_angle = 60, tolerance = .005, shortest = .2, longest = 4;

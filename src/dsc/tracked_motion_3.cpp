@@ -48,7 +48,7 @@ double mean_edge(const Complex& complex) {
   return complex.mean_interface_edge() * complex.normalization().scale;
 }
 
-/// The length of a step of each motion, in the time of the input.
+/// A visitor that returns the length of a time step of each motion, in the time unit of the input.
 struct Time_step
 {
   const Complex& complex;
@@ -62,7 +62,7 @@ struct Time_step
   }
 };
 
-/// Does a step of each motion.
+/// A visitor that does a step of each motion.
 struct Step
 {
   Complex& complex;
@@ -129,7 +129,8 @@ private:
                   parameters::number_of_threads(threads).scheme(advection.scheme));
   }
 
-  // An interface that is improved in each step needs room in each step, but no other changes.
+  // An interface that is improved before each step needs mesh adaptation in each step, but no other
+  // changes of the interface.
   template <class Velocity, class NamedParameters>
   Report follow(const Velocity& velocity, double t, double dt,
                 const std::optional<double>& tolerance, const NamedParameters& np) const {
@@ -141,7 +142,7 @@ private:
     return tolerance ? step(np.interface_tolerance(*tolerance)) : step(np);
   }
 
-  // Face offsets stretch the interface, and the mesh around it has to follow.
+  // Adapts the mesh, because face offsets stretch the interface.
   void make_room() const { DSC::control_detail(complex, parameters::collapse_length(2.)); }
 
   template <class Flow> Report advect(const Flow& flow, double t, double dt) const {
@@ -149,11 +150,11 @@ private:
   }
 };
 
-/// Triangles as fine as the curvature asks for, so that a smooth interface stays smooth when it is
-/// pressed together; sharp edges stay.
+/// Improves the interface. Its triangles are adapted to the curvature, so that a smooth interface
+/// stays smooth under compression. Sharp edges are preserved.
 void improve_interface(Complex& complex, const std::optional<double>& aggressiveness) {
   const double edge = complex.mean_interface_edge();
-  static constexpr double feature_angle = 85; // below a cube, above the rims of sheets
+  static constexpr double feature_angle = 85; // below cube edges, above rims of sheets
   const DSC::Curvature_sizing_field<3> size(complex, .05 * edge, .2 * edge, edge, .5,
                                             feature_angle);
   const auto np = parameters::sizing_field(std::cref(size))

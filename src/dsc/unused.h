@@ -13,11 +13,11 @@ namespace dsc {
 
 using CGAL::Deformable_simplicial_complexes::Unused_content;
 
-/// Prints the content of a file that was not used to the standard error, in one line, unless there
-/// is none. A line that was printed before is not repeated: a run may read a file more than once.
+/// Prints the unused content of a file to the standard error, in one line, if there is any. The
+/// same line is printed only once, because a run may read a file several times.
 void print_unused(const std::string& path, const Unused_content& unused);
 
-/// Lets print_unused() print nothing from now on, as --quiet demands.
+/// Suppresses the output of print_unused() from now on, as required by --quiet.
 void keep_silent_about_unused();
 
 } // namespace dsc

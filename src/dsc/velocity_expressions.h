@@ -12,16 +12,16 @@
 
 namespace dsc {
 
-/// A velocity field: three expressions in x, y, z and t, in the plane two in x, y and t, with
-/// commas between them.
+/// A velocity field given by expressions that are separated by commas: three in x, y, z and t, or
+/// two in x, y and t in the plane.
 class Velocity_expressions
 {
 public:
-  /// \throws Usage_error if these are not as many expressions as there are dimensions, with what is
-  /// wrong and where
+  /// \throws Usage_error with the reason and the place if the number of expressions is not the
+  /// dimension
   Velocity_expressions(const std::string& expressions, int dimension);
 
-  /// At a point, whose z is 0 in the plane; so is then that of the velocity.
+  /// Returns the velocity at a point. In the plane, z is 0 for the point and the velocity.
   /// \throws Input_error if the velocity is not finite
   std::array<double, 3> at(const std::array<double, 3>& p, double t) const;
 

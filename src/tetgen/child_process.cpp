@@ -35,10 +35,11 @@ namespace internal {
 
 namespace {
 
-// Bytes that are sent or received at once: what pipes hold on most systems.
+// Number of bytes sent or received at once: the pipe capacity of most systems.
 constexpr std::size_t buffer_size = std::size_t(1) << 16;
 
-// Seconds: three years stand for ever, as some systems refuse timers of more than 1e8.
+// Maximum time limit in seconds, about three years. Some systems reject timers of more than 1e8
+// seconds.
 constexpr double longest_time = 9e7;
 
 class File_descriptor
@@ -63,7 +64,7 @@ std::system_error system_error(int code) {
   return std::system_error(code, std::generic_category(), "no child process");
 }
 
-// Programs that other threads start meanwhile do not inherit the ends.
+// Opens a pipe whose ends are not inherited by programs that other threads start.
 void open_pipe(int (&ends)[2]) {
 #ifdef __APPLE__
   if (pipe(ends) != 0)
@@ -76,7 +77,7 @@ void open_pipe(int (&ends)[2]) {
 #endif
 }
 
-// What follows, up to run(), is done by the child.
+// The functions from here to run() are executed by the child.
 
 void be_silent() {
   const int nowhere = open("/dev/null", O_WRONLY);
@@ -86,8 +87,8 @@ void be_silent() {
   setrlimit(RLIMIT_CORE, &no_core_dump);
 }
 
-// It is the caller who is to handle signals, such as the one of Ctrl-C, which both get; but crashes
-// end the child.
+// Ignores signals such as the one of Ctrl-C, which both processes get: the caller must handle them.
+// Signals of crashes still end the child.
 void ignore_what_the_caller_handles() {
   for (int number = 1; number < NSIG; ++number) {
     struct sigaction action;
@@ -105,7 +106,8 @@ extern "C" void exit_without_caller(int) {
     std::_Exit(EXIT_FAILURE);
 }
 
-// Nobody reads what is left of a killed caller: each second of work begins with a look.
+// Ends the child if the caller was killed, because nobody reads the result. Checks once per second
+// of processor time.
 void watch_caller() {
   struct sigaction action = {};
   action.sa_handler = exit_without_caller;
@@ -120,7 +122,7 @@ void limit_time(double seconds) {
   signal(SIGALRM, SIG_DFL);
   seconds = std::clamp(seconds, 0., longest_time);
   const double whole = std::floor(seconds);
-  // A time of zero would be no limit, and a million microseconds are an error.
+  // A timer of zero seconds would be disabled, and a million microseconds are an error.
   const suseconds_t microseconds = suseconds_t((seconds - whole) * 999998) + 1;
   const itimerval once = {{0, 0}, {time_t(whole), microseconds}};
   setitimer(ITIMER_REAL, &once, nullptr);
@@ -155,7 +157,7 @@ void send(int pipe, const char* data, std::size_t size) {
 }
 
 [[noreturn]] void run(const Child_process::Function& function, int pipe, double seconds) {
-  // If the caller has closed its standard streams, the pipe may have got one of their numbers.
+  // If the caller has closed its standard streams, the pipe may use one of their numbers.
   pipe = fcntl(pipe, F_DUPFD, STDERR_FILENO + 1);
   be_silent();
   ignore_what_the_caller_handles();
@@ -172,15 +174,16 @@ void send(int pipe, const char* data, std::size_t size) {
 } // namespace
 
 Child_process::Child_process(const Function& function, double seconds) {
-  // One after the other: a pipe ends when nobody can write to it, which includes other children.
+  // Children are started one after the other. A pipe ends only when all its write ends are closed,
+  // and other children could inherit them.
   static std::mutex mutex;
   const std::lock_guard<std::mutex> lock(mutex);
   int ends[2];
   open_pipe(ends);
   File_descriptor reader(ends[0]), writer(ends[1]);
 
-  // What is below on the stack might catch what the function throws. A stack of its own has nobody
-  // who does: std::terminate() is called then where the exception is thrown.
+  // The function runs on a new stack, without exception handlers of the caller. So std::terminate()
+  // is called at the place where an exception is thrown.
   int error = 0;
   std::thread([&] {
     sigset_t all;
@@ -189,7 +192,7 @@ Child_process::Child_process(const Function& function, double seconds) {
     caller = getpid();
     m_pid = fork();
     if (m_pid == 0) {
-      close(reader.get()); // or the pipe would have one who reads for ever
+      close(reader.get()); // otherwise the pipe would keep an open read end
       run(function, writer.get(), seconds);
     }
     error = errno;
@@ -207,7 +210,7 @@ Child_process::~Child_process() {
 }
 
 bool Child_process::refill() {
-  // The caller may stop before anything comes.
+  // Waits with a timeout, so that the caller can be interrupted before data arrives.
   static constexpr int patience = 50; // milliseconds
   pollfd pipe = {m_pipe, POLLIN, 0};
   int number_of_ready;

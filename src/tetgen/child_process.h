@@ -18,15 +18,15 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-/// A child of this process, which runs a function and sends bytes back. The function may crash, use
-/// up memory or never end: the child dies of that, not the caller. What the function prints is
-/// dropped, and what it does to memory is lost with the child.
+/// A child process that runs a function and sends bytes to this process. If the function crashes,
+/// exhausts the memory or does not terminate, only the child ends. The output of the function is
+/// discarded, and its changes of memory are lost with the child.
 ///
-/// Of the threads of the caller, the child has none. So the function must not wait for them, and of
-/// the locks that they might hold, it may take only those that fork() sets free in the child: those
-/// of memory and, with glibc, of the streams of C.
+/// The child has only the calling thread. So the function must not wait for other threads. Of the
+/// locks that other threads may hold, it may take only those that fork() resets in the child: the
+/// locks of memory allocation and, with glibc, of the streams of C.
 ///
-/// Where there is no fork(), the function runs in this process and may take it down.
+/// On systems without fork(), the function runs in this process, and a crash ends this process.
 class Child_process
 {
 public:
@@ -36,43 +36,45 @@ public:
   enum class End {
     EXITED,
     CRASHED,
-    KILLED, ///< by someone else, such as a system that is short of memory
+    KILLED, ///< by another process or the system, for example for lack of memory
     TIMED_OUT
   };
 
   struct Outcome
   {
     End end;
-    int code; ///< what the child exited with, or the signal that killed it
+    int code; ///< exit code of the child, or the signal that killed it
   };
 
   /// Starts the child.
-  /// \param function An `int` that it throws becomes the exit code, and nothing is destroyed on the
-  ///        way. Any other exception is a crash. If it returns, the exit code is zero.
-  /// \param seconds after which the child is killed, infinity for never
-  /// \throws std::system_error if the system has no room for another process
+  /// \param function The function to run. An `int` that it throws becomes the exit code;
+  /// destructors are not called in this case. Any other exception is a crash. If it returns, the
+  /// exit code is zero.
+  /// \param seconds time limit after which the child is killed; infinity for no limit
+  /// \throws std::system_error if the system cannot create another process
   Child_process(const Function& function, double seconds);
 
-  /// Kills the child unless it has ended. Never leaves a zombie.
+  /// Kills the child unless it has ended. Never leaves a zombie process.
   ~Child_process();
 
   Child_process(const Child_process&) = delete;
   Child_process& operator=(const Child_process&) = delete;
 
-  /// Waits for the next `size` bytes that the function sends. False if it ended before. \throws
-  /// Interrupted_error, see Progress_scope
+  /// Waits for the next `size` bytes from the function. Returns false if the function ended before.
+  /// \throws Interrupted_error if the computation is interrupted; see Progress_scope
   bool read(void* data, std::size_t size);
 
-  /// Waits until the child has ended; what it still sends is lost. To be called once. Where the
-  /// caller ignores SIGCHLD, nobody knows how it ended, which is taken for exit code zero.
+  /// Waits until the child has ended. Bytes that the child still sends are discarded. Must be
+  /// called at most once. If the caller ignores SIGCHLD, the exit status is unknown and counts as
+  /// exit code zero.
   Outcome wait();
 
 private:
-  // Puts at least a byte into `m_data`. False if nothing comes any more.
+  // Receives at least one byte into `m_data`. Returns false if there are no more bytes.
   bool refill();
 
-  std::vector<char> m_data;   // received
-  std::size_t m_position = 0; // in it, of what has not been read
+  std::vector<char> m_data;   // received bytes
+  std::size_t m_position = 0; // position of the first unread byte
 #ifdef DSC_HAS_FORK
   int m_pipe;
   pid_t m_pid;

@@ -40,7 +40,7 @@ using internal::Child_process;
 using Points = std::vector<internal::Coordinates_3>;
 using Triangles = std::vector<internal::Triangle_indices>;
 
-// Codes of TetGen.
+// Error codes of TetGen.
 constexpr int out_of_memory = 1;
 constexpr int internal_error = 2;
 
@@ -63,13 +63,13 @@ const char* explanation(int code) {
   }
 }
 
-// What an attempt failed of.
+// The cause of the failure of an attempt.
 enum class Cause {
-  INPUT,  // is said to be bad
-  RESULT, // there is none, or a bad one
-  CRASH,  // of TetGen
-  TIME,   // is not enough
-  MEMORY  // is not enough
+  INPUT,  // reported as invalid
+  RESULT, // missing or invalid
+  CRASH,  // crash of TetGen
+  TIME,   // exceeded
+  MEMORY  // exceeded
 };
 
 class Failed_attempt : public Tetrahedralization_error
@@ -108,8 +108,9 @@ Failed_attempt failure(const Child_process::Outcome& outcome) {
   }
 }
 
-// A power of two that brings the largest extent of the points to [1, 2): TetGen fails far from 1.
-// Such scaling is exact but for numbers that are tiny compared to the extent.
+// Returns the exponent of a power of two that scales the largest extent of the points to [1, 2).
+// TetGen fails for extents far from 1. The scaling is exact except for numbers that are tiny
+// relative to the extent.
 int scale_exponent(const Points& points) {
   Bbox_3 box;
   for (const internal::Coordinates_3& p : points)
@@ -117,7 +118,7 @@ int scale_exponent(const Points& points) {
   return -std::ilogb((std::max)({box.x_span(), box.y_span(), box.z_span()}));
 }
 
-// What TetGen is told. Its point i is point `order[i]` of the input.
+// The input of TetGen. Its point i is point `order[i]` of the original input.
 struct Job
 {
   const Points& points;
@@ -138,7 +139,8 @@ void set_input(tetgenio& input, const Job& job) {
       *coordinate++ = std::ldexp(x, job.exponent);
   }
 
-  // The input frees what its counters count, so they follow each allocation.
+  // The destructor of the input frees arrays according to their counters. So each counter is set
+  // after its allocation.
   input.facetlist = new tetgenio::facet[job.triangles.size()];
   for (const internal::Triangle_indices& t : job.triangles) {
     tetgenio::facet& facet = input.facetlist[input.numberoffacets];
@@ -155,7 +157,8 @@ void set_input(tetgenio& input, const Job& job) {
   }
 }
 
-// What is sent first; then come the points that TetGen added, and the corners of all tetrahedra.
+// The header of the data sent by the child. The points added by TetGen and the corners of all
+// tetrahedra follow.
 struct Counts
 {
   int added_points, tetrahedra;
@@ -163,7 +166,7 @@ struct Counts
 
 using Corners = std::array<int, 4>;
 
-// Throws the codes of TetGen.
+// Runs TetGen and sends the result. Throws the error codes of TetGen.
 void run_tetgen(const Job& job, const Child_process::Send& send) {
   try {
     tetgenio input, output;
@@ -181,7 +184,8 @@ void run_tetgen(const Job& job, const Child_process::Send& send) {
   }
 }
 
-// False unless all is there and makes sense, as a process that went wrong may send anything.
+// Receives the mesh. Returns false unless the data is complete and consistent: a faulty process may
+// send anything.
 bool receive(Tetrahedralization_3& mesh, const Job& job, Child_process& child) {
   Counts counts;
   if (!child.read(&counts, sizeof(counts)) || counts.added_points < 0 || counts.tetrahedra < 0)
@@ -213,7 +217,7 @@ bool receive(Tetrahedralization_3& mesh, const Job& job, Child_process& child) {
   return true;
 }
 
-// Makes tetrahedra positive; false if one is flat.
+// Orients tetrahedra positively. Returns false if one is flat.
 bool orient(Tetrahedralization_3& mesh) {
   return std::all_of(mesh.tetrahedra.begin(), mesh.tetrahedra.end(), [&mesh](auto& v) {
     const auto point = [&](std::size_t i) { return internal::exact_point(mesh.points[v[i]]); };
@@ -267,22 +271,22 @@ Tetrahedralization_3 tetrahedralize_once(const Job& job, double seconds) try {
 
 struct Attempt
 {
-  double tolerance; // TetGen takes what is closer for equal, in units of the extent
-  bool has_bounds;  // of the shapes of tetrahedra
-  unsigned seed;    // of the order of points
-  double end;       // the part of the time limit after which it is given up
+  double tolerance; // relative to the extent; TetGen treats closer points as equal
+  bool has_bounds;  // on the shapes of tetrahedra
+  unsigned seed;    // of the order of the points
+  double end;       // fraction of the time limit at which the attempt ends
 };
 
-// TetGen is less robust with a tolerance below its own, which is the first. Where it crashes or
-// walks around for ever, it inserts points for the sake of the bounds; with points in another order
-// these are others.
+// The attempts, in their order. TetGen is less robust with a tolerance below its default, which is
+// the first one. Crashes and infinite loops occur while points are inserted to satisfy the shape
+// bounds; another order of the points changes the inserted points.
 constexpr Attempt attempts[] = {{1e-8, true, 0, 1. / 3},
                                 {1e-14, true, 0, 1. / 3},
                                 {1e-8, true, 1, 2. / 3},
                                 {1e-8, false, 0, 1},
                                 {1e-8, false, 1, 1}};
 
-// Whether an attempt is of use after a failure.
+// Returns whether an attempt may succeed after a failure.
 bool may_help(const Attempt& attempt, Cause cause) {
   switch (cause) {
   case Cause::INPUT:
@@ -297,7 +301,8 @@ bool may_help(const Attempt& attempt, Cause cause) {
   }
 }
 
-// The order of the input for seed 0, otherwise any one, which is the same on all systems.
+// Returns the input order for seed 0, otherwise a pseudorandom order that is the same on all
+// systems.
 std::vector<int> order_of_points(std::size_t size, unsigned seed) {
   std::vector<int> order(size);
   std::iota(order.begin(), order.end(), 0);
@@ -329,7 +334,7 @@ Tetrahedralization_3 Tetgen_tetrahedralizer_3::operator()(const Points& points,
                                                           const Triangles& triangles) const {
   const auto start = std::chrono::steady_clock::now();
   Job job = {points, triangles, scale_exponent(points), {}, {}};
-  // p: triangles are given, Y: keep them, q: bound the quality, Q: be quiet.
+  // p: tetrahedralize the triangles, Y: preserve them, q: bound the quality, Q: quiet.
   char switches[] = "pYqQ";
   job.behavior.parse_commandline(switches);
   job.behavior.minratio = m_radius_edge_ratio;

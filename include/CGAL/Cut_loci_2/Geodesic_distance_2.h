@@ -19,27 +19,30 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgCutLoci2Ref
 
-The distance field of a point of a Riemannian 2-manifold, in its chart: the lengths of the shortest
-geodesics that a front has followed.
+The distance function of a point of a Riemannian 2-manifold, in its chart. The distance of a point
+is the length of its shortest geodesic, among the geodesics that a front has followed.
 
 \tparam Metric model of `RiemannianMetric_2`
 */
 template <class Metric> class Geodesic_distance_2
 {
 public:
-  using Front = Geodesic_front_2<Metric>;  ///< the front
-  using Point_2 = typename Front::Point_2; ///< of the chart
+  using Front = Geodesic_front_2<Metric>;  ///< the type of the front
+  using Point_2 = typename Front::Point_2; ///< a point of the chart
 
   /*!
-  \param front has gone as far as distances are asked for, or until all of it has stopped
+  Prepares the distance function of a front. It integrates the geodesics of all vertices of the
+  front again, which takes about as long as the motion of the front.
 
-  Follows the rays of the front's vertices anew, which takes about as long as the front did for it.
+  \param front the front. It must have passed all points whose distances are needed, or it must have
+         stopped everywhere.
 
-  \throws Error if the metric is not positive on the way of one
+  \throws Error if the metric is not positive definite on a geodesic.
+  \throws Interrupted_error if a callback of a `Progress_scope` returned `false`.
   */
   explicit Geodesic_distance_2(Front front)
       : m_front(std::make_shared<Front>(std::move(front))), m_finder(*m_front) {
-    static constexpr double difference = 1e-5; // radians
+    static constexpr double difference = 1e-5; // in radians
     const double step = m_front->longest_step();
     for (auto v : m_front->complex().interface_vertices()) {
       const auto& ray = m_front->ray(v);
@@ -61,11 +64,13 @@ public:
     }
   }
 
-  /// The distance of a point of the chart, to about 1e-9 of the width of the chart; infinity if the
-  /// front did not come near. Takes the integration of some geodesics to it.
+  /// Returns the distance of a point of the chart, with an error of about 1e-9 of the width of the
+  /// chart. Returns infinity if the front did not come near the point. The function integrates some
+  /// geodesics to the point.
+  /// \throws Error if the metric is not positive definite on a geodesic.
   double operator()(const Point_2& p) const {
-    // Near the source one geodesic leads to it, which begins almost as if the chart were flat.
-    static constexpr double near = 3, at_source = 1e-6; // spacings
+    // Near the source, one geodesic leads to the point. A flat metric gives a good initial guess.
+    static constexpr double near = 3, at_source = 1e-6; // in spacings
     const auto straight = m_front->departure(p);
     const double spacing = m_front->length_of_spacing();
     if (straight.length <= at_source * spacing)
@@ -77,11 +82,11 @@ public:
     return geodesics.empty() ? std::numeric_limits<double>::infinity() : geodesics[0].length;
   }
 
-  /// The front that it was made of.
+  /// Returns the front.
   const Front& front() const { return *m_front; }
 
 private:
-  std::shared_ptr<const Front> m_front; // copies share it
+  std::shared_ptr<const Front> m_front; // shared by copies
   internal::Geodesic_finder_2<Front> m_finder;
 };
 

@@ -28,72 +28,76 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgCutLoci2Ref
 
-The front of all geodesics from a point of a Riemannian 2-manifold, in its chart, a flat torus: it
-goes at unit speed, and stops where it meets itself (section 4.2 of the paper). The phase 1 of its
-complex is what it has swept, the distance ball of its radius; phase 0 is left.
+The front of all geodesics from a point of a Riemannian 2-manifold, in its chart, a flat torus
+(section 4.2 of the paper). The front moves with unit speed and stops where it meets itself. It is
+the interface of a complex in the chart. Label 1 is the region that the front has passed. Until the
+front meets itself, this region is the distance ball of its radius. Label 0 is the rest.
 
-Each vertex of the front rides a geodesic, by its angle at the point, and is integrated to rounding.
-Where the front gets long, a new vertex is shot from the point at the angle between its neighbors.
+Each vertex of the front stores a geodesic, given by its angle at the point. The geodesic is
+integrated up to rounding. Where edges of the front become long, a new geodesic is started at the
+point, with the angle between the two neighbors.
 
 \tparam Metric model of `RiemannianMetric_2`
 */
 template <class Metric> class Geodesic_front_2
 {
 public:
-  /// The torus of the chart.
+  /// the torus of the chart
   using Domain = Torus_domain<2>;
-  /// Of the chart.
+  /// the type of the complex in the chart
   using Complex =
       Deformable_simplicial_complex_2<Deformable_simplicial_complex_traits_2<>, Default, Domain>;
-  using Point_2 = typename Complex::Approximate_point_2; ///< of the chart
-  using Vertex_handle = typename Complex::Vertex_handle; ///< of the complex
-  using State = internal::Geodesic_state;                ///< u, v, u', v'
+  using Point_2 = typename Complex::Approximate_point_2; ///< a point of the chart
+  using Vertex_handle = typename Complex::Vertex_handle; ///< a vertex of the complex
+  using State = internal::Geodesic_state;                ///< u, v, u', v' of a geodesic
 
-  /// The geodesic that a vertex of the front rides.
+  /// The geodesic of a vertex of the front.
   struct Ray
   {
     double angle;          ///< at the point, from the direction along u, in radians
-    double length;         ///< of the geodesic to `state`
-    State state;           ///< where it is: on the vertex, or ahead of it if that is held back
-    bool is_stopped;       ///< whether the front has met itself here
-    unsigned steps_behind; ///< since the vertex was last where the geodesic is
+    double length;         ///< length of the geodesic up to `state`
+    State state;           ///< end of the geodesic; the vertex is there, or behind it
+    bool is_stopped;       ///< whether the front has met itself at the vertex
+    unsigned steps_behind; ///< number of steps since the vertex was at `state`
   };
 
   /*!
-  The front at a small radius.
+  Builds the front of a small radius.
 
-  \param metric of the manifold; it repeats itself with the torus
-  \param domain the chart
-  \param point in the chart
-  \param spacing about how long the edges of the mesh and the front are in the chart; at most a
-         twentieth of the periods
-  \throws Error if the metric is not positive at the point, the
-         spacing is out of range, or three spacings go around the torus
+  \param metric the metric of the manifold. It has the periods of the torus.
+  \param domain the torus of the chart
+  \param point the source, in the chart
+  \param spacing the approximate length of the edges of the mesh and of the front, in the chart. The
+         range is (0, p / 20], where p is the smaller period.
+  \throws Error if the metric is not positive definite at the point, the point is not finite, the
+          spacing is out of range, or geodesics of three spacings would go around the torus.
   */
   Geodesic_front_2(const Metric& metric, const Domain& domain, const Point_2& point, double spacing)
       : Geodesic_front_2(Geodesics(metric, domain, point), domain, spacing) {}
 
   /*!
-  The front at a small radius, for a metric that knows its chart and the point.
+  Builds the front of a small radius, for a metric with its own chart and source.
 
-  \tparam Surface an instance of `Sphere_like_surface_2`, the `Metric`
-  \param surface and its source
-  \param spacing about how long the edges of the mesh and the front are in the chart; at most a
-         twentieth of its width
-  \throws Error if the metric is not positive at the point, or the
-         spacing is out of range
+  \tparam Surface an instance of `Sphere_like_surface_2`, the same as `Metric`
+  \param surface the surface and its source
+  \param spacing the approximate length of the edges of the mesh and of the front, in the chart. The
+         range is (0, w / 20], where w is the width of the chart.
+  \throws Error if the metric is not positive definite at the source, or the spacing is out of
+          range.
   */
   template <class Surface>
   Geodesic_front_2(const Surface& surface, double spacing)
       : Geodesic_front_2(Geodesics(surface), surface.domain(), spacing) {}
 
   /*!
-  Goes on by a length, in equal steps of `longest_step()` at the most. Returns whether some of the
-  front has not stopped.
+  Moves the front by a length, in equal steps of at most `longest_step()`. Returns whether a part of
+  the front has not stopped.
 
-  \throws Error if the length is not positive, or is lost beside the
-         radius, or is more than a million steps; or if a geodesic cannot be followed, the front
-  then being as after the last step that could be done
+  \param length the length on the manifold, positive
+
+  \throws Error if the length is not positive, does not change the radius by rounding, or needs more
+          than a million steps. Also throws if a geodesic cannot be integrated; the front is then in
+          the state after the last complete step.
   */
   bool advance(double length) {
     static constexpr double most = 1e6;
@@ -106,33 +110,34 @@ public:
     return is_going();
   }
 
-  /// The spacing, where the metric is shortest for it: at the source, or opposite to it on a
-  /// `Sphere_like_surface_2`.
+  /// Returns the length of the spacing on the manifold, in the direction in which it is shortest.
+  /// It is measured at the source, on a `Sphere_like_surface_2` opposite to the source.
   double longest_step() const { return m_geodesics.shortest(m_spacing); }
 
-  /// The length of the geodesics that have not stopped.
+  /// Returns the length of the geodesics that have not stopped.
   double radius() const { return m_radius; }
-  /// The chart: label 1 is what was swept.
+  /// Returns the complex in the chart. Label 1 is the region that the front has passed.
   const Complex& complex() const { return m_complex; }
-  /// The geodesic of a vertex of the front. \pre it is on the interface
+  /// Returns the geodesic of a vertex of the front. \pre The vertex is on the interface.
   const Ray& ray(Vertex_handle v) const { return m_rays.at(v->time_stamp()); }
-  /// The largest step that it has gone.
+  /// Returns the largest step until now.
   double step() const { return m_step; }
-  /// About how long a vector is that is as long as the spacing in the chart.
+  /// Returns the length of the spacing on the manifold, in the direction in which it is longest. It
+  /// is measured at the same point as `longest_step()`.
   double length_of_spacing() const { return m_geodesics.longest(m_spacing); }
-  /// About how long edges are.
+  /// Returns the approximate length of the edges, in the chart.
   double spacing() const { return m_spacing; }
-  /// Where the geodesic at an angle is after a length. \pre on a `Sphere_like_surface_2` it is not
-  /// 0
+  /// Returns the state of the geodesic with an angle at the source after a length. \pre On a
+  /// `Sphere_like_surface_2`, the length is not 0.
   State shoot(double angle, double length) const { return m_geodesics.shoot(angle, length); }
-  /// Where a geodesic is after another length.
+  /// Returns the state of a geodesic after a further length.
   State continue_ray(const State& state, double length) const {
     return m_geodesics.advance(state, length);
   }
-  /// The angle and the length of the geodesic to a point, if the metric were that of the source
-  /// everywhere.
+  /// Returns the angle and the length of the geodesic to a point, for the constant metric of the
+  /// source.
   auto departure(const Point_2& p) const { return m_geodesics.departure(p); }
-  /// Whether the chart reaches as far.
+  /// Returns whether the chart contains a state.
   bool is_in_chart(const State& state) const { return m_geodesics.is_in_chart(state); }
 
 private:
@@ -141,7 +146,7 @@ private:
 
   Geodesic_front_2(const Geodesics& geodesics, const Domain& domain, double spacing)
       : m_geodesics(geodesics), m_spacing(spacing), m_complex(domain) {
-    static constexpr double coarsest = 1. / 20; // period
+    static constexpr double coarsest = 1. / 20; // of the period
     const double period = (std::min)(domain.periods()[0], domain.periods()[1]);
     if (!(spacing > 0 && spacing <= coarsest * period))
       throw Error(
@@ -181,20 +186,21 @@ private:
 
   static Point_2 point(const State& state) { return Point_2(state[0], state[1]); }
 
-  // Brings the vertices to where their geodesics are, as far as they can go.
+  // Moves the vertices to the ends of their geodesics, as far as possible.
   void move() {
     const auto destination = [&](Vertex_handle v) {
       const Ray& ray = m_rays.at(v->time_stamp());
       return ray.is_stopped ? v->point() : m_complex.exact(point(ray.state));
     };
-    // Relabeled, the folds of the front would close like zips. It keeps its edges in two passes.
+    // Relabeling would close the folds of the front, so it is turned off. Flat facets are kept, and
+    // there are two passes only, so that the front keeps its edges.
     static constexpr unsigned passes = 2;
     const auto report = deform_interface(
         m_complex, destination,
         parameters::relabeling_threshold(0.).minimum_facet_angle(0.).maximum_number_of_passes(
             passes));
-    // What is left between parts of the front must give way to all of it.
-    static constexpr double shortest = .5; // spacings
+    // Splits long edges and collapses short ones, so that parts of the front can meet everywhere.
+    static constexpr double shortest = .5; // in spacings
     control_detail(m_complex, parameters::sizing_field([this](const Point_2&) { return m_spacing; })
                                   .split_length(2.)
                                   .collapse_length(shortest));
@@ -204,7 +210,7 @@ private:
     std::map<std::size_t, bool> is_behind;
     for (const auto& item : report.unfinished)
       is_behind[item.vertex->time_stamp()] = true;
-    static constexpr unsigned patience = 10; // steps
+    static constexpr unsigned patience = 10; // in steps
     for (Vertex_handle v : m_complex.interface_vertices()) {
       Ray& ray = m_rays.at(v->time_stamp());
       if (is_behind.count(v->time_stamp()) == 0)
@@ -214,8 +220,8 @@ private:
     }
   }
 
-  // Forgets the rays of vertices that are gone; one that came to the interface by itself stops with
-  // the ray of a neighbor.
+  // Removes the rays of vertices that do not exist any more. A vertex that is new on the interface
+  // stops, with the ray of a neighbor.
   void adopt() {
     std::map<std::size_t, Ray> rays;
     std::vector<Cell_handle> star;
@@ -239,8 +245,8 @@ private:
     m_rays.swap(rays);
   }
 
-  // Whether a vertex sees another part of the front across a cell that is left, and that two steps
-  // would close.
+  // Returns whether a vertex faces another part of the front across a cell of label 0 that two
+  // steps would close.
   bool touches_front(Vertex_handle v) const {
     std::vector<Cell_handle> star;
     m_complex.star(v, star);
@@ -259,13 +265,13 @@ private:
     });
   }
 
-  // Splits long edges of the front that go on.
+  // Splits long edges of the front, unless both ends have stopped.
   void refine() {
-    static constexpr double longest = 1.5; // spacings
+    static constexpr double longest = 1.5; // in spacings
     static constexpr int rounds = 4;
     for (int round = 0; round < rounds; ++round) {
       bool has_changed = false;
-      std::vector<std::pair<typename Complex::Facet, std::size_t>> facets; // and their time stamps
+      std::vector<std::pair<typename Complex::Facet, std::size_t>> facets; // and time stamps
       for (const auto& facet : m_complex.interface_facets())
         facets.emplace_back(facet, facet.first->time_stamp());
       for (const auto& [facet, time_stamp] : facets)
@@ -288,7 +294,7 @@ private:
     const double angle = from.angle + std::remainder(to.angle - from.angle, 2 * pi) / 2;
     const Point_2 middle = m_complex.position(a) + edge / 2;
     Deformable_simplicial_complexes::Cavity<Complex> cavity(m_complex);
-    // Next to what has stopped, it may be the same here.
+    // Next to a stopped vertex, the front may be behind the full length.
     for (double part : {1., .5, 0.}) {
       const double length = part * (std::max)(from.length, to.length) +
                             (1 - part) * (std::min)(from.length, to.length);

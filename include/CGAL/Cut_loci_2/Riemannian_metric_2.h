@@ -15,35 +15,42 @@ namespace Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgCutLoci2Ref
-The first fundamental form E du² + 2 F du dv + G dv² of a Riemannian 2-manifold at a point of its
-chart, and its derivatives there.
+The first fundamental form \f$E\,du^2 + 2F\,du\,dv + G\,dv^2\f$ of a Riemannian 2-manifold at a
+point of its chart, and its first derivatives at this point.
 */
 struct Metric_jet_2
 {
-  double E, F, G;  ///< at the point
-  double E_u, E_v; ///< derivatives of E
-  double F_u, F_v; ///< derivatives of F
-  double G_u, G_v; ///< derivatives of G
+  double E,   ///< coefficient of du²
+      F,      ///< half of the coefficient of du dv
+      G;      ///< coefficient of dv²
+  double E_u, ///< derivative of E by u
+      E_v;    ///< derivative of E by v
+  double F_u, ///< derivative of F by u
+      F_v;    ///< derivative of F by v
+  double G_u, ///< derivative of G by u
+      G_v;    ///< derivative of G by v
 };
 
 /*!
 \ingroup PkgCutLoci2Ref
 
-The metric of a surface in space. Its derivatives are exact, by automatic differentiation.
+The metric of a surface that is embedded in space. Derivatives are exact up to rounding, by
+automatic differentiation.
 
-\tparam Embedding has `template <class T> std::array<T, 3> operator()(const T& u, const T& v) const`,
-        for numbers `T` that doubles are converted to, with the functions of `<cmath>`, found by
-        argument-dependent lookup
+\tparam Embedding has
+        `template <class T> std::array<T, 3> operator()(const T& u, const T& v) const`. `T` is a
+        number type that is constructible from `double`. The functions of `<cmath>` are found for
+        `T` by argument-dependent lookup.
 \cgalModels{RiemannianMetric_2}
 */
 template <class Embedding> class Embedded_surface_2
 {
 public:
-  /// \param embedding is copied.
+  /// \param embedding the embedding, which is copied
   explicit Embedded_surface_2(Embedding embedding = Embedding())
       : m_embedding(std::move(embedding)) {}
 
-  /// The metric at a point of the chart.
+  /// Returns the metric at a point of the chart.
   Metric_jet_2 operator()(double u, double v) const {
     using Number = internal::Second_order_number_2;
     const std::array<Number, 3> r = m_embedding(Number(u, 1, 0, 0, 0, 0), Number(v, 0, 1, 0, 0, 0));
@@ -69,19 +76,20 @@ private:
 /*!
 \ingroup PkgCutLoci2Ref
 
-A metric given by its tensor. Its derivatives are exact, by automatic differentiation.
+A metric that is given by its tensor. Derivatives are exact up to rounding, by automatic
+differentiation.
 
-\tparam Tensor has `template <class T> std::array<T, 3> operator()(const T& u, const T& v) const`,
-        which returns E, F and G, for numbers `T` as of `Embedded_surface_2`
+\tparam Tensor has `template <class T> std::array<T, 3> operator()(const T& u, const T& v) const`.
+        It returns E, F and G. `T` is a number type as for `Embedded_surface_2`.
 \cgalModels{RiemannianMetric_2}
 */
 template <class Tensor> class Metric_tensor_2
 {
 public:
-  /// \param tensor is copied.
+  /// \param tensor the tensor, which is copied
   explicit Metric_tensor_2(Tensor tensor = Tensor()) : m_tensor(std::move(tensor)) {}
 
-  /// The metric at a point of the chart.
+  /// Returns the metric at a point of the chart.
   Metric_jet_2 operator()(double u, double v) const {
     using Number = internal::Second_order_number_2;
     const std::array<Number, 3> g = m_tensor(Number(u, 1, 0, 0, 0, 0), Number(v, 0, 1, 0, 0, 0));

@@ -19,14 +19,17 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A function of the unit sphere in stereographic coordinates of another sphere, which a linear map
-// and the projection from the origin take to it: the origin of the chart is a pole.
+// An embedding of the unit sphere in stereographic coordinates of a second sphere. A linear map
+// takes the second sphere to an ellipsoid, and the projection from the origin takes this ellipsoid
+// to the unit sphere.
 template <class Embedding> class Stereographic_embedding_2
 {
 public:
   using Direction = std::array<double, 3>;
 
-  // The frame is the image of an orthonormal one; the pole is its last vector.
+  // \param frame the image of an orthonormal frame under the linear map; its last vector is the
+  //        pole
+  // \param shift both coordinates of the pole in the chart
   Stereographic_embedding_2(const Embedding& embedding, const std::array<Direction, 3>& frame,
                             double shift)
       : m_embedding(embedding), m_frame(frame), m_shift(shift) {}
@@ -56,17 +59,19 @@ private:
 /*!
 \ingroup PkgCutLoci2Ref
 
-A closed surface without holes, such as an ellipsoid, as the image of the unit sphere, for
-`Geodesic_front_2` and `cut_locus_2()`. One chart cannot cover it: the chart is a stereographic
-one from the source, which covers all but the source; its middle is opposite to the source, where
-the cut locus lies. Geodesics leave the source in the opposite chart. A linear map of directions
-makes the metric at the source the same in all directions.
+A closed surface of genus 0, such as an ellipsoid, as the image of the unit sphere. It is an
+argument of `Geodesic_front_2` and `cut_locus_2()`.
+
+No chart covers such a surface. The class uses the stereographic chart whose center is opposite to
+the source. This chart covers all points except the source. The cut locus lies near its center.
+Geodesics leave the source in a second stereographic chart around the source. A linear map of
+directions makes the metric at the source isotropic.
 
 \tparam Embedding has
-        `template <class T> std::array<T, 3> operator()(const std::array<T, 3>& n) const`
-        for directions n of unit length and numbers `T` as of `Embedded_surface_2`
-\tparam Differentiated the metric of an embedding of a chart: `double` is enough for `T` if it says
-        so
+        `template <class T> std::array<T, 3> operator()(const std::array<T, 3>& n) const` for
+        directions `n` of unit length. `T` is a number type as for `Embedded_surface_2`.
+\tparam Differentiated the class template of the metric of an embedding of a chart. `Embedding` must
+        accept only the number types that this template uses.
 \cgalModels{RiemannianMetric_2}
 */
 template <class Embedding, template <class> class Differentiated = Embedded_surface_2>
@@ -75,44 +80,44 @@ class Sphere_like_surface_2
   using Chart = internal::Stereographic_embedding_2<Embedding>;
 
 public:
-  using Direction = std::array<double, 3>;           ///< of the unit sphere
-  using Metric = Differentiated<Chart>;              ///< of a chart
-  using Domain = Torus_domain<2>;                    ///< around the chart
-  using Point_2 = Simple_cartesian<double>::Point_2; ///< of the chart
+  using Direction = std::array<double, 3>;           ///< a vector to a point of the unit sphere
+  using Metric = Differentiated<Chart>;              ///< the metric of one of the charts
+  using Domain = Torus_domain<2>;                    ///< the type of the box
+  using Point_2 = Simple_cartesian<double>::Point_2; ///< a point of the chart
 
-  /// \param embedding is copied.
-  /// \param source the direction whose image the geodesics begin in, not 0, of any length
-  /// \throws Error if the direction is 0 or not finite
+  /// \param embedding the embedding, which is copied
+  /// \param source the direction whose image is the source of the geodesics, of any length
+  /// \throws Error if the direction is 0 or not finite.
   Sphere_like_surface_2(const Embedding& embedding, const Direction& source)
       : m_frame(isotropic(embedding, frame_at(source))),
         m_far(embedding, opposite(m_frame), half_width), m_far_metric(m_far),
         m_near_metric(Chart(embedding, m_frame, 0)) {}
 
-  /// The metric at a point of the chart.
+  /// Returns the metric at a point of the chart.
   Metric_jet_2 operator()(double u, double v) const { return m_far_metric(u, v); }
 
-  /// The box in which the front moves, with the point opposite to the source in its
-  /// middle. A neighborhood of the source lies outside: directions at less than 28 degrees from
-  /// it, where the linear map is the identity.
+  /// Returns the box of the chart. The point opposite to the source is its center. If the linear
+  /// map is the identity, the box contains all directions at 28 degrees or more from the source. A
+  /// neighborhood of the source lies outside the box.
   Domain domain() const { return Domain({2 * half_width, 2 * half_width}); }
 
-  /// The direction whose image a point of the chart stands for.
+  /// Returns the direction of a point of the chart, of unit length.
   Direction direction(const Point_2& p) const { return m_far.direction(p.x(), p.y()); }
 
-  /// Its image.
+  /// Returns the image of a point of the chart, in space.
   std::array<double, 3> image(const Point_2& p) const { return m_far(p.x(), p.y()); }
 
-  /// Of the box.
+  /// half of the width of the box
   static constexpr double half_width = 4;
 
   /// \cond SKIP_IN_MANUAL
-  const Metric& metric_at_source() const { return m_near_metric; } // (0, 0)
+  const Metric& metric_at_source() const { return m_near_metric; } // at (0, 0) of its chart
   /// \endcond
 
 private:
   using Frame = std::array<Direction, 3>;
 
-  // An orthonormal frame with the direction as its last vector.
+  // Returns an orthonormal frame with the source direction as its last vector.
   static Frame frame_at(const Direction& source) {
     const double length = std::hypot(source[0], source[1], source[2]);
     if (!(length > 0) || !std::isfinite(length))
@@ -120,7 +125,7 @@ private:
     Frame f;
     for (std::size_t i = 0; i < 3; ++i)
       f[2][i] = source[i] / length;
-    std::size_t across = 0; // the axis that is least along it
+    std::size_t across = 0; // axis with the smallest component
     for (std::size_t i = 1; i < 3; ++i)
       if (std::abs(f[2][i]) < std::abs(f[2][across]))
         across = i;
@@ -134,13 +139,13 @@ private:
     return f;
   }
 
-  // Returns a frame in whose chart the metric is the same in all directions at the pole, with the
-  // same area: what is long in one direction is not lost in a small part of the chart.
+  // Returns a frame for which the metric at the pole is isotropic and has the same area element. A
+  // surface that is long in one direction therefore fits into the chart.
   static Frame isotropic(const Embedding& embedding, const Frame& frame) {
     const Metric_jet_2 g = Metric(Chart(embedding, frame, 0))(0, 0);
     const double determinant = g.E * g.G - g.F * g.F;
     if (!(g.E > 0 && determinant > 0) || !std::isfinite(determinant))
-      return frame; // refused where geodesics begin
+      return frame; // Geodesics_2 throws for this metric
     const double root = std::sqrt(std::sqrt(determinant)), along = root / std::sqrt(g.E),
                  across = 1 / along;
     Frame result = frame;

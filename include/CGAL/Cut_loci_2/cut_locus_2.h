@@ -29,29 +29,32 @@ namespace Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgCutLoci2Ref
-The cut locus of a point of a Riemannian 2-manifold, in its chart: the closure of the points that
-more than one shortest geodesic leads to.
+
+The cut locus of a point of a Riemannian 2-manifold, in its chart: the closure of the set of all
+points with two or more shortest geodesics from the point.
 */
 struct Cut_locus_2
 {
-  /// A point of it.
+  /// A point of the cut locus.
   struct Vertex
   {
-    Simple_cartesian<double>::Point_2 point; ///< of the chart, in the box of the torus
-    double distance;                         ///< the length of the shortest geodesics
-    std::size_t multiplicity; ///< number of edges that end here: as many shortest geodesics lead to
-                              ///< it, but for ends, where two have become one
+    Simple_cartesian<double>::Point_2 point; ///< in the chart, in the box of the torus
+    double distance;                         ///< length of the shortest geodesics to the point
+    std::size_t multiplicity; ///< number of edges at the vertex. It is the number of shortest
+                              ///< geodesics, except at an end: its multiplicity is 1, because two
+                              ///< shortest geodesics coincide
   };
 
-  std::vector<Vertex> vertices; ///< in no particular order, always the same
-  /// chains of vertices, by their indices, between those of other multiplicities than 2; what is
-  /// closed begins and ends in the same vertex
+  std::vector<Vertex> vertices; ///< in no particular order, but deterministic
+  /// chains of indices of vertices, from one vertex with a multiplicity other than 2 to the next. A
+  /// closed chain begins and ends at the same vertex
   std::vector<std::vector<std::size_t>> polylines;
-  /// whether it leaves a disk of the surface, ends in conjugate points only, and no vertex is in
-  /// doubt; if not, the spacing or the step is too large, or the longest distance too short
+  /// whether the complement of the cut locus is a disk, all its ends are conjugate points, and no
+  /// vertex is doubtful. If it is `false`, the spacing or the step is too large, or the longest
+  /// distance is too short
   bool is_complete = false;
-  /// vertices that are in doubt: shooting from the point in 512 directions leads to them earlier,
-  /// or their geodesics do not arrive
+  /// vertices that failed the verification: a geodesic in one of 512 directions shows a shorter
+  /// path to the vertex, or the geodesics of the vertex do not arrive there
   std::vector<std::size_t> doubtful;
 };
 
@@ -61,7 +64,7 @@ template <class Metric>
 Cut_locus_2 cut_locus_of_geodesics(const Geodesics_2<Metric>& geodesics,
                                    const Torus_domain<2>& domain, double spacing, double step,
                                    double longest_distance) {
-  static constexpr double coarsest = 1. / 20; // period
+  static constexpr double coarsest = 1. / 20; // of the smaller period
   static constexpr double shortest = 1e-3;    // of the longest step
   const double longest_step = geodesics.shortest(spacing);
   if (!(spacing > 0 && spacing <= coarsest * (std::min)(domain.periods()[0], domain.periods()[1])))
@@ -99,31 +102,39 @@ Cut_locus_2 cut_locus_of_geodesics(const Geodesics_2<Metric>& geodesics,
 /*!
 \ingroup PkgCutLoci2Ref
 
-Finds the cut locus of a point, in a chart that is a flat torus. A fan of geodesics goes from the
-point in all directions, until shorter ones lead to where they are. Each direction has a partner,
-whose geodesic meets its own in the cut point at the same length; Newton's method finds it. Along
-the circle of directions, partners change continuously but at junctions, where three geodesics or
-more meet, and at ends, the nearest conjugate points. So the circle, glued, is the cut locus, and
-what it leaves of the torus is a disk. In the end, all vertices are checked by shooting in other
-directions, and those that are reached earlier are reported.
+Computes the cut locus of a point, in a chart that is a flat torus.
 
-\param metric model of `RiemannianMetric_2`, which repeats itself with the torus
-\param domain the torus
-\param point in the chart
-\param spacing the longest edges of the cut locus in the chart, about
-\param step by how much geodesics of the fan advance at once, and their largest distance, about, on
-       the manifold; half the spacing, measured at the point, is a good choice; at least a
-       thousandth of the spacing, and at most the spacing is used
-\param longest_distance geodesics go no farther: what they would meet beyond is not found
+A fan of geodesics leaves the point in all directions. Each geodesic ends when a shorter geodesic
+leads to the same point. Each direction has a partner: their geodesics meet with the same length in
+the cut point of the direction. Newton's method finds the cut point. Along the circle of directions,
+the partner changes continuously, except at junctions and ends. At a junction, three or more
+geodesics meet. An end is the nearest conjugate point of the directions around it. The cut locus is
+the circle of directions in which each direction is identified with its partner. Its complement in
+the torus is a disk.
 
-\return the cut locus: a single vertex without edges if all directions meet in one point. See
+At the end, all vertices are verified by geodesics in other directions. A vertex that such a
+geodesic reaches earlier is reported.
+
+\param metric the metric, a model of `RiemannianMetric_2`. It has the periods of the torus.
+\param domain the torus of the chart
+\param point the source, in the chart
+\param spacing the approximate length of the longest edges of the cut locus, in the chart. The range
+       is (0, p / 20], where p is the smaller period.
+\param step the step of the geodesics and the approximate distance between neighboring geodesics, on
+       the manifold. Half of the spacing, measured at the point, is a good choice. It must be at
+       least a thousandth of the spacing. At most the spacing is used.
+\param longest_distance the length at which geodesics end, positive. Parts of the cut locus beyond
+       this distance are not found.
+
+\return the cut locus. It is a single vertex without edges if all geodesics meet in one point. See
         `Cut_locus_2::is_complete`.
 
-\throws Error if the metric is not positive at the point or on the
-        way of a geodesic, or a parameter is out of its range
+\throws Error if the metric is not positive definite at the point or on a geodesic, if a parameter
+        is out of its range, or if too many geodesics are needed.
+\throws Interrupted_error if a callback of a `Progress_scope` returned `false`.
 
-Arcs may be missed if they are shorter than steps. Takes the integration of some geodesics for each
-point.
+Arcs that are shorter than a step may be missed. The function integrates some geodesics for each
+vertex.
 */
 template <class Metric>
 Cut_locus_2 cut_locus_2(const Metric& metric, const Torus_domain<2>& domain,
@@ -136,20 +147,21 @@ Cut_locus_2 cut_locus_2(const Metric& metric, const Torus_domain<2>& domain,
 /*!
 \ingroup PkgCutLoci2Ref
 
-Finds the cut locus of a point of a closed surface without holes, such as an ellipsoid, as above: it
-is a tree.
+Computes the cut locus of a point of a closed surface of genus 0, such as an ellipsoid. The cut
+locus is a tree. The method is that of the function above.
 
-\param surface and the point: its source
-\param spacing the longest edges of the cut locus in the chart of the surface, whose width is 8,
-       about
-\param step by how much geodesics of the fan advance at once, as above; the spacing is measured
-       opposite to the point
-\param longest_distance geodesics go no farther
+\param surface the surface and its source
+\param spacing the approximate length of the longest edges of the cut locus, in the chart of the
+       surface. The chart has the width 8. The range is (0, 0.4].
+\param step the step of the geodesics and the approximate distance between neighboring geodesics, on
+       the surface, as above. The spacing is measured opposite to the source.
+\param longest_distance the length at which geodesics end, positive
 
-\return the cut locus, as above: of a sphere, a single vertex
+\return the cut locus, as above. The cut locus of a sphere is a single vertex.
 
-\throws Error if the metric is not positive at the point or on the
-        way of a geodesic, or a parameter is out of its range
+\throws Error if the metric is not positive definite at the source or on a geodesic, if a parameter
+        is out of its range, or if too many geodesics are needed.
+\throws Interrupted_error if a callback of a `Progress_scope` returned `false`.
 */
 template <class Embedding, template <class> class Differentiated>
 Cut_locus_2 cut_locus_2(const Sphere_like_surface_2<Embedding, Differentiated>& surface,

@@ -24,72 +24,73 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-The domain of a complex that is a ball, in most cases a box: what lies outside is one infinite
-vertex and the cells that have it, and vertices on the boundary move within its sides only. If the
-domain is no box, they do not move.
+Domain of a complex that is a ball, in most cases a box. The outside is represented by one infinite
+vertex and its incident cells. If the domain is a box, vertices on the boundary move only within
+their sides. Otherwise, they do not move.
 
-A domain answers whatever depends on the shape of space as a whole: what lies outside, where a
-corner of a cell is as the cell sees it, and what the boundary permits. In a ball all cells see a
-vertex where it is.
+A domain answers all questions that depend on the shape of space as a whole: which vertices and
+cells are outside, where a corner of a cell is as seen from the cell, and where a vertex of the
+boundary may go. In a ball, all cells see a vertex at its position.
 
 \cgalModels{SimplicialDomain}
 */
 class Ball_domain
 {
 public:
-  /// There is a vertex outside.
+  /// Tells that there is a vertex outside.
   static constexpr bool has_outside = true;
 
-  /// Whether a vertex is the one outside.
+  /// Returns whether a vertex is the infinite vertex.
   template <class Complex>
   bool is_outside(const Complex& complex, typename Complex::Vertex_handle v) const {
     return v == complex.triangulation().infinite_vertex();
   }
 
-  /// Whether the vertex outside is one of the vertices of a cell.
+  /// Returns whether the infinite vertex is one of the vertices of a cell.
   template <class Complex>
   bool is_outside(const Complex& complex, typename Complex::Cell_handle c) const {
     return complex.triangulation().is_infinite(c);
   }
 
-  /// `p`: a point has no other images.
+  /// Returns `p`, since a point has no other images.
   template <class Point> const Point& canonical(const Point& p) const { return p; }
 
-  /// `q`: a point has no other images.
+  /// Returns `q`, since a point has no other images.
   template <class Point> const Point& near(const Point& /*p*/, const Point& q) const { return q; }
 
-  /// `f(corner(0), ...)` with the corners of a cell.
+  /// Returns `f(corner(0), ...)` with the corners of a cell.
   template <class Complex, class Function, class Corner>
   decltype(auto) apply(const Function& f, const Corner& corner) const {
     return internal::apply_to_corners<Complex::corners>(f, corner);
   }
 
-  /// The orientation of a cell with these corners, exactly.
+  /// Returns the orientation of a cell with these corners, exactly.
   template <class Complex, class Corner>
   Orientation orientation(const Complex& complex, const Corner& corner) const {
     return internal::apply_to_corners<Complex::corners>(complex.orientation(), corner);
   }
 
-  /// The point nearest to `q` that `v` may go to within the sides of the domain it lies on.
+  /// Returns the point nearest to `q` on the sides of the domain that `v` lies on.
   template <class Complex>
   typename Complex::Point admissible(const Complex& complex, typename Complex::Vertex_handle v,
                                      const typename Complex::Point& q) const;
 
-  /// None: nothing repeats itself.
+  /// Returns zeros: space is not periodic.
   template <int d> std::array<double, d> periods() const { return {}; }
 
-  /// The domain of a complex in some state.
-  /// \throws Invalid_cells_error if it was a torus
+  /// Returns the domain of a complex with the given state.
+  /// \throws Invalid_cells_error if the domain was a torus
   template <int d> static Ball_domain of(const State<d>& state) {
     if (state.periods != std::array<double, d>{})
       throw Invalid_cells_error("the state is one of a complex on a torus, not in a ball");
     return Ball_domain();
   }
 
-  /// Finds the sides that the vertices of the boundary lie on. Linear in the boundary.
+  /// Finds the sides that each vertex of the boundary lies on. Linear in the size of the boundary.
   template <class Complex> void classify_boundary(const Complex& complex) const;
 
-  /// Whether a facet of the boundary stays in its side whatever its vertices may do.
+  /// Returns whether a facet of the boundary stays in its side, for all permitted positions of its
+  /// vertices.
   template <class Complex>
   bool keeps_side(const Complex& complex, const typename Complex::Facet& f) const;
 };

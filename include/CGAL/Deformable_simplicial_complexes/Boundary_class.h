@@ -13,23 +13,24 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Where a vertex lies on the boundary of the domain: a set of sides, as bits. Of a box, the bits 0 to
-5 are the sides x minimum, x maximum, y minimum, and so on: one bit for a vertex on a face, two on
-an edge, three at a corner; the vertex moves within all of them. A domain that is no box has only
-`fixed` vertices on its boundary. No bit: a vertex in the inside.
+The sides of the domain that a vertex lies on, as bits. In a box, the bits 0 to 5 are the sides x
+minimum, x maximum, y minimum, and so on. A vertex on a face has one bit, a vertex on an edge two,
+and a corner three. The vertex moves within all its sides. If the domain is not a box, all vertices
+on its boundary are `fixed`. A vertex in the interior has no bit.
 */
 struct Boundary_class
 {
-  using Bits = std::uint8_t;        ///< a set of sides
+  using Bits = std::uint8_t;        ///< set of sides
   static constexpr Bits inside = 0; ///< on no side
-  static constexpr Bits fixed = 64; ///< on the boundary of a domain that is no box: may not move
+  /// on the boundary of a domain that is not a box; the vertex may not move
+  static constexpr Bits fixed = 64;
 
-  /// Whether motion along an axis (0, 1, 2) leaves the sides.
+  /// Returns whether motion along an axis (0, 1, 2) leaves the sides.
   static bool fixes(Bits sides, int axis) {
     return (sides & fixed) != 0 || (sides >> (2 * axis) & 3) != 0;
   }
 
-  /// Whether any motion leaves the sides, in a space of so many axes.
+  /// Returns whether any motion leaves the sides, in a space of the given dimension.
   static bool fixes_all(Bits sides, int dimension) {
     int axis = 0;
     while (axis < dimension && fixes(sides, axis))
@@ -37,7 +38,7 @@ struct Boundary_class
     return axis == dimension;
   }
 
-  /// Whether everything of a class is also on all sides of another one.
+  /// Returns whether the set `sides` contains all sides of the set `others`.
   static bool contains(Bits sides, Bits others) { return (sides & others) == others; }
 };
 

@@ -20,35 +20,38 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-A visitor by which averages over cells, such as densities or concentrations, follow changes of the
-mesh conservatively: the integral over the domain, the sum of averages times volumes, stays what it
-is up to rounding.
+Visitor that transfers averages over cells, such as densities or concentrations, when the mesh
+changes. The transfer is conservative: the integral over the domain, which is the sum of averages
+times volumes, stays the same up to rounding.
 
-<b>While there is such a visitor, the map holds integrals over cells</b>: the constructor multiplies
-all averages by the volumes of their cells, the destructor divides by those of then. In between, the
-map must not be written to. So that a deformation is a motion of what is in the cells, each carries
-its integral along: its average rises where it is compressed, and a cell that is relabeled gives
-what is in it to the other phase. A step of a simulation makes a visitor, deforms and improves, and
-is done with it.
+<b>While such a visitor exists, the map holds integrals over cells.</b> The constructor multiplies
+all averages by the volumes of their cells. The destructor divides by the volumes at that time. In
+between, the map must not be written to. During a deformation, each cell keeps its integral. The
+average of a compressed cell thus rises, and the content of a relabeled cell goes to the other
+phase. A time step of a simulation constructs a visitor, deforms and improves the mesh, and destroys
+the visitor.
 
-Where cells are replaced or a vertex is smoothed, what was in the old cells goes to the new ones of
-the same label. A new cell takes from each old one what their common volume had. If the interface
-is elsewhere, what was in old cells outside the new ones of their label fills, evenly, what those
-cover in addition; what there is no room for goes to all of them by volume. If there is no new cell
-of the label any more, the others take it. Thus
+When cells are replaced or a vertex is smoothed, the content of the old cells goes to the new cells
+of the same label. A new cell takes from each old cell the content of their intersection. If the
+interface has changed, some content lies in parts of old cells outside the new cells of their label.
+This content fills, evenly, the parts of the new cells outside the old cells of the label. If there
+are no such parts, the content is distributed over all new cells of the label by volume. If there is
+no new cell of the label, the cells of the other labels take the content. Hence:
 
 - each phase keeps its integral in all changes of the mesh that leave it a cell there;
 - where volumes of phases stay the same, a constant stays the same, up to rounding;
-- where the interface stays as it is, averages stay within the bounds of those replaced.
+- where the interface stays the same, averages stay within the bounds of the averages that they
+  replace.
 
-Rounding is that of volumes: relative to the quality of the thinnest cells for averages, relative to
-the largest magnitude for the integral.
+The rounding errors are those of the volumes. For averages, they are relative to the quality of the
+thinnest cells; for the integral, relative to the largest magnitude.
 
-\tparam Complex an instance of `Deformable_simplicial_complex_2` or `Deformable_simplicial_complex_3`
-\tparam CellValueMap model of `ReadWritePropertyMap` with the key type `Complex::Cell_handle`. It is
-        copied, and reads and writes of cells that there are must not throw. Cells that are gone
-        keep their values, and handles of new ones may equal those of old ones: identify cells by
-        their time stamps. Values can be added, `v + w`, and multiplied, `2. * v`.
+\tparam Complex an instance of `Deformable_simplicial_complex_2` or
+        `Deformable_simplicial_complex_3`
+\tparam CellValueMap model of `ReadWritePropertyMap` with the key type `Complex::Cell_handle`. The
+        visitor copies the map. Reads and writes for existing cells must not throw. Removed cells
+        keep their values, and handles of new cells may equal those of removed cells; identify cells
+        by their time stamps. Values can be added, `v + w`, and multiplied, `2. * v`.
 
 \cgalModels `DeformationVisitor`
 */
@@ -58,32 +61,33 @@ class Carried_cell_averages : public Deformation_visitor
 public:
   using Cell_handle = typename Complex::Cell_handle;     ///< cell of the complex
   using Vertex_handle = typename Complex::Vertex_handle; ///< vertex of the complex
-  using Point = typename Complex::Point;                 ///< as in the complex
-  using Cavity = typename Complex::Cavity;               ///< as in the complex
-  using Value = typename boost::property_traits<CellValueMap>::value_type; ///< an average
+  using Point = typename Complex::Point;                 ///< point of the complex
+  using Cavity = typename Complex::Cavity;               ///< cavity of the complex
+  using Value = typename boost::property_traits<CellValueMap>::value_type; ///< average over a cell
 
-  /// Turns the averages of all finite cells into integrals. The complex must outlive the visitor.
-  /// \pre each finite cell has a value. Linear in the number of cells.
+  /// Turns the averages of all finite cells into integrals. Linear in the number of cells. The
+  /// complex must outlive the visitor.
+  /// \pre each finite cell has a value
   Carried_cell_averages(const Complex& complex, const CellValueMap& averages)
       : m_complex(complex), m_values(averages) {
     for (Cell_handle c : m_complex.finite_cells())
       multiply(c, volume(c));
   }
 
-  /// Turns integrals into averages again, whether or not a deformation ended by an exception.
-  /// Linear in the number of cells.
+  /// Turns the integrals into averages again, also after an exception. Linear in the number of
+  /// cells.
   ~Carried_cell_averages() {
     for (Cell_handle c : m_complex.finite_cells())
       multiply(c, 1 / volume(c));
   }
 
-  /// Not to be copied: pass it by `std::ref()`.
+  /// Not copyable; pass the visitor by `std::ref()`.
   Carried_cell_averages(const Carried_cell_averages&) = delete;
-  /// Not to be copied: pass it by `std::ref()`.
+  /// Not copyable; pass the visitor by `std::ref()`.
   Carried_cell_averages& operator=(const Carried_cell_averages&) = delete;
 
-  /// Computes what will be in new cells. n log n in the number of old and new cells, plus the pairs
-  /// of them that overlap along the x-axis.
+  /// Computes the contents of the new cells. n log n in the number of old and new cells, plus the
+  /// number of pairs that overlap along the x-axis.
   void before_replacement(const Cavity& cavity) {
     begin(cavity.removed());
     for (const auto& t : cavity.planned())
@@ -95,11 +99,11 @@ public:
       }
     redistribute();
   }
-  /// Gives new cells their values.
+  /// Stores the contents of the new cells.
   void after_replacement(const Cavity& cavity) { put_contents(cavity.created()); }
 
-  /// Computes what will be in the cells around `v`. n log n in their number, plus the pairs of old
-  /// and new ones that overlap along the x-axis.
+  /// Computes the contents of the cells around `v` after the move. n log n in the number of these
+  /// cells, plus the number of pairs of old and new cells that overlap along the x-axis.
   void before_smoothing(Vertex_handle v, const std::vector<Cell_handle>& star,
                         const Point& target) {
     begin(star);
@@ -112,7 +116,7 @@ public:
       }
     redistribute();
   }
-  /// Gives the cells around the vertex their values.
+  /// Stores the contents of the cells around the vertex.
   void after_smoothing(Vertex_handle, const std::vector<Cell_handle>& star) { put_contents(star); }
 
 private:
@@ -125,7 +129,7 @@ private:
     return internal::positive_measure<Space>(internal::cell_corners(m_complex, c));
   }
 
-  // On a torus, all is seen from one place.
+  // Returns the image of p nearest to `m_middle`: on a torus, all images are taken near one place.
   typename Complex::Approximate_point near(const typename Complex::Approximate_point& p) const {
     return m_complex.domain().near(m_middle, p);
   }
@@ -135,7 +139,7 @@ private:
     put(m_values, c, product);
   }
 
-  // Begins with the contents of cells, and without targets.
+  // Starts a transfer with the contents of the given cells, and without targets.
   void begin(const std::vector<Cell_handle>& cells) {
     m_from.clear();
     m_to.clear();
@@ -156,7 +160,7 @@ private:
 
   void redistribute() { internal::redistribute_contents(m_from, m_to); }
 
-  // Finite cells have contents, in the order in which they are planned.
+  // Stores the contents of the finite cells, in the order in which they were planned.
   void put_contents(const std::vector<Cell_handle>& cells) {
     auto next = m_to.begin();
     for (Cell_handle c : cells)
@@ -167,7 +171,7 @@ private:
   const Complex& m_complex;
   CellValueMap m_values;
   std::vector<Simplex> m_from, m_to;
-  typename Complex::Approximate_point m_middle; // of what is replaced, about
+  typename Complex::Approximate_point m_middle; // near the cells that are replaced
 };
 
 } // namespace Deformable_simplicial_complexes

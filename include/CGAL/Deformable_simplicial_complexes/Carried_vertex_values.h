@@ -25,20 +25,21 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-A visitor by which values on vertices, such as temperatures, follow changes of the mesh. Values
-between vertices are those of the function that is linear in each cell. A vertex that is created, or
-that is moved by the improvement of the mesh, gets the value that this function had there: a linear
-function stays the same, up to rounding. All other vertices keep their values, also where they move
-with a deformation: values are carried along.
+Visitor that transfers values on vertices, such as temperatures, when the mesh changes. Between
+vertices, the values are those of the function that is linear in each cell. A vertex that is
+created, or moved by mesh optimization, gets the value of this function at its new position. Linear
+functions thus stay the same, up to rounding. All other vertices keep their values, also if a
+deformation moves them.
 
-Where the new position is outside the old cells, by rounding for the most part, the linear function
-of the nearest one goes on.
+If the new position is outside the old cells, mostly because of rounding, the linear function of the
+nearest cell is extrapolated.
 
-\tparam Complex an instance of `Deformable_simplicial_complex_2` or `Deformable_simplicial_complex_3`
+\tparam Complex an instance of `Deformable_simplicial_complex_2` or
+        `Deformable_simplicial_complex_3`
 \tparam VertexValueMap model of `ReadWritePropertyMap` with the key type `Complex::Vertex_handle`.
-        It is copied. Vertices that are gone keep their values, and handles of new ones may equal
-        those of old ones: identify vertices by their time stamps. Values can be added, `v + w`, and
-        multiplied, `2. * v`.
+        The visitor copies the map. Removed vertices keep their values, and handles of new vertices
+        may equal those of removed vertices; identify vertices by their time stamps. Values can be
+        added, `v + w`, and multiplied, `2. * v`.
 
 \cgalModels `DeformationVisitor`
 */
@@ -48,28 +49,30 @@ class Carried_vertex_values : public Deformation_visitor
 public:
   using Cell_handle = typename Complex::Cell_handle;     ///< cell of the complex
   using Vertex_handle = typename Complex::Vertex_handle; ///< vertex of the complex
-  using Point = typename Complex::Point;                 ///< as in the complex
-  using Cavity = typename Complex::Cavity;               ///< as in the complex
-  using Value = typename boost::property_traits<VertexValueMap>::value_type; ///< of a vertex
+  using Point = typename Complex::Point;                 ///< point of the complex
+  using Cavity = typename Complex::Cavity;               ///< cavity of the complex
+  using Value = typename boost::property_traits<VertexValueMap>::value_type; ///< value on a vertex
 
-  /// Reads and writes values when the mesh changes. The complex must outlive the visitor.
-  /// \pre each finite vertex has a value when the mesh changes around it. Constant time.
+  /// Constructs the visitor in constant time. It reads and writes values only when the mesh
+  /// changes. The complex must outlive the visitor.
+  /// \pre each finite vertex has a value when the mesh changes around it
   Carried_vertex_values(const Complex& complex, const VertexValueMap& values)
       : m_complex(complex), m_values(values) {}
 
-  /// The same for values that mean something in some cells only, such as those of a phase: linear
-  /// functions are those of these cells, where there are any around.
-  /// \param has_values `bool has_values(Cell_handle c)`, of a finite cell
+  /// Constructs the visitor for values that are defined only in some cells, such as the cells of a
+  /// phase. Where such cells are near, only their linear functions are used.
+  /// \param has_values `bool has_values(Cell_handle c)` with a finite cell `c`
   Carried_vertex_values(const Complex& complex, const VertexValueMap& values,
                         std::function<bool(Cell_handle)> has_values)
       : m_complex(complex), m_values(values), m_has_values(std::move(has_values)) {}
 
-  /// Not to be copied: pass it by `std::ref()`.
+  /// Not copyable; pass the visitor by `std::ref()`.
   Carried_vertex_values(const Carried_vertex_values&) = delete;
-  /// Not to be copied: pass it by `std::ref()`.
+  /// Not copyable; pass the visitor by `std::ref()`.
   Carried_vertex_values& operator=(const Carried_vertex_values&) = delete;
 
-  /// Interpolates values of new and of moved vertices, each in the number of removed cells.
+  /// Interpolates the values of new and of moved vertices, each in time linear in the number of
+  /// removed cells.
   void before_replacement(const Cavity& cavity) {
     m_interpolated.clear();
     for (std::size_t i = 0; i < cavity.vertices().size(); ++i) {
@@ -79,19 +82,19 @@ public:
         m_interpolated.emplace_back(i, interpolate(cavity.removed(), v.position));
     }
   }
-  /// Gives them their values.
+  /// Stores the interpolated values.
   void after_replacement(const Cavity& cavity) {
     for (const auto& [i, value] : m_interpolated)
       put(m_values, cavity.vertices()[i].handle, value);
   }
 
-  /// Interpolates the value at the target, in the number of cells around.
+  /// Interpolates the value at the target, in time linear in the number of cells around the vertex.
   void before_smoothing(Vertex_handle, const std::vector<Cell_handle>& star, const Point& target) {
     const auto position = m_complex.approximate(target);
     m_interpolated.clear();
     m_interpolated.emplace_back(0, interpolate(star, position));
   }
-  /// Gives it to the vertex.
+  /// Stores the interpolated value.
   void after_smoothing(Vertex_handle v, const std::vector<Cell_handle>&) {
     put(m_values, v, m_interpolated.front().second);
   }
@@ -100,8 +103,8 @@ private:
   using Position = typename Complex::Approximate_point;
   using Coordinates = std::array<double, Complex::corners>;
 
-  // The value at p of the function that is linear in each cell; that of the nearest vertex if
-  // rounding leaves no cell a volume.
+  // Returns the value at p of the function that is linear in each cell. Returns the value of the
+  // nearest vertex if all cells are flat up to rounding.
   Value interpolate(const std::vector<Cell_handle>& cells, const Position& p) const {
     Cell_handle nearest;
     Coordinates best{};
@@ -127,7 +130,8 @@ private:
     return result;
   }
 
-  // Their sum is 1; false if the cell has no volume but for rounding.
+  // Computes barycentric coordinates with the sum 1. Returns false if the cell is flat up to
+  // rounding.
   bool find_barycentric_coordinates(Cell_handle c, const Position& p, Coordinates& result) const {
     const auto corners = internal::cell_corners(m_complex, c, p);
     double sum = 0;
@@ -161,8 +165,8 @@ private:
 
   const Complex& m_complex;
   VertexValueMap m_values;
-  std::function<bool(Cell_handle)> m_has_values;             // empty for all
-  std::vector<std::pair<std::size_t, Value>> m_interpolated; // by vertex of the cavity
+  std::function<bool(Cell_handle)> m_has_values;             // empty if all cells have values
+  std::vector<std::pair<std::size_t, Value>> m_interpolated; // index and value
 };
 
 } // namespace Deformable_simplicial_complexes

@@ -19,72 +19,74 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /// \ingroup PkgDeformableSimplicialComplexesRef
-/// What a proposed replacement does to the vertices.
+/// The kind of a proposed replacement, by its effect on the vertices.
 enum class Proposal_kind {
-  flip,        ///< the vertices stay, other cells connect them
-  split,       ///< an edge gets a vertex: the last one of the cavity
-  collapse,    ///< a vertex vanishes into one at the other end of an edge
-  insertion,   ///< a cell gets a vertex: the last one of the cavity
-  replacement, ///< anything else: any number of vertices come, go and move
+  flip,        ///< the vertices stay, and other cells connect them
+  split,       ///< an edge gets a new vertex, the last one of the cavity
+  collapse,    ///< a vertex is merged into the vertex at the other end of an edge
+  insertion,   ///< a cell gets a new vertex, the last one of the cavity
+  replacement, ///< everything else: any vertices are created, removed or moved
 };
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
 A proposed replacement: cells to remove, cells to create in their place, and the worst quality
-before and after. A mesh operation fills a cavity without touching the complex;
-`Deformable_simplicial_complex_3::replace()` then commits it whole, or it is dropped. A cavity
-remembers what the complex was when it was begun: no other state of it takes the proposal.
+before and after. A mesh operation fills a cavity without changing the complex.
+`Labelled_complex::replace()` then commits the whole proposal, or the proposal is dropped. A cavity
+stores the version of the complex at its beginning. A proposal can be committed only to this
+version.
 
-Vertices have indices within the cavity. Those that have only removed cells may be moved, and vanish
-if no cell is planned for them. Infinite cells may take part; a planned cell with the infinite
-vertex has no orientation and no quality. If the planned cells have the boundary of the removed ones
-and all finite ones are positive, they fill exactly the same space: no further geometric test is
-needed.
+Vertices have indices within the cavity. A vertex whose cells are all removed may be moved. It
+vanishes if no planned cell contains it. Infinite cells may take part; a planned cell with the
+infinite vertex has no orientation and no quality. If the planned cells have the boundary of the
+removed cells and all finite planned cells are positive, they fill exactly the same space. No other
+geometric test is needed.
 
 \tparam Complex a deformable simplicial complex
 */
 template <class Complex> class Cavity
 {
 public:
-  static constexpr int corners = Complex::dimension + 1;         ///< of a cell
+  static constexpr int corners = Complex::dimension + 1;         ///< number of vertices of a cell
   using Vertex_handle = typename Complex::Vertex_handle;         ///< vertex of the complex
   using Cell_handle = typename Complex::Cell_handle;             ///< cell of the complex
-  using Point = typename Complex::Point;                         ///< as in the complex
+  using Point = typename Complex::Point;                         ///< point of the complex
   using Approximate_point = typename Complex::Approximate_point; ///< as in the complex
   using Index = std::uint32_t; ///< index of a vertex within the cavity, into `vertices()`
-  static constexpr Index none = Index(-1);    ///< no index
-  using Indices = std::array<Index, corners>; ///< the corners of a planned cell
+  static constexpr Index none = Index(-1);    ///< no vertex
+  using Indices = std::array<Index, corners>; ///< vertices of a planned cell
 
-  /// A vertex of the complex, or one to be created.
+  /// Vertex of the complex, or vertex to be created.
   struct Vertex
   {
-    Vertex_handle handle;        ///< null while the vertex is yet to be created
-    Point point;                 ///< where it is to be
-    Approximate_point position;  ///< the same, with coordinates of type `double`
+    Vertex_handle handle;        ///< null until the vertex is created
+    Point point;                 ///< position after the replacement
+    Approximate_point position;  ///< `point` with coordinates of type `double`
     std::uint8_t boundary_class; ///< see `Boundary_class`
   };
 
-  /// A cell to be created.
+  /// Cell to be created.
   struct Planned_cell
   {
-    Indices vertices;   ///< infinite ones may be among them
-    Cell_handle parent; ///< the removed cell whose label and component it inherits
+    Indices vertices;   ///< indices into `vertices()`; one of the vertices may be infinite
+    Cell_handle parent; ///< removed cell that passes on its label and its component
     double quality;     ///< infinity if a vertex is infinite
   };
 
-  using Tetrahedron = Planned_cell; ///< its name in three dimensions
+  using Tetrahedron = Planned_cell; ///< name of a planned cell in three dimensions
 
-  /// An empty cavity in a complex, which must outlive it, for a proposal to it as it is now.
+  /// Constructs an empty cavity for a proposal to the complex in its present version. The complex
+  /// must outlive the cavity.
   explicit Cavity(const Complex& complex) : m_complex(&complex), m_version(complex.version()) {}
 
-  /// Empties the cavity for a proposal to the complex as it is now. Keeps its memory.
+  /// Empties the cavity for a proposal to the complex in its present version. The memory is kept.
   void begin(Proposal_kind kind) {
     clear();
     m_kind = kind;
   }
 
-  /// The same, for a `Proposal_kind::replacement`.
+  /// Empties the cavity for a proposal of the kind `Proposal_kind::replacement`.
   void clear() {
     m_kind = Proposal_kind::replacement;
     m_version = m_complex->version();
@@ -97,15 +99,15 @@ public:
     m_quality_before = m_quality_after = std::numeric_limits<double>::infinity();
   }
 
-  /// The index of a vertex of the complex, `none` if it is none of the cavity.
+  /// Returns the index of a vertex of the complex; `none` if the cavity does not contain it.
   /// \pre the complex has not changed since the cavity was begun
   Index index_of(Vertex_handle v) const { return m_indices.find(v->id()); }
 
-  /// The index of v, which becomes a vertex of the cavity if it was none.
+  /// Adds v to the vertices of the cavity if it is not one of them. Returns its index.
   Index add(Vertex_handle v) {
     if (const Index known = index_of(v); known != none)
       return known;
-    if (m_complex->is_infinite(v)) // it is nowhere
+    if (m_complex->is_infinite(v)) // the infinite vertex has no position
       m_vertices.push_back({v, Point(), Approximate_point(), v->boundary_class()});
     else
       m_vertices.push_back({v, v->point(), m_complex->position(v), v->boundary_class()});
@@ -119,8 +121,9 @@ public:
     return index;
   }
 
-  /// The index of v, which is to be at p, rounded. To be called before cells are planned.
-  /// \pre all cells of v are removed, or p is where v is
+  /// Adds v to the vertices of the cavity, to be moved to p, rounded. Returns its index. Call this
+  /// function before cells are planned.
+  /// \pre all cells of v are removed, or p is the position of v
   Index add(Vertex_handle v, const Point& p) {
     const Index index = add(v);
     m_vertices[index].point = m_complex->rounded(p);
@@ -128,7 +131,7 @@ public:
     return index;
   }
 
-  /// The index of a vertex to be created at p, rounded.
+  /// Adds a vertex to be created at p, rounded. Returns its index.
   Index add(const Point& p, std::uint8_t boundary_class) {
     const Point rounded = m_complex->rounded(p);
     m_vertices.push_back(
@@ -136,7 +139,7 @@ public:
     return Index(m_vertices.size() - 1);
   }
 
-  /// Plans the removal of a cell, whose vertices become vertices of the cavity.
+  /// Plans the removal of a cell, and adds its vertices to the cavity.
   void remove(Cell_handle c) {
     for (int i = 0; i < corners; ++i)
       add(c->vertex(i));
@@ -145,13 +148,13 @@ public:
       m_quality_before = (std::min)(m_quality_before, c->quality());
   }
 
-  /// Tells that the vertex v, all of whose cells are removed, collapses into `kept`.
+  /// Declares that v collapses into `kept`. All cells of v are removed.
   void collapse(Vertex_handle v, Vertex_handle kept) {
     m_vanishing_vertex = v;
     m_kept_vertex = kept;
   }
 
-  /// Plans a cell in the place of `parent`, a removed one. Returns its quality.
+  /// Plans a cell in the place of the removed cell `parent`. Returns its quality.
   double create(const Indices& vertices, Cell_handle parent) {
     const double quality = this->quality(vertices);
     m_planned.push_back({vertices, parent, quality});
@@ -159,13 +162,13 @@ public:
     return quality;
   }
 
-  /// Whether the infinite vertex is among cavity vertices.
+  /// Returns whether one of the cavity vertices is the infinite vertex.
   bool is_infinite(const Indices& cell) const {
     return std::any_of(cell.begin(), cell.end(),
                        [&](Index i) { return m_complex->is_infinite(m_vertices[i].handle); });
   }
 
-  /// Quality of a cell of cavity vertices by the measure of the complex.
+  /// Returns the quality of a cell of cavity vertices, by the measure of the complex.
   double quality(const Indices& cell) const {
     if (is_infinite(cell))
       return std::numeric_limits<double>::infinity();
@@ -174,51 +177,52 @@ public:
         [&](int i) -> const Approximate_point& { return m_vertices[cell[i]].position; });
   }
 
-  /// Whether all finite planned cells are positively oriented, exactly.
+  /// Returns whether all finite planned cells are positively oriented, exactly.
   bool is_positive() const {
     return std::all_of(m_planned.begin(), m_planned.end(), [&](const Planned_cell& cell) {
       return is_infinite(cell.vertices) || is_positive(cell.vertices);
     });
   }
 
-  /// Returns whether the worst planned cell keeps the quality of the worst removed one, see
+  /// Returns whether the worst planned cell keeps the quality of the worst removed cell, see
   /// `Labelled_complex::keeps_quality()`.
   bool keeps_quality() const { return Complex::keeps_quality(m_quality_before, m_quality_after); }
 
   /// Returns whether the planned cells keep the quality and are positively oriented.
   bool is_admissible() const { return keeps_quality() && is_positive(); }
 
-  /// Whether a cell of finite cavity vertices is positively oriented, exactly.
+  /// Returns whether a cell of finite cavity vertices is positively oriented, exactly.
   bool is_positive(const Indices& cell) const {
     return m_complex->domain().orientation(*m_complex, [&](int i) -> const Point& {
       return m_vertices[cell[i]].point;
     }) == POSITIVE;
   }
 
-  /// What the proposal does to the vertices.
+  /// Returns the kind of the proposal.
   Proposal_kind kind() const { return m_kind; }
-  /// `Complex::version()` when the cavity was begun.
+  /// Returns the `Complex::version()` at which the cavity was begun.
   std::uint64_t version() const { return m_version; }
 
-  /// Worst quality of the removed cells; infinity if there is none.
+  /// Returns the worst quality of the removed finite cells; infinity if there is none.
   double quality_before() const { return m_quality_before; }
-  /// Worst quality of the planned cells; infinity if there is none.
+  /// Returns the worst quality of the planned finite cells; infinity if there is none.
   double quality_after() const { return m_quality_after; }
 
-  /// The vertices of the cavity by their indices.
+  /// Returns the vertices of the cavity, by index.
   const std::vector<Vertex>& vertices() const { return m_vertices; }
-  /// The cells to be removed, infinite ones included; no longer there after a commit.
+  /// Returns the cells to be removed, infinite ones included. They do not exist any more after a
+  /// commit.
   const std::vector<Cell_handle>& removed() const { return m_removed; }
-  /// The cells to be created, in the order of the calls of `create()`.
+  /// Returns the cells to be created, in the order of the calls of `create()`.
   const std::vector<Planned_cell>& planned() const { return m_planned; }
-  /// The same, by their name in three dimensions.
+  /// Returns `planned()`, by its name in three dimensions.
   const std::vector<Planned_cell>& tetrahedra() const { return m_planned; }
-  /// The vertex that collapses, null if there is none.
+  /// Returns the vertex that collapses; null if there is none.
   Vertex_handle vanishing_vertex() const { return m_vanishing_vertex; }
-  /// The vertex that it collapses into, null if there is none.
+  /// Returns the vertex that `vanishing_vertex()` collapses into; null if there is none.
   Vertex_handle kept_vertex() const { return m_kept_vertex; }
 
-  /// The cells that a commit made, parallel to `planned()`; empty before.
+  /// Returns the cells that a commit created, parallel to `planned()`; empty before a commit.
   const std::vector<Cell_handle>& created() const { return m_created; }
 
 private:
@@ -228,7 +232,7 @@ private:
   Proposal_kind m_kind = Proposal_kind::replacement;
   std::uint64_t m_version;
   std::vector<Vertex> m_vertices;
-  internal::Id_map m_indices; // of those that exist
+  internal::Id_map m_indices; // of the vertices that exist in the complex
   std::vector<Cell_handle> m_removed;
   std::vector<Planned_cell> m_planned;
   std::vector<Cell_handle> m_created;

@@ -16,13 +16,14 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-What was tried with a cell in vain: a part of what a cell carries in any dimension, by itself as a
-byte fits in where the rest of a cell does not.
+Record of failed attempts to improve a cell. It is a class of its own since a single byte fits into
+a gap of the memory layout of a cell.
 */
 class Cell_failures
 {
 public:
-  /// What was tried in vain since motion last changed the shape of the cell, as bits.
+  /// Returns the kinds of attempts that have failed since motion last changed the shape of the
+  /// cell, as bits.
   std::uint8_t failures() const { return m_failures; }
   /// Sets `failures()`.
   void set_failures(std::uint8_t bits) { m_failures = bits; }
@@ -34,43 +35,42 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-What a cell of a deformable simplicial complex carries in any dimension: a label, the quality cached
-by the complex, the connected component of its label that it belongs to, a time stamp that orders
-cells by creation, and an id. The setters are for the complex; calling them from outside breaks what
-it caches.
+Data of a cell of a deformable simplicial complex, in any dimension: a label, the cached quality,
+the connected component of the label, a time stamp that orders cells by creation, and an id. Only
+the complex may call the setters, since they change values that it caches.
 */
 class Cell_data
 {
 public:
-  using Has_timestamp = Tag_true; ///< makes the container of the cells number them
+  using Has_timestamp = Tag_true; ///< tells the container to number the cells
 
-  /// The number in the order of creation; `std::size_t(-1)` for a cell outside a container.
+  /// Returns the number in the order of creation; `std::size_t(-1)` for a cell outside a container.
   std::size_t time_stamp() const { return m_time_stamp; }
   /// Sets `time_stamp()`.
   void set_time_stamp(std::size_t stamp) { m_time_stamp = stamp; }
 
-  /// An index into arrays beside the complex, below its `cell_id_bound()`. Cells that are created
-  /// get ids of those that were removed.
+  /// Returns an index into arrays beside the complex, less than its `cell_id_bound()`. New cells
+  /// get the ids of removed cells.
   std::uint32_t id() const { return m_id; }
   /// Sets `id()`.
   void set_id(std::uint32_t id) { m_id = id; }
 
-  /// The phase that fills the cell; 0 for infinite cells, where it means nothing.
+  /// Returns the phase that fills the cell. It is 0 for infinite cells, where it has no meaning.
   int label() const { return m_label; }
   /// Sets `label()`.
   void set_label(int label) { m_label = label; }
 
-  /// Quality by the measure of the complex, as of the last change of the cell.
+  /// Returns the quality by the measure of the complex, at the last change of the cell.
   double quality() const { return m_quality; }
   /// Sets `quality()`.
   void set_quality(double quality) { m_quality = quality; }
 
-  /// Identifies the connected component of the label.
+  /// Returns the number of the connected component of the label.
   std::uint32_t component() const { return m_component; }
   /// Sets `component()`.
   void set_component(std::uint32_t component) { m_component = component; }
 
-  /// Quality when the shape of the cell last changed essentially, by motion or by smoothing.
+  /// Returns the quality at the last essential change of the cell's shape by motion or smoothing.
   float noted_quality() const { return m_noted_quality; }
   /// Sets `noted_quality()`.
   void set_noted_quality(float quality) { m_noted_quality = quality; }

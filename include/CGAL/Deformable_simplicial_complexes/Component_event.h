@@ -13,30 +13,31 @@ namespace Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
-What became of connected components of a label between two looks at them. Components that merge
-while they split give two events with the same parts.
+A change of connected components of a label between two calls. If components merge and split at the
+same time, two events with the same components are reported.
 */
 struct Component_event
 {
-  /// What happened.
+  /// Kind of the change.
   enum class Kind {
     merged,   ///< several components became one
-    split,    ///< a component fell into several
-    vanished, ///< no cell is left of a component
-    appeared  ///< a component comes from none
+    split,    ///< one component was divided into several
+    vanished, ///< no cell of a component is left
+    appeared  ///< a component has no predecessor
   };
 
-  /// A component that took part.
+  /// Component that took part in the change.
   struct Part
   {
-    std::uint32_t component; ///< the `component()` of its cells, at the look before or now
-    double volume; ///< just before the change, or after it, in the coordinates of the complex
+    std::uint32_t component; ///< `component()` of its cells, at the previous or at the present call
+    /// volume just before or just after the change, in the coordinates of the complex
+    double volume;
   };
 
-  Kind kind;                ///< what happened
-  int label;                ///< whose components these are
-  std::vector<Part> before; ///< by number; empty if a component appeared
-  std::vector<Part> after;  ///< by number; empty if a component vanished
+  Kind kind;                ///< kind of the change
+  int label;                ///< label of the components
+  std::vector<Part> before; ///< components before, by number; empty if a component appeared
+  std::vector<Part> after;  ///< components after, by number; empty if a component vanished
 };
 
 } // namespace Deformable_simplicial_complexes

@@ -38,33 +38,34 @@ template <class Complex> class Interface_adaptation;
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Lengths of edges by the curvature of an interface, as it is when the field is made: an edge of
-length h lies up to about \f$\kappa h^2 / 8\f$ below a surface that bends with the curvature
-\f$\kappa\f$ along it, and that is to be a given tolerance. Between vertices, the length of the
-nearest one holds. For `improve_interface()` and `control_detail()`.
+Sizing field for `improve_interface()` and `control_detail()` that follows the curvature of an
+interface. The curvature is that of the interface at construction. An edge of length h lies up to
+about \f$\kappa h^2 / 8\f$ below a surface with the curvature \f$\kappa\f$ along the edge. The
+target edge length is the h for which this distance is a given tolerance. A point gets the target
+edge length of the nearest vertex.
 
 \tparam d the dimension
 */
 template <int d> class Curvature_sizing_field
 {
 public:
-  /// A point in the coordinates of the complex.
+  /// Point in the coordinates of the complex.
   using Point = std::conditional_t<d == 2, Simple_cartesian<double>::Point_2,
                                    Simple_cartesian<double>::Point_3>;
 
   /*!
-  Estimates the curvatures from the normals of the vertices, but for those on sharp edges and on
-  lines where more than two labels meet, which have none.
+  Estimates the curvatures from the normals of the vertices. Vertices on sharp edges and on lines
+  where more than two labels meet have no normal, and no curvature is estimated there.
 
-  \param dsc the complex.
-  \param tolerance distance between edges and surface, positive.
-  \param shortest, longest bounds on the lengths, positive. Far from the interface, too.
-  \param gradation by how much lengths may differ from vertex to vertex along an edge of the
-         interface, by the length of that edge, positive.
-  \param feature_angle edges are sharp where the normals of their facets differ by more, in degrees,
-         in [0, 180]; with 180, none is.
-  \throws Error if a parameter is out of its range, or `shortest`
-          is more than `longest`.
+  \param dsc the complex
+  \param tolerance distance between edges and surface, positive
+  \param shortest, longest bounds on the target edge lengths, positive; they also hold far from the
+         interface
+  \param gradation largest difference of target edge lengths of the two ends of an interface edge,
+         divided by the length of that edge; positive
+  \param feature_angle an edge is sharp if the normals of its facets differ by a larger angle, in
+         degrees, in [0, 180]; with 180, no edge is sharp
+  \throws Error if a parameter is out of its range, or if `shortest` is larger than `longest`
 
   n log n in the size of the interface.
   */
@@ -85,11 +86,11 @@ public:
         Curvature_sizing_field(interface_, positions, lengths.graded(longest, gradation), longest);
   }
 
-  /// The wanted length of an edge at p: that of the nearest vertex, or the shorter one of the
-  /// nearest two if they are equally near, as the ends of the edge are. Logarithmic in the size of
-  /// the interface.
+  /// Returns the target edge length at p, which is that of the nearest vertex. If two vertices are
+  /// equally near, such as the ends of an edge at its midpoint, it is the shorter one. Logarithmic
+  /// in the size of the interface.
   double operator()(const Point& p) const {
-    static constexpr double same = 1 + 1e-6; // ratio of squared distances that rounding may change
+    static constexpr double same = 1 + 1e-6; // ratio of squared distances within rounding
     double result = m_longest, nearest = std::numeric_limits<double>::infinity();
     for (const Point& image : images(p)) {
       if (m_tree->empty())
@@ -110,7 +111,7 @@ public:
 private:
   template <class> friend class Interface_adaptation;
 
-  // Of known lengths of the vertices of an interface.
+  // Constructs the field from known target edge lengths of the vertices of an interface.
   template <class Snapshot>
   Curvature_sizing_field(const Snapshot& interface_, const std::vector<Point>& positions,
                          const std::vector<double>& lengths, double longest)
@@ -131,7 +132,8 @@ private:
   using Search = Orthogonal_k_neighbor_search<Tree_traits>;
   using Tree = typename Search::Tree;
 
-  // On a torus, the image of a point in the box and those that may be nearer to a point of the box.
+  // Returns the points to search from. On a torus, these are the image of p in the box and the
+  // images that may be nearer to a point of the box.
   std::vector<Point> images(const Point& p) const {
     auto inside = coordinates_of<d>(p);
     for (int i = 0; i < d; ++i)
@@ -148,9 +150,9 @@ private:
     return result;
   }
 
-  std::shared_ptr<Tree> m_tree; // shared by copies, and never changed
+  std::shared_ptr<Tree> m_tree; // shared by copies, never changed
   double m_longest = 0;
-  std::array<double, d> m_periods = {}; // of a torus
+  std::array<double, d> m_periods = {}; // of a torus; 0 in a ball
 };
 
 } // namespace Deformable_simplicial_complexes

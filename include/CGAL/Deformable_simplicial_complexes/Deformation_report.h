@@ -17,82 +17,86 @@ namespace Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
-What a deformation did: nothing is silently lost.
-\tparam Complex an instance of `Deformable_simplicial_complex_3`
+Report of a deformation. It names everything that was not reached or was lost.
+\tparam Complex a deformable simplicial complex
 */
 template <class Complex> struct Deformation_report
 {
-  /// A vertex that fell short of its destination.
+  /// Vertex that did not reach its destination.
   struct Unfinished_vertex
   {
-    typename Complex::Vertex_handle vertex; ///< on the interface
-    double distance;                        ///< from where it is to its destination
+    typename Complex::Vertex_handle vertex; ///< vertex of the interface
+    double distance;                        ///< length of the remaining displacement
   };
 
-  /// A cell whose quality is below `Complex::quality_floor`.
+  /// Cell whose quality is below `Complex::quality_floor`.
   struct Flat_cell
   {
     typename Complex::Cell_handle cell; ///< a finite cell
     double quality;                     ///< by the measure of the complex
   };
 
-  /// What became of a label: its components, and its volume in the coordinates of the complex.
+  /// Change of a label: numbers of its components, and volumes in the coordinates of the complex.
   struct Label_change
   {
-    typename Complex::Label label = 0; ///< whose components these are
+    typename Complex::Label label = 0; ///< label of the components
     std::size_t before = 0;            ///< number of components before
     std::size_t after = 0;             ///< number of components after
-    std::size_t merged = 0;   ///< components that others merged into: before + split + appeared =
-                              ///< after + merged + vanished
-    std::size_t split = 0;    ///< components that fell off others
+    /// components that merged into others; before + split + appeared = after + merged + vanished
+    std::size_t merged = 0;
+    std::size_t split = 0;    ///< components that separated from others
     std::size_t vanished = 0; ///< components of which no cell is left
-    std::size_t appeared = 0; ///< components that come from none
-    double volume_before = 0; ///< 0 if the label was not there
-    double volume_after = 0;  ///< 0 if the label is gone
+    std::size_t appeared = 0; ///< components without a predecessor
+    double volume_before = 0; ///< 0 if the label had no cell
+    double volume_after = 0;  ///< 0 if the label has no cell any more
   };
 
-  /// Where the time went, by the wall clock.
+  /// Wall-clock time of each phase, in seconds.
   struct Seconds
   {
-    double extension = 0;    ///< finding how space follows the interface
+    double extension = 0;    ///< computing the extension of the displacement
     double motion = 0;       ///< moving vertices, and finding facets that degenerate
-    double relabeling = 0;   ///< of cells that have become flat
-    double obstacles = 0;    ///< removing what keeps vertices from their destinations
-    double improvement = 0;  ///< of cells that have become bad
-    double small_angles = 0; ///< removing them in the end
-    double rest = 0;         ///< beginning and end
+    double relabeling = 0;   ///< relabeling flat cells
+    double obstacles = 0;    ///< removing obstacles between vertices and their destinations
+    double improvement = 0;  ///< improving cells of low quality
+    double small_angles = 0; ///< removing small angles at the end
+    double rest = 0;         ///< beginning and end of the deformation
   };
 
   bool complete = true;                      ///< whether `unfinished` is empty
-  std::vector<Unfinished_vertex> unfinished; ///< by time stamp
-  std::vector<Flat_cell> flat;               ///< all of the complex, in the end, by time stamp
-  /// vertices that were removed or left the interface, by a merge or a collapse, before they
+  std::vector<Unfinished_vertex> unfinished; ///< by increasing time stamp
+  /// all flat cells of the complex at the end, by increasing time stamp
+  std::vector<Flat_cell> flat;
+  /// number of vertices that a merge or a collapse removed, or took off the interface, before they
   /// arrived
   std::size_t vanished = 0;
-  /// vertices whose destinations lay outside the domain, a box: each was sent to the nearest point
-  /// of the box instead
+  /// number of vertices with destinations outside the domain, a box; each was sent to the nearest
+  /// point of the box
   std::size_t stopped_at_boundary = 0;
-  unsigned passes = 0;  ///< executions of the main loop of Algorithm 1
-  bool stopped = false; ///< whether the visitor ended it: `go_further()` was false
+  unsigned passes = 0; ///< executions of the main loop of Algorithm 1
+  /// whether the visitor ended the deformation: `go_further()` returned false
+  bool stopped = false;
   /// \var split
-  /// edges split
+  /// number of edges split
   /// \var collapsed
-  /// edges collapsed, on the interface or off it
+  /// number of edges collapsed, on the interface or off it
   /// \var flipped
-  /// edges, sets of facets, and edges of the interface removed
+  /// number of edges, sets of facets, and edges of the interface removed
   /// \var smoothed
-  /// vertices smoothed
+  /// number of vertices smoothed
   /// \var inserted
-  /// vertices inserted into cells
+  /// number of vertices inserted into cells
   std::size_t split = 0, collapsed = 0, flipped = 0, smoothed = 0, inserted = 0;
-  /// vertices of the interface that were moved, from where they had come, to remove small angles:
-  /// by a twentieth of the mean edge there, a quarter at most
+  /// number of vertices of the interface that were moved away from the positions that they had
+  /// reached, to remove small angles; by a twentieth of the mean edge length there, by a quarter at
+  /// most
   std::size_t relocated = 0;
-  std::size_t relabeled = 0;        ///< cells that changed their label
-  std::vector<Label_change> labels; ///< one for each label of before or after, increasing
-  std::vector<Topology_event<Complex>> events;       ///< by pass
-  std::vector<Neighbor_exchange<Complex>> exchanges; ///< in the plane only, in the end
-  Seconds seconds;                                   ///< what alone differs from run to run
+  std::size_t relabeled = 0;        ///< number of cells that changed their label
+  std::vector<Label_change> labels; ///< one for each label before or after, by increasing label
+  std::vector<Topology_event<Complex>> events;       ///< by increasing pass
+  std::vector<Neighbor_exchange<Complex>> exchanges; ///< in 2D only, found at the end
+  /// wall-clock times, the only member that differs from run to run
+  Seconds seconds;
 };
 
 } // namespace Deformable_simplicial_complexes

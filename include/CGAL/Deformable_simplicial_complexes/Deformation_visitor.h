@@ -11,50 +11,53 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Does nothing when the mesh changes: the default visitor and a base for others, which hide the
-functions they are interested in. Pass a visitor by `std::ref` to see its state afterwards. No
-function may change the complex.
+Visitor that does nothing when the mesh changes. It is the default visitor, and a base class of
+other visitors, which hide the functions that they need. Pass a visitor by `std::ref` to read its
+state afterwards. No function may change the complex.
 
 \cgalModels `DeformationVisitor`
 */
 struct Deformation_visitor
 {
-  /// The planned tetrahedra of `cavity` are about to replace its cells, which are still there.
+  /// Called before the planned cells of `cavity` replace its removed cells, which still exist.
   template <class Cavity> void before_replacement(const Cavity& /*cavity*/) {}
 
-  /// They have replaced them, and are `cavity.created()`.
+  /// Called after the planned cells replaced the removed ones; the new cells are
+  /// `cavity.created()`.
   template <class Cavity> void after_replacement(const Cavity& /*cavity*/) {}
 
-  /// `v`, the center of `star`, is about to move to `target` for the sake of the mesh.
+  /// Called before mesh optimization moves `v`, the center of `star`, to `target`.
   template <class Vertex_handle, class Star, class Point_3>
   void before_smoothing(Vertex_handle /*v*/, const Star& /*star*/, const Point_3& /*target*/) {}
 
-  /// `v` has moved there.
+  /// Called after mesh optimization moved `v`, the center of `star`.
   template <class Vertex_handle, class Star>
   void after_smoothing(Vertex_handle /*v*/, const Star& /*star*/) {}
 
-  /// `v` was created on the edge between `a` and `b`.
+  /// Called after `v` was created on the edge between `a` and `b`.
   template <class Vertex_handle>
   void after_split(Vertex_handle /*v*/, Vertex_handle /*a*/, Vertex_handle /*b*/) {}
 
-  /// `v` was created among the cells that are its star now, maybe with vertices around it.
+  /// Called after `v` was created. The cells around it are new, and some of their other vertices
+  /// may be new, too.
   template <class Vertex_handle> void after_insertion(Vertex_handle /*v*/) {}
 
-  /// `removed` is about to disappear into `kept`; both are still there.
+  /// Called before `removed` collapses into `kept`; both still exist.
   template <class Vertex_handle>
   void before_collapse(Vertex_handle /*removed*/, Vertex_handle /*kept*/) {}
 
-  /// `cells` have replaced others: an edge, facets, or an edge of the interface was removed, or the
-  /// surroundings of a cell were improved as a whole.
+  /// Called after `cells` replaced others: an edge, facets, or an edge of the interface was
+  /// removed, or the cells around a cell were replaced as a whole.
   template <class Cells> void after_flip(const Cells& /*cells*/) {}
 
-  /// `cell` had the label `before`.
+  /// Called after the label of `cell` changed from `before`.
   template <class Cell_handle> void after_relabel(Cell_handle /*cell*/, int /*before*/) {}
 
-  /// Components merged, split, vanished or appeared in a pass that has ended.
+  /// Called at the end of a pass in which components merged, split, vanished or appeared.
   template <class Event> void after_topology_event(const Event& /*event*/) {}
 
-  /// Asked before each pass of a deformation, the first one being 1; false ends it as incomplete.
+  /// Called before each pass of a deformation; the first pass is 1. If it returns false, the
+  /// deformation ends and is incomplete.
   bool go_further(unsigned /*pass*/) { return true; }
 };
 

@@ -12,8 +12,8 @@ namespace Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
-What was done to the mesh. Where the surroundings of a cell were replaced whole, that counts as one
-flip, and vertices that are new, gone or elsewhere as inserted, collapsed or smoothed.
+Numbers of changes of the mesh. If the cells around a cell were replaced as a whole, this counts as
+one flip. Vertices created, removed or moved thereby count as inserted, collapsed or smoothed.
 */
 struct Improvement_report
 {
@@ -23,7 +23,7 @@ struct Improvement_report
   std::size_t smoothed = 0;  ///< vertices smoothed
   std::size_t inserted = 0;  ///< vertices inserted into cells
 
-  /// What was done in both.
+  /// Returns the sums of the numbers.
   friend Improvement_report operator+(Improvement_report a, const Improvement_report& b) {
     a.split += b.split;
     a.collapsed += b.collapsed;

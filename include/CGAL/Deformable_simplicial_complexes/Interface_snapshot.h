@@ -17,8 +17,8 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-The vertices of an interface, numbered, as velocities see them. Positions are kept apart: an
-integrator asks for velocities at positions that the vertices never take.
+The vertices of an interface, numbered, as seen by velocities. Positions are stored separately,
+since an integrator evaluates velocities at positions where the vertices never are.
 
 \tparam Complex_ a deformable simplicial complex
 */
@@ -26,20 +26,20 @@ template <class Complex_> struct Interface_vertices
 {
   using Complex = Complex_; ///< the complex
 
-  /// A facet of the interface; its vertices are indices into `vertices`.
+  /// Facet of the interface. Its vertices are indices into `vertices`.
   struct Facet
   {
-    std::array<std::size_t, Complex::dimension> vertices; ///< counterclockwise seen from the front,
-                                                          ///< or the larger label on the left
-    typename Complex::Label behind;                       ///< the larger label
-    typename Complex::Label in_front;                     ///< the smaller label
+    /// counterclockwise seen from the front in 3D; with the larger label on the left in 2D
+    std::array<std::size_t, Complex::dimension> vertices;
+    typename Complex::Label behind;   ///< the larger label
+    typename Complex::Label in_front; ///< the smaller label
   };
 
   std::vector<typename Complex::Vertex_handle> vertices; ///< by increasing time stamp
   typename Complex::Domain
-      domain; ///< of the complex: on a torus, facets see images of their vertices
+      domain; ///< domain of the complex; on a torus, facets see images of their vertices
 
-  /// Where the vertices are.
+  /// Returns the positions of the vertices.
   std::vector<typename Complex::Approximate_point> positions(const Complex& complex) const {
     std::vector<typename Complex::Approximate_point> result;
     for (auto v : vertices)
@@ -47,12 +47,13 @@ template <class Complex_> struct Interface_vertices
     return result;
   }
 
-  /// Takes them. n log n in their number, plus a pass over the vertices.
+  /// Lists the vertices of the interface. n log n in their number, plus linear in the number of
+  /// vertices of the complex.
   explicit Interface_vertices(const Complex& complex)
       : vertices(complex.interface_vertices()), domain(complex.domain()) {}
 
 protected:
-  /// The facets, in the order of `interface_facets()`.
+  /// Returns the facets, in the order of `interface_facets()`.
   std::vector<Facet> facets_of(const Complex& complex) const {
     std::vector<Facet> result;
     const Vertex_numbers numbers(complex, vertices);
@@ -69,40 +70,41 @@ protected:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-The vertices and facets of an interface: `Interface_snapshot`, `Interface_snapshot`.
+The vertices and facets of an interface. The specializations for the dimensions 2 and 3 name the
+facets `segments` and `triangles`.
 
 \tparam Complex a deformable simplicial complex
-\tparam dimension its dimension
+\tparam dimension the dimension of the complex
 */
 template <class Complex, int dimension = Complex::dimension> struct Interface_snapshot;
 
-/// The vertices and facets of an interface in space.
+/// Vertices and facets of an interface in 3D.
 template <class Complex> struct Interface_snapshot<Complex, 3> : public Interface_vertices<Complex>
 {
   using Triangle = typename Interface_vertices<Complex>::Facet; ///< a facet
 
   std::vector<Triangle> triangles; ///< in the order of `interface_facets()`
 
-  /// Takes the snapshot. n log n in the size of the interface, plus a pass over the cells.
+  /// Takes the snapshot. n log n in the size of the interface, plus linear in the number of cells.
   explicit Interface_snapshot(const Complex& complex)
       : Interface_vertices<Complex>(complex), triangles(this->facets_of(complex)) {}
 
-  /// The triangles, by the name that holds in any dimension.
+  /// Returns the triangles, by the name for any dimension.
   const std::vector<Triangle>& facets() const { return triangles; }
 };
 
-/// The vertices and edges of an interface in the plane.
+/// Vertices and facets of an interface in 2D.
 template <class Complex> struct Interface_snapshot<Complex, 2> : public Interface_vertices<Complex>
 {
   using Segment = typename Interface_vertices<Complex>::Facet; ///< a facet
 
   std::vector<Segment> segments; ///< in the order of `interface_facets()`
 
-  /// Takes the snapshot. n log n in the size of the interface, plus a pass over the cells.
+  /// Takes the snapshot. n log n in the size of the interface, plus linear in the number of cells.
   explicit Interface_snapshot(const Complex& complex)
       : Interface_vertices<Complex>(complex), segments(this->facets_of(complex)) {}
 
-  /// The segments, by the name that holds in any dimension.
+  /// Returns the segments, by the name for any dimension.
   const std::vector<Segment>& facets() const { return segments; }
 };
 

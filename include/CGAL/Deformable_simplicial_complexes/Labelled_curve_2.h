@@ -17,19 +17,19 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-is a set of segments that bound a region of the plane, together with the label of that region: the
-twin of `Labelled_surface_3`. Segments may be in any order and have any direction: what is inside is
-decided by how often they are crossed on the way in.
+A set of segments that bound a region of the plane, and the label of the region. The class
+`Labelled_surface_3` is the counterpart in space. Segments may have any order and any direction. A
+point is inside if a path from the outside crosses an odd number of segments.
 
-\tparam Point is a point type such as `Deformable_simplicial_complex_2::Point_2`.
+\tparam Point a point type, such as `Deformable_simplicial_complex_2::Point_2`
 */
 template <class Point> struct Labelled_curve_2
 {
-  std::vector<Point> points;                        ///< the ends of the segments
+  std::vector<Point> points;                        ///< ends of the segments
   std::vector<std::array<std::size_t, 2>> segments; ///< indices into `points`
-  int label = 1;                                    ///< the label of the region; 0 is the outside
+  int label = 1;                                    ///< label of the region; 0 is the outside
 
-  /// Adds a closed polyline, whose last point is joined to the first, or is equal to it.
+  /// Adds a closed polyline. The last point is connected with the first one, or equal to it.
   template <class Points> void add_polyline(const Points& polyline) {
     const std::size_t first = points.size();
     points.insert(points.end(), polyline.begin(), polyline.end());
@@ -39,7 +39,7 @@ template <class Point> struct Labelled_curve_2
       segments.push_back({i, i + 1 < points.size() ? i + 1 : first});
   }
 
-  /// Adds the boundaries of a polygon with holes. \pre it is bounded
+  /// Adds the boundaries of a polygon with holes. \pre the polygon is bounded
   template <class Kernel, class Container>
   void add_polygon(const Polygon_with_holes_2<Kernel, Container>& polygon) {
     add_polyline(polygon.outer_boundary());

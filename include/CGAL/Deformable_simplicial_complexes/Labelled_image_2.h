@@ -18,19 +18,24 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-is an image of labels, to make a complex from by `make_deformable_simplicial_complex_2()`: pixels
-are squares of side 1, the lower left corner of the image being the origin.
+An image of labels, input of `make_deformable_simplicial_complex_2()`. Pixels are squares of side 1.
+The lower left corner of the image is the origin.
 */
 struct Labelled_image_2
 {
+  /// \var width
+  /// number of pixels in a row
+  /// \var height
+  /// number of rows of pixels
   std::size_t width = 0, height = 0;
-  std::vector<int> labels; ///< row by row from above, each from left to right
+  std::vector<int> labels; ///< row by row from top to bottom, each from left to right
 
-  /// The rectangle of all pixels.
+  /// Returns the rectangle of all pixels.
   Bbox_2 bbox() const { return {0, 0, double(width), double(height)}; }
 
-  /// The label of the pixel that p is in; of the nearest if it is outside. \pre there is a pixel,
-  /// each has a label, and p has no NaN
+  /// Returns the label of the pixel that contains p; if p is outside the image, of the nearest
+  /// pixel.
+  /// \pre there is at least one pixel, each pixel has a label, and no coordinate of p is NaN
   template <class Point> int operator()(const Point& p) const {
     const auto index = [](double x, std::size_t n) {
       return std::size_t((std::min)((std::max)(std::floor(x), 0.), double(n - 1)));

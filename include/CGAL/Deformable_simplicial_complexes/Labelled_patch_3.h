@@ -15,17 +15,18 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-is a triangle soup that separates labels, such as the wall between two materials, together with the
-labels on its sides. Triangles are all turned the same way.
+A triangle soup that separates two labels, such as the wall between two materials, and the labels on
+its two sides. All triangles are oriented consistently.
 
-\tparam Point is a point type such as `Deformable_simplicial_complex_3::Point_3`.
+\tparam Point a point type, such as `Deformable_simplicial_complex_3::Point_3`
 */
 template <class Point> struct Labelled_patch_3
 {
-  std::vector<Point> points;                         ///< the corners of the triangles
+  std::vector<Point> points;                         ///< corners of the triangles
   std::vector<std::array<std::size_t, 3>> triangles; ///< indices into `points`
-  int label_behind = 1;                              ///< the label where corners are seen clockwise
-  int label_in_front = 0; ///< the label where corners are seen counterclockwise
+  /// label on the side from which corners are seen clockwise
+  int label_behind = 1;
+  int label_in_front = 0; ///< label on the side from which corners are seen counterclockwise
 };
 
 } // namespace Deformable_simplicial_complexes

@@ -15,17 +15,17 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-is a triangle soup that bounds a solid, together with the label of that solid. Soups need neither
-be consistently oriented nor share points between facets: what is inside is decided by how often
-the surface is crossed on the way in.
+A triangle soup that bounds a solid, and the label of the solid. The triangles need not be
+consistently oriented, and need not share points. A point is inside if a path from the outside
+crosses the surface an odd number of times.
 
-\tparam Point is a point type such as `Deformable_simplicial_complex_3::Point_3`.
+\tparam Point a point type, such as `Deformable_simplicial_complex_3::Point_3`
 */
 template <class Point> struct Labelled_surface_3
 {
-  std::vector<Point> points;                         ///< the corners of the triangles
+  std::vector<Point> points;                         ///< corners of the triangles
   std::vector<std::array<std::size_t, 3>> triangles; ///< indices into `points`
-  int label = 1;                                     ///< the label of the solid; 0 is the outside
+  int label = 1;                                     ///< label of the solid; 0 is the outside
 };
 
 } // namespace Deformable_simplicial_complexes

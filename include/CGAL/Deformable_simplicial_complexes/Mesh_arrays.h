@@ -15,24 +15,24 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-A named array of numbers on the points or the cells of a mesh, with one row of `components` numbers
-(a tuple of VTK) for each point or cell.
+A named array of numbers on the points or the cells of a mesh. Each point or cell has one row (a
+tuple of VTK) of `components` numbers.
 */
 struct Mesh_array
 {
   std::string name;           ///< as in the file
-  std::string type;           ///< of the numbers, as VTK calls it: `Int32`, `Float64`, ...
+  std::string type;           ///< VTK name of the type of the numbers: `Int32`, `Float64`, ...
   std::size_t components = 1; ///< numbers in a row
   std::vector<double> values; ///< row by row
 
-  /// Returns whether the type is one of integers.
+  /// Returns whether the type is an integer type.
   bool is_integer() const { return type.find("Int") != std::string::npos; }
 
   /// Returns the number of rows. \pre `components` is not 0
   std::size_t rows() const { return values.size() / components; }
 
   /// Returns an array of the same name and type with the given rows, in this order.
-  /// \pre each of them is less than `rows()`
+  /// \pre each element of `rows` is less than `rows()`
   Mesh_array selected(const std::vector<std::size_t>& rows) const {
     Mesh_array result{name, type, components, {}};
     result.values.reserve(rows.size() * components);
@@ -53,8 +53,7 @@ struct Mesh_arrays
   std::vector<Mesh_array> points; ///< arrays on points
   std::vector<Mesh_array> cells;  ///< arrays on cells
 
-  /// the array that the labels were read from, without its numbers; its name is empty if there was
-  /// none
+  /// array that the labels were read from, without its numbers; its name is empty if there was none
   Mesh_array labels;
 };
 

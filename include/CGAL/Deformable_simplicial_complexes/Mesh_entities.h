@@ -15,13 +15,13 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-The entities of a MEDIT file other than points, tetrahedra and their labels: edges and triangles
-with references, for boundary conditions for example, and corners, ridges and required entities,
-which remeshing must preserve. Indices start from 0.
+Entities of a MEDIT file other than points, tetrahedra and their labels. Edges and triangles with
+references are used for boundary conditions, for example. Corners, ridges and required entities must
+be preserved by remeshing. Indices start from 0.
 */
 struct Mesh_entities
 {
-  /// Vertices with a common reference.
+  /// Simplex: its vertices and their common reference.
   template <std::size_t n> struct Simplex
   {
     std::array<std::size_t, n> vertices; ///< indices of points
@@ -29,8 +29,8 @@ struct Mesh_entities
   };
 
   std::vector<int> vertex_references; ///< one for each point; empty if all of them are 0
-  std::vector<Simplex<2>> edges;      ///< edges that are listed
-  std::vector<Simplex<3>> triangles;  ///< triangles that are listed
+  std::vector<Simplex<2>> edges;      ///< listed edges
+  std::vector<Simplex<3>> triangles;  ///< listed triangles
 
   std::vector<std::size_t> corners;            ///< indices of points
   std::vector<std::size_t> required_vertices;  ///< indices of points

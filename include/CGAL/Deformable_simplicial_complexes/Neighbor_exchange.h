@@ -12,15 +12,16 @@ namespace Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
-In the plane, two phases lost the wall between them, and the two at its ends became neighbors: what
-is called a T1 event in foams.
+Exchange of neighbors in 2D, called a T1 event in foams. Two phases lose the wall between them, and
+the two phases at its ends become neighbors.
 \tparam Complex an instance of `Deformable_simplicial_complex_2`
 */
 template <class Complex> struct Neighbor_exchange
 {
-  std::array<typename Complex::Label, 2> parted; ///< had a wall between them
-  std::array<typename Complex::Label, 2> joined; ///< have one now, if they differ
-  typename Complex::Approximate_point where;     ///< the middle of the wall
+  std::array<typename Complex::Label, 2> parted; ///< labels on both sides of the old wall
+  /// labels on both sides of the new wall; there is none if they are equal
+  std::array<typename Complex::Label, 2> joined;
+  typename Complex::Approximate_point where; ///< midpoint of the old wall
 };
 
 } // namespace Deformable_simplicial_complexes

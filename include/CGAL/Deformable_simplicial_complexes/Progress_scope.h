@@ -16,14 +16,15 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Exception thrown by functions of this package when the callback of a `Progress_scope` returned
-`false`. A complex that the function was changing is valid; the object or file that the function was
-making does not exist. The class does not derive from `Error`, since the input is not the cause.
+Exception thrown by functions of this package if the callback of a `Progress_scope` returned
+`false`. If the function was changing a complex, the complex is valid. If it was creating an object
+or a file, the object or file does not exist. The class does not derive from `Error`, since the
+input is not the cause.
 */
 class Interrupted_error : public std::exception
 {
 public:
-  /// returns what happened.
+  /// Returns a message.
   const char* what() const noexcept override {
     return "interrupted: the progress callback returned false";
   }
@@ -32,11 +33,11 @@ public:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Lets the functions of this package report their progress, and stops them. While a scope exists, all
-functions that are called in its thread ask its callback about twenty times a second, whatever they
-do: building, tetrahedralization, images, reconstruction, repair, cut loci, improvement, motions,
-fluids, files. If the callback returns `false`, the function throws `Interrupted_error` within a
-second.
+Scope that reports the progress of functions of this package and can stop them. While a scope
+exists, all functions called in its thread call its callback about twenty times a second. This holds
+for all functions: building, tetrahedralization, images, reconstruction, repair, cut loci,
+improvement, motions, fluids, files. If the callback returns `false`, the function throws
+`Interrupted_error` within a second.
 
 \code
 CGAL::Deformable_simplicial_complexes::Progress_scope scope(
@@ -44,20 +45,20 @@ CGAL::Deformable_simplicial_complexes::Progress_scope scope(
 auto complex = make_deformable_simplicial_complex_3<Complex>(surface, tetrahedralizer);
 \endcode
 
-Scopes nest: the callbacks of all scopes of the thread are called, the innermost one first, at the
-interval of the innermost scope.
+Scopes can be nested. The callbacks of all scopes of the thread are called at the interval of the
+innermost scope, in the order from the innermost to the outermost scope.
 */
 class Progress_scope
 {
 public:
-  /// The argument names what is being done, such as "filling the box with tetrahedra". The result
-  /// tells whether to go on.
+  /// Callback type. The argument names the current phase, such as "filling the box with
+  /// tetrahedra". The result tells whether to continue.
   using Callback = std::function<bool(const char* phase)>;
 
   /// Begins the scope. If the callback throws, the function of the package throws the same
-  /// exception. The callback may call functions of the package that do not change what is being
-  /// changed; they do not call it.
-  /// \param callback called to ask whether to go on
+  /// exception. The callback may call functions of the package that do not modify the object being
+  /// changed. These functions do not call the callback.
+  /// \param callback called to ask whether to continue
   /// \param interval shortest time between two calls while this scope is the innermost one; 0 for a
   ///        call at each check
   /// \pre `callback` is not empty. Scopes of a thread are destroyed in the reverse order of their
@@ -74,7 +75,7 @@ public:
   Progress_scope& operator=(const Progress_scope&) = delete;
 
   /// Calls the callbacks of all scopes of this thread if the interval of the innermost scope has
-  /// passed since the last call. Loops of users may call it, too.
+  /// passed since the last call. Loops of user code may call this function, too.
   /// \throws Interrupted_error if one of the callbacks returned `false`
   static void check() {
     if (innermost() != nullptr)
@@ -91,7 +92,8 @@ private:
     return scope;
   }
 
-  // Callbacks may call functions of the package, which do not ask then.
+  // Disables all scopes of the thread while callbacks run, since callbacks may call functions of
+  // the package.
   struct Silence
   {
     Progress_scope* scope = std::exchange(innermost(), nullptr);
@@ -121,15 +123,15 @@ private:
   Callback m_callback;
   std::chrono::milliseconds m_interval;
   Progress_scope* m_outer;
-  Clock::time_point m_next = Clock::time_point(); // when to ask again
+  Clock::time_point m_next = Clock::time_point(); // time of the next call
 };
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-While an object of this class exists, functions of this package that are called in its thread
-neither call the callbacks of scopes nor are interrupted: to restore what was there before an
-interrupt.
+Pause of all scopes of a thread. While an object of this class exists, functions of this package
+called in its thread do not call callbacks and cannot be interrupted. Use a pause to restore the
+previous state after an interrupt.
 */
 class Progress_pause
 {
@@ -146,14 +148,16 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Name of the current phase of the thread, for the callbacks of `Progress_scope`. The phase ends with
-the object.
+Name of the current phase of the thread, passed to the callbacks of `Progress_scope`. The phase ends
+with the object.
 */
 class Progress_phase
 {
 public:
-  /// Begins a phase. \pre `name` is valid until the phase ends; string literals are.
-  /// \throws Interrupted_error as `Progress_scope::check()`; the phase before is current then.
+  /// Begins a phase.
+  /// \pre `name` is valid until the phase ends, as string literals are.
+  /// \throws Interrupted_error as `Progress_scope::check()` does; the previous phase is then
+  ///         current again
   explicit Progress_phase(const char* name)
       : m_outer(std::exchange(Progress_scope::phase(), name)) {
     try {
@@ -164,7 +168,7 @@ public:
     }
   }
 
-  /// Returns to the phase that was going on before.
+  /// Returns to the previous phase.
   ~Progress_phase() { Progress_scope::phase() = m_outer; }
 
   Progress_phase(const Progress_phase&) = delete;

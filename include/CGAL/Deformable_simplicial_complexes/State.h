@@ -22,70 +22,68 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-is everything a deformable simplicial complex consists of, as plain numbers: a complex that is
-restored from its state continues to the same bits as the original would have. That takes more than
-points and cells: the order of the simplices is the order in which they are visited, the cell
-stored with a vertex is where the walk around it begins, and the order of the vertices in a cell is
-the order in which its terms are summed.
+The state of a deformable simplicial complex, as plain numbers. A complex restored from its state
+continues with bitwise equal results. This requires more than points and cells. Simplices are
+visited in their order. The walk around a vertex begins at the cell stored with it. Terms of a cell
+are summed in the order of its vertices.
 
-States are obtained by `Deformable_simplicial_complex_3::state()`, put back by
-`Deformable_simplicial_complex_3::restore()`, and kept in files by `IO::write_checkpoint()`.
-Coordinates and lengths are those of the complex, not of the user, see
-`Deformable_simplicial_complex_3::Normalization`.
+States are returned by `Labelled_complex::state()`, restored by `Labelled_complex::restore()`, and
+stored in files by `IO::write_checkpoint()`. Coordinates and lengths are those of the complex, not
+of the user, see `Labelled_complex::Normalization`.
 
 \tparam d the dimension
 */
 template <int d> struct State
 {
-  /// the coordinates of the finite vertices, by increasing time stamp
+  /// coordinates of the finite vertices, by increasing time stamp
   std::vector<std::array<double, d>> points;
 
-  /// the boundary classes of the finite vertices
+  /// boundary classes of the finite vertices
   std::vector<std::uint8_t> boundary_classes;
 
-  /// for each of the finite vertices its `spacing()`
+  /// `spacing()` of each finite vertex
   std::vector<float> spacings;
 
-  /// for each vertex the index in `cells` of the cell stored with it: first that of the infinite
-  /// vertex, if there is one, then that of each finite one
+  /// index in `cells` of the cell stored with each vertex: first for the infinite vertex, if there
+  /// is one, then for the finite ones
   std::vector<std::uint32_t> vertex_cells;
 
-  /// the vertices of all cells, infinite ones included, by increasing time stamp of the cell: zero
-  /// is the infinite vertex, `i + 1` the vertex `i`
+  /// vertices of all cells, including infinite ones, by increasing time stamp of the cell; 0 is the
+  /// infinite vertex, `i + 1` is the vertex `i`
   std::vector<std::array<std::uint32_t, d + 1>> cells;
 
-  /// the labels of `cells`
+  /// labels of `cells`
   std::vector<std::int32_t> cell_labels;
 
-  /// for each of `cells` the quality when its shape last changed essentially
+  /// quality of each of `cells` at the last essential change of its shape
   std::vector<float> noted_qualities;
 
-  /// for each of `cells` what was tried in vain since then, as bits
+  /// failed attempts to improve each of `cells` since that change, as bits
   std::vector<std::uint8_t> failures;
 
-  /// for each of `cells` the number of its component, as events name it; 0 for infinite cells
+  /// number of the component of each of `cells`, as used in events; 0 for infinite cells
   std::vector<std::uint32_t> cell_components;
 
-  /// the mean length of the interface edges when the complex was built
+  /// mean length of the interface edges when the complex was built
   double mean_interface_edge = 0;
 
-  /// the smallest length of an interface edge when the complex was built
+  /// smallest length of an interface edge when the complex was built
   double minimum_interface_edge = 0;
 
-  /// the translation of the normalization
+  /// translation of the normalization
   std::array<double, d> normalization_translation = {};
 
-  /// the scale of the normalization
+  /// scale of the normalization
   double normalization_scale = 1;
 
-  /// the periods of the domain if that is a torus, where nothing is infinite, else 0
+  /// periods of the domain if it is a torus, which has no infinite vertex; otherwise 0
   std::array<double, d> periods = {};
 };
 
 namespace internal {
 
-// References to all members: the one list that comparison and files are made of. It does not
-// compile with a member too few.
+// Returns references to all members. Comparison and files use this list only. The structured
+// binding fails to compile if a member is missing.
 template <class State_d> auto members(State_d& state) {
   auto& [points, boundary_classes, spacings, vertex_cells, cells, cell_labels, noted_qualities,
          failures, cell_components, mean_interface_edge, minimum_interface_edge,
@@ -95,7 +93,7 @@ template <class State_d> auto members(State_d& state) {
                   minimum_interface_edge, normalization_translation, normalization_scale, periods);
 }
 
-// Whether the arrays that run parallel have the same size.
+// Returns whether parallel arrays have the same size.
 template <int d> bool has_consistent_sizes(const State<d>& state) {
   const bool is_torus = state.periods != std::array<double, d>{};
   const std::size_t infinite = state.cells.empty() || is_torus ? 0 : 1;
@@ -108,7 +106,8 @@ template <int d> bool has_consistent_sizes(const State<d>& state) {
          state.cell_components.size() == state.cells.size();
 }
 
-// Whether the arrays fit together, all coordinates are finite, and no cell has a vertex twice.
+// Returns whether the arrays are consistent, all coordinates are finite, and the vertices of each
+// cell differ.
 template <int d> bool is_consistent(const State<d>& state) {
   const auto is_length = [](double length) { return length >= 0 && std::isfinite(length); };
   if (!has_consistent_sizes(state) || state.cells.size() >= std::uint32_t(-1) ||
@@ -116,7 +115,7 @@ template <int d> bool is_consistent(const State<d>& state) {
       !is_length(state.mean_interface_edge) || !is_length(state.minimum_interface_edge) ||
       !std::all_of(state.spacings.begin(), state.spacings.end(), is_length))
     return false;
-  // Where nothing is infinite, no cell has the vertex 0.
+  // Without an infinite vertex, no cell has the vertex 0.
   const std::size_t first = state.points.size() + 1 - state.vertex_cells.size();
   const auto is_cell = [&](std::array<std::uint32_t, d + 1> c) {
     std::sort(c.begin(), c.end());
@@ -141,13 +140,13 @@ template <int d> bool is_consistent(const State<d>& state) {
 } // namespace internal
 
 /// \relates State
-/// returns whether all numbers of `a` and `b` are equal.
+/// Returns whether all numbers of `a` and `b` are equal.
 template <int d> bool operator==(const State<d>& a, const State<d>& b) {
   return internal::members(a) == internal::members(b);
 }
 
 /// \relates State
-/// returns whether some number of `a` and `b` differs.
+/// Returns whether some number of `a` and `b` differs.
 template <int d> bool operator!=(const State<d>& a, const State<d>& b) { return !(a == b); }
 
 } // namespace Deformable_simplicial_complexes

@@ -17,27 +17,27 @@ Options of `repair_surface_3()` and `wrap_surface_3()`.
 */
 struct Surface_repair_options_3
 {
-  /// Vertices nearer to each other than this become one, even if the surface bounds a solid: in
-  /// mean edges of the surface, at least 0. Shorter edges vanish. Tetrahedralizers may fail where
+  /// Vertices at a smaller distance are merged, even if the surface bounds a solid; in mean edge
+  /// lengths of the surface, at least 0. Shorter edges vanish. Tetrahedralizers may fail where
   /// vertices nearly coincide.
   double merge_distance = 0;
 
-  /// The longest border of holes that are filled, in diagonals of the bounding box of the part that
-  /// has it, at least 0. Borders of plane cuts are up to 1.6 diagonals long, borders of flat sheets
-  /// at least 2.
+  /// Length of the longest border of holes that are filled, at least 0. The unit is the diagonal of
+  /// the bounding box of the connected component with the hole. Borders of planar cuts are up to
+  /// 1.6 diagonals long, borders of flat sheets at least 2.
   double largest_hole = 1.6;
 
-  /// The longest border of holes that are filled, in the unit of the coordinates, at least 0. A
-  /// hole is filled if both bounds permit that.
+  /// Length of the longest border of holes that are filled, in the unit of the coordinates, at
+  /// least 0. A hole is filled if its border exceeds neither bound.
   double longest_border = std::numeric_limits<double>::infinity();
 
-  /// The parameter alpha of CGAL's alpha wrap, in mean edges of the surface, at least 0; 0 for no
-  /// wrap. A ball of this radius does not pass holes that are smaller than it. At least a
-  /// thousandth of the diagonal of the bounding box is used. A larger alpha closes larger gaps, a
-  /// smaller one gives many more triangles.
+  /// The parameter alpha of CGAL's alpha wrap, in mean edge lengths of the surface, at least 0; 0
+  /// for no wrap. A ball of this radius does not pass smaller holes. At least a thousandth of the
+  /// diagonal of the bounding box is used. A larger alpha closes larger gaps; a smaller one gives
+  /// many more triangles.
   double wrap_alpha = 1;
 
-  /// The distance of the wrap from the surface, in mean edges, more than 0.
+  /// Distance of the wrap from the surface, in mean edge lengths, positive.
   double wrap_offset = .1;
 };
 

@@ -13,31 +13,34 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-What `repair_surface_3()` or `wrap_surface_3()` did to a surface. If `was_sound()` is true, the
-surface is unchanged.
+Report of `repair_surface_3()` and `wrap_surface_3()`. If `was_sound()` is true, the surface is
+unchanged.
 */
 struct Surface_repair_report_3
 {
-  std::size_t merged_points = 0;        ///< points that equal others or are in no triangle
-  std::size_t degenerate_triangles = 0; ///< triangles without area that were removed
-  std::size_t repeated_triangles =
-      0;                           ///< triangles removed with or beside others of the same corners
-  std::size_t stitched_points = 0; ///< points of borders that were near others and became one
-  std::size_t split_edges = 0;     ///< edges that were split at vertices that lie on them
-  std::size_t filled_holes = 0;    ///< holes that were closed
-  std::size_t crossing_pairs = 0;  ///< pairs of triangles that crossed
-  std::size_t united_parts = 0;    ///< parts that crossed others or themselves and were united
-  std::size_t removed_triangles = 0; ///< triangles that bounded nothing, such as walls inside
-  bool is_wrapped = false;           ///< whether all was replaced by an alpha wrap
-  double alpha = 0;                  ///< of the wrap, in the unit of the coordinates
-  double offset = 0;                 ///< of the wrap, in the unit of the coordinates
-  double mean_edge = 0;              ///< of the triangles of the input, in that unit
-  double distance_from_input =
-      0; ///< from the farthest sample of the input, also of parts that were removed, to the result;
-         ///< triangles inside united parts do not count
-  double distance_to_input = 0; ///< from the farthest sample of the result to the input
+  /// points removed since they equal others or are in no triangle
+  std::size_t merged_points = 0;
+  std::size_t degenerate_triangles = 0; ///< removed triangles without area
+  std::size_t repeated_triangles = 0;   ///< removed triangles with the same corners as others
+  std::size_t stitched_points = 0;      ///< boundary points that were merged with near ones
+  std::size_t split_edges = 0;          ///< edges that were split at vertices on them
+  std::size_t filled_holes = 0;         ///< holes that were filled
+  std::size_t crossing_pairs = 0;       ///< pairs of triangles that intersected
+  /// self-intersecting or intersecting components that were united
+  std::size_t united_parts = 0;
+  /// removed triangles that bounded no solid, such as walls inside
+  std::size_t removed_triangles = 0;
+  bool is_wrapped = false; ///< whether the whole surface was replaced by an alpha wrap
+  double alpha = 0;        ///< alpha of the wrap, in the unit of the coordinates
+  double offset = 0;       ///< offset of the wrap, in the unit of the coordinates
+  /// mean edge length of the input, in the unit of the coordinates
+  double mean_edge = 0;
+  /// largest distance of a sample of the input from the result; samples of removed components
+  /// count, but triangles inside united components do not
+  double distance_from_input = 0;
+  double distance_to_input = 0; ///< largest distance of a sample of the result from the input
 
-  /// returns whether the surface bounded a solid before.
+  /// Returns whether the input bounded a solid.
   bool was_sound() const {
     return merged_points + degenerate_triangles + repeated_triangles + stitched_points +
                    split_edges + filled_holes + crossing_pairs + united_parts + removed_triangles ==
@@ -45,7 +48,8 @@ struct Surface_repair_report_3
            !is_wrapped;
   }
 
-  /// returns the Hausdorff distance to the input, as far as samples tell: the larger one of both.
+  /// Returns the Hausdorff distance between input and result, estimated with samples: the larger
+  /// one of both distances.
   double distance() const {
     return distance_from_input > distance_to_input ? distance_from_input : distance_to_input;
   }

@@ -15,12 +15,12 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-is the result of a `ConstrainedTetrahedralizer_3`: the input points, in their order, followed by
-points that were added, and positively oriented tetrahedra of these points.
+The result of a `ConstrainedTetrahedralizer_3`: the input points, in their order, followed by added
+points, and positively oriented tetrahedra of these points.
 */
 struct Tetrahedralization_3
 {
-  std::vector<std::array<double, 3>> points;          ///< the input points come first
+  std::vector<std::array<double, 3>> points;          ///< input points, followed by added points
   std::vector<std::array<std::size_t, 4>> tetrahedra; ///< indices into `points`
 };
 

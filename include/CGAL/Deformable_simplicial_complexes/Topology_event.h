@@ -12,13 +12,13 @@ namespace Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
-What became of components of a label in a pass of a deformation, and where.
-\tparam Complex an instance of `Deformable_simplicial_complex_3`
+A change of connected components of a label in a pass of a deformation, and its place.
+\tparam Complex a deformable simplicial complex
 */
 template <class Complex> struct Topology_event : public Component_event
 {
-  typename Complex::Approximate_point where; ///< where a cell changed its label; one such place
-  unsigned pass;                             ///< of the deformation, the first one being 1
+  typename Complex::Approximate_point where; ///< place of one of the cells that changed their label
+  unsigned pass;                             ///< pass of the deformation; the first one is 1
 };
 
 } // namespace Deformable_simplicial_complexes

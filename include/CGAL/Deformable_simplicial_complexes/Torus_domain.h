@@ -22,15 +22,15 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-The domain of a complex that is a flat torus: space repeats itself along each axis after a period,
-so there is no boundary and no outside.
+Domain of a complex that is a flat torus. Space is periodic along each axis, so that there is no
+boundary and no outside.
 
 A vertex has one position, in the box from the origin to the periods, and infinitely many images.
-What sees a vertex sees the image that is nearest along each axis; so no two vertices of a cell may
-be half a period or more apart along an axis. A cell that would be counts as flat.
+Along each axis, the nearest image is used. The distance of two vertices of a cell along an axis
+must therefore be less than half a period. A cell with a larger distance is treated as flat.
 
-Nothing is rounded on the way across the seam: positions are multiples of a power of two, at most
-2<sup>-50</sup> of the largest period, so that all images seen from the box are doubles.
+Positions are multiples of a power of two, at most 2<sup>-50</sup> of the largest period. All images
+as seen from the box are thus doubles, and no rounding occurs across the seam.
 
 \tparam d the dimension
 
@@ -39,22 +39,24 @@ Nothing is rounded on the way across the seam: positions are multiples of a powe
 template <int d> class Torus_domain
 {
 public:
-  /// There is no vertex outside.
+  /// Tells that there is no vertex outside.
   static constexpr bool has_outside = false;
 
-  /// \param periods more than 0, of similar size; they are rounded to multiples of the unit of
+  /// Constructs a torus with the given periods.
+  /// \param periods positive lengths of similar size; they are rounded to multiples of the unit of
   ///        positions
-  /// \throws Error if a period is not in [1e-30, 1e30], or 2<sup>-20</sup> of the largest or less
+  /// \throws Error if a period is not in [1e-30, 1e30], or is at most 2<sup>-20</sup> of the
+  ///         largest one
   explicit Torus_domain(const std::array<double, d>& periods = unit_periods());
 
-  /// The domain of a complex in some state.
-  /// \throws Invalid_cells_error if it was no torus, or one of other periods than can be
+  /// Returns the domain of a complex with the given state.
+  /// \throws Invalid_cells_error if the domain was not a torus, or its periods are not valid
   static Torus_domain of(const State<d>& state);
 
-  /// The length after which space repeats itself, for each axis.
+  /// Returns the period along each axis.
   template <int = d> const std::array<double, d>& periods() const { return m_periods; }
 
-  /// What all cells measure together.
+  /// Returns the total measure of all cells.
   double measure() const {
     double result = 1;
     for (double period : m_periods)
@@ -62,36 +64,37 @@ public:
     return result;
   }
 
-  /// False: no vertex is outside.
+  /// Returns false: no vertex is outside.
   template <class Complex>
   bool is_outside(const Complex& /*complex*/, typename Complex::Vertex_handle /*v*/) const {
     return false;
   }
 
-  /// False: no cell is outside.
+  /// Returns false: no cell is outside.
   template <class Complex>
   bool is_outside(const Complex& /*complex*/, typename Complex::Cell_handle /*c*/) const {
     return false;
   }
 
-  /// The image of `p` in the box from the origin to the periods, in units of positions.
+  /// Returns the image of `p` in the box from the origin to the periods, rounded to the unit of
+  /// positions.
   template <class Point> Point canonical(const Point& p) const;
 
-  /// The image of `q` that is nearest to `p` along each axis.
+  /// Returns the image of `q` that is nearest to `p` along each axis.
   template <class Point> Point near(const Point& p, const Point& q) const;
 
-  /// `f(corner(0), ...)` with the images of the corners of a cell that are nearest to the first.
+  /// Returns `f(corner(0), ...)` with the corners of a cell, as images nearest to the first corner.
   template <class Complex, class Function, class Corner>
   auto apply(const Function& f, const Corner& corner) const {
     return internal::apply_to_corners<d + 1>(
         f, [images = images<Complex>(corner)](int i) { return images[i]; });
   }
 
-  /// The orientation of a cell with these corners, exactly; `ZERO` if it is too long.
+  /// Returns the orientation of a cell with these corners, exactly; `ZERO` if the cell is too long.
   template <class Complex, class Corner>
   Orientation orientation(const Complex& complex, const Corner& corner) const;
 
-  /// `q`: vertices may go anywhere.
+  /// Returns `q`: vertices may go anywhere.
   template <class Complex>
   typename Complex::Point admissible(const Complex& /*complex*/,
                                      typename Complex::Vertex_handle /*v*/,
@@ -123,15 +126,15 @@ private:
   }
 
   std::array<double, d> m_periods;
-  double m_unit; // of positions
+  double m_unit; // unit of positions
 };
 
 template <int d>
 Torus_domain<d>::Torus_domain(const std::array<double, d>& periods) : m_periods(periods) {
-  // Two bits are for the images on both sides of the box, as seen from anywhere in it.
+  // Two bits are reserved for images on both sides of the box, as seen from any point in it.
   static constexpr int bits = 51;
-  static constexpr double shortest = 1e-30, longest = 1e30; // as of all domains
-  static constexpr double flattest = 1. / (1 << 20);        // leaves 30 bits along that axis
+  static constexpr double shortest = 1e-30, longest = 1e30; // as in all domains
+  static constexpr double flattest = 1. / (1 << 20);        // leaves 30 bits for the shortest axis
   double largest = 0;
   for (double period : periods) {
     if (!(period >= shortest && period <= longest))
@@ -158,7 +161,7 @@ template <int d> template <class Point> Point Torus_domain<d>::canonical(const P
     const double period = m_periods[axis];
     x[axis] = p[axis] - period * std::floor(p[axis] / period);
     x[axis] = std::round(x[axis] / m_unit) * m_unit;
-    // Rounding may lead to either end.
+    // Rounding may give either end of the period.
     if (x[axis] >= period)
       x[axis] -= period;
     else if (x[axis] < 0)

@@ -15,19 +15,19 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-The content of a file that a reader recognized and did not use, by kind. If a reader cannot use
-content without which its result would be wrong, it throws `File_error` instead.
+Content of a file that a reader recognized but did not use, by kind. If a result would be wrong
+without the content, the reader throws `File_error` instead.
 */
 class Unused_content
 {
 public:
-  /// Counts `number` items of a kind, named in the plural, such as "vertex colors".
+  /// Adds `number` items of a kind, which is named in the plural, such as "vertex colors".
   void add(const std::string& kind, std::size_t number = 1) {
     if (number > 0)
       m_numbers[kind] += number;
   }
 
-  /// Adds what another file, or another part of the file, has.
+  /// Adds the unused content of another file, or of another part of the file.
   void add(const Unused_content& other) {
     for (const auto& [kind, number] : other.m_numbers)
       add(kind, number);

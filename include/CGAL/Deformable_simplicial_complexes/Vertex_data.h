@@ -16,41 +16,43 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-What a vertex of a deformable simplicial complex carries in any dimension, besides its point: a time
-stamp that orders vertices by creation, and what the complex caches about it. The setters are for
-the complex; calling them from outside breaks what it caches.
+Data of a vertex of a deformable simplicial complex, in any dimension, in addition to its point: a
+time stamp that orders vertices by creation, and values cached by the complex. Only the complex may
+call the setters, since they change values that it caches.
 */
 class Vertex_data
 {
 public:
-  using Has_timestamp = Tag_true; ///< makes the container of the vertices number them
+  using Has_timestamp = Tag_true; ///< tells the container to number the vertices
 
-  /// The number in the order of creation; `std::size_t(-1)` for a vertex outside a container.
+  /// Returns the number in the order of creation; `std::size_t(-1)` for a vertex outside a
+  /// container.
   std::size_t time_stamp() const { return m_time_stamp; }
   /// Sets `time_stamp()`.
   void set_time_stamp(std::size_t stamp) { m_time_stamp = stamp; }
 
-  /// Whether a facet between two labels is incident.
+  /// Returns whether an incident facet is on the interface.
   bool is_interface() const { return m_interface_degree > 0; }
-  /// The number of facets between two labels that are incident.
+  /// Returns the number of incident facets on the interface.
   std::uint32_t interface_degree() const { return m_interface_degree; }
   /// Sets `interface_degree()`.
   void set_interface_degree(std::uint32_t degree) { m_interface_degree = degree; }
 
-  /// The sides of the domain that hold the vertex, see `Boundary_class`; 0 in the inside.
+  /// Returns the sides of the domain that the vertex lies on, see `Boundary_class`; 0 in the
+  /// interior.
   std::uint8_t boundary_class() const { return m_boundary_class; }
   /// Sets `boundary_class()`.
   void set_boundary_class(std::uint8_t boundary_class) { m_boundary_class = boundary_class; }
 
-  /// How long edges of the interface at the vertex were, in the mean, when it was built or last
-  /// made finer or coarser there: motion does not change it. 0 for a vertex that was not on it
-  /// then.
+  /// Returns the mean length of the interface edges at the vertex when the interface was built, or
+  /// when it was last refined or coarsened there. Motion does not change it. It is 0 if the vertex
+  /// was not on the interface then.
   float spacing() const { return m_spacing; }
   /// Sets `spacing()`.
   void set_spacing(float spacing) { m_spacing = spacing; }
 
-  /// An index into arrays beside the complex, below its `vertex_id_bound()`. Vertices that are
-  /// created get ids of those that were removed.
+  /// Returns an index into arrays beside the complex, less than its `vertex_id_bound()`. New
+  /// vertices get the ids of removed vertices.
   std::uint32_t id() const { return m_id; }
   /// Sets `id()`.
   void set_id(std::uint32_t id) { m_id = id; }

@@ -21,80 +21,81 @@ namespace Deformable_simplicial_complexes {
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Splits long edges at their midpoints and collapses short ones ("detail control", sections 3.2.1 and
-3.2.2 of the paper). Lengths are given in units of the mean edge of the input's interface, or of a
-size field. Without a size field, an edge inside a label is split only if it connects the interface
-with itself or with the boundary of the domain, which gives the interface room to move and leaves
-the mesh coarse elsewhere. Edges inside a label are collapsed if neither end is on the interface or
-on the boundary of the domain.
+3.2.2 of the paper). Lengths are given in units of the target edge length, which is a sizing field,
+or the mean edge length of the input's interface. Without a sizing field, an edge inside a label is
+split only if it connects the interface with itself or with the boundary of the domain. These splits
+give the interface room to move, and the mesh stays coarse elsewhere. Edges inside a label are
+collapsed if neither end is on the interface or on the boundary of the domain.
 
-Unless it may change, the interface stays as it is, bit for bit. If it may, its topology stays, and
-so do the lines and points where labels meet; splits move it by the rounding of the midpoints,
-collapses by what is between the old and the new facets. No collapse makes an edge that would be
-split.
+Unless `change_interface` is set, the interface is bitwise unchanged. If it is set, the topology of
+the interface and the lines and points where labels meet stay. Splits move the interface by the
+rounding of the midpoints; collapses move it by the volume between the old and the new facets. No
+collapse creates an edge that would be split.
 
-\param dsc the complex.
+\param dsc the complex
 \param np named parameters:
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{sizing_field}
-    \cgalParamDescription{the wanted length of edges, a positive function of position:
-                          `double sizing_field(Approximate_point_3 p)`, callable as `const`, asked
-                          at midpoints of edges, in the coordinates of the complex}
+    \cgalParamDescription{target edge length, a positive function of position in the coordinates of
+                          the complex: `double sizing_field(Approximate_point p)`, callable as
+                          `const`, evaluated at midpoints of edges}
     \cgalParamType{function object, by value or `std::reference_wrapper`}
     \cgalParamDefault{`dsc.mean_interface_edge()` everywhere}
   \cgalParamNEnd
   \cgalParamNBegin{where}
-    \cgalParamDescription{`bool where(Cell_handle c)`: in which cells edges are split and collapsed,
-                          such as those of some labels; an edge inside a label is that of all cells
-                          around it}
+    \cgalParamDescription{`bool where(Cell_handle c)` selects the cells whose edges are split and
+                          collapsed, such as the cells of some labels; an edge inside a label is an
+                          edge of all cells around it}
     \cgalParamType{function object}
-    \cgalParamDefault{in all}
+    \cgalParamDefault{all cells}
   \cgalParamNEnd
   \cgalParamNBegin{split_length}
-    \cgalParamDescription{longer edges inside a label are split, in units of the wanted length,
+    \cgalParamDescription{longer edges inside a label are split; in units of the target edge length,
                           positive}
     \cgalParamType{`double`} \cgalParamDefault{4, the paper's}
   \cgalParamNEnd
   \cgalParamNBegin{collapse_length}
-    \cgalParamDescription{shorter edges inside a label are collapsed, in units of the wanted length,
-                          not negative}
+    \cgalParamDescription{shorter edges inside a label are collapsed; in units of the target edge
+                          length, at least 0}
     \cgalParamType{`double`} \cgalParamDefault{infinity, as in the paper: the mesh becomes as coarse
-                          as its quality allows}
+                   as its quality allows}
   \cgalParamNEnd
   \cgalParamNBegin{collapse_quality}
-    \cgalParamDescription{no collapse makes a cell of lower quality, in [0, 1]}
+    \cgalParamDescription{lower bound of the quality of cells created by collapses, in [0, 1]}
     \cgalParamType{`double`} \cgalParamDefault{0.25, the paper's}
   \cgalParamNEnd
   \cgalParamNBegin{change_interface}
-    \cgalParamDescription{whether to split and collapse edges of the interface, too}
+    \cgalParamDescription{whether edges of the interface are split and collapsed, too}
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{interface_split_length}
-    \cgalParamDescription{longer edges of the interface are split, in units of the wanted length,
-                          positive}
+    \cgalParamDescription{longer edges of the interface are split; in units of the target edge
+                          length, positive}
     \cgalParamType{`double`} \cgalParamDefault{2, the paper's}
   \cgalParamNEnd
   \cgalParamNBegin{interface_collapse_length}
-    \cgalParamDescription{shorter edges of the interface are collapsed, in units of the size field
-                          or, without one, of `dsc.minimum_interface_edge()`, not negative}
+    \cgalParamDescription{shorter edges of the interface are collapsed; in units of the sizing field
+                          or, without one, of `dsc.minimum_interface_edge()`, at least 0}
     \cgalParamType{`double`} \cgalParamDefault{0.5, the paper's}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{how many rounds at the most: each round works on what the last one made}
+    \cgalParamDescription{largest number of rounds; each round processes the cells changed by the
+                          previous one}
     \cgalParamType{`unsigned int`} \cgalParamDefault{10}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told of each change of the mesh}
+    \cgalParamDescription{visitor that is called at each change of the mesh}
     \cgalParamType{model of `DeformationVisitor`, by value or `std::reference_wrapper`}
     \cgalParamDefault{`Deformation_visitor`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what was done.
-\throws Error if a parameter is out of its range, or there is an
-       interface, but neither a size field nor `dsc.mean_interface_edge()`, the complex then being
-       unchanged, or if the size field has a value that is not positive. An exception of the
-       size field or of the visitor leaves a valid complex.
+\return the numbers of changes
+\throws Error if a parameter is out of its range, or there is an interface, but neither a sizing
+        field nor `dsc.mean_interface_edge()`. The complex is then unchanged.
+\throws Error if the sizing field has a value that is not positive. After this exception, or one of
+        the sizing field or of the visitor, the complex is valid.
 
 A pass over the cells, with the stars of the ends of edges to be collapsed; then n log n in the
 number of changed cells.

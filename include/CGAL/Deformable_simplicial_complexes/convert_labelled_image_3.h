@@ -28,45 +28,44 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes a complex of a labelled image, such as a segmented scan: the values of voxels are the labels,
-0 is the outside. A voxel is the box about its point of the image, with its spacings as sides.
+Makes a complex from a labelled image, such as a segmented scan. The values of voxels are the
+labels; 0 is the outside. A voxel is the box centered at its image point; its sides are the spacings
+of the image.
 
-Each connected component of a label, through common faces of voxels, becomes a component of the
-complex with the volume of its voxels. Components whose voxels share only edges or vertices remain
-different components; they have these edges or vertices in common. The interface is smooth. Its
-distance from the faces of voxels is of the order of `edge` at most.
+Each connected component of a label, connected through common faces of voxels, becomes a component
+of the complex with the volume of its voxels. Components whose voxels share only edges or vertices
+remain different components, which have these edges or vertices in common. The interface is smooth.
+Its distance from the faces of voxels is at most of the order of `edge`.
+
+n log n in the number of voxels at the interface, linear in the number of the others. Memory: up to
+6 kB for each voxel of noise, less than 70 bytes for each voxel of large smooth objects.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 \tparam NP a sequence of named parameters
 
-\param image holds whole numbers from 0 to 2^31 - 1
-\param edge about how long interface edges are to be, in the unit of the image, more than 0; or 0 for
-       two and a half times the longest side of a voxel. Edges are shorter where components are
-       small.
+\param image image of integers from 0 to 2^31 - 1
+\param edge approximate length of interface edges, in the unit of the image, positive; or 0 for 2.5
+       times the longest side of a voxel. Edges are shorter where components are small.
 \param np named parameters `normalize`, `enclosing_box`, `improve`, `quality_threshold`,
        `number_of_iterations` of `make_deformable_simplicial_complex_3()` from surfaces. The default
-       box is the cube about the center of the box of the voxels with labels other than 0 whose half
-       side is 2.5 times half the diagonal of the latter. Where `enclosing_box` is the box of all
-       voxels, these fill the domain: the interface ends on its boundary, along which it can move,
-       and 0 is a label like others.
+       box is a cube about the bounding box of the voxels with labels other than 0. Both have the
+       same center, and the half side of the cube is 2.5 times half the diagonal of the bounding
+       box. If `enclosing_box` is the box of all voxels, they fill the domain. The interface then
+       ends on the boundary of the domain and can move along it, and 0 is a label like others.
 
-\throws Error if the image has no voxels, has several values for a
-        voxel, holds a value that is not a label, or holds label 0 only; if the sides of voxels are
-        not positive and finite; if more than 2^20 voxels are in a row; if voxels with other labels
-        than 0 reach the boundary of a box that is not the one of all voxels; if `edge` is negative
-or not finite; or if the volume of a component differs from that of its voxels by more than a
-thousandth, since `edge` is too long for it
-\throws Interrupted_error if the callback of a
-        `Progress_scope` returns `false`
-
-n log n in the number of voxels at the interface, linear in that of the others. Memory: up to 6 kB
-for each voxel of noise, below 70 bytes for each voxel of large smooth objects.
+\throws Error if the image has no voxels, has several values for a voxel, holds a value that is not
+        a label, or holds label 0 only; if the sides of voxels are not positive and finite; if more
+        than 2^20 voxels are in a row; if voxels with labels other than 0 reach the boundary of a
+        box that is not the box of all voxels; if `edge` is negative or not finite; or if `edge` is
+        so long that the volume of a component differs from that of its voxels by more than a
+        thousandth
+\throws Interrupted_error if the callback of a `Progress_scope` returns `false`
 */
 template <class Complex, class NP = parameters::Default_named_parameters>
 Complex make_complex_from_labelled_image_3(const Image_3& image, double edge,
                                            const NP& np = parameters::default_values()) {
   namespace tags = internal_np;
-  static constexpr double voxels_of_edge = 2.5; // shorter ones would follow the stairs
+  static constexpr double voxels_of_edge = 2.5; // shorter edges would follow steps
   if (!(edge >= 0) || !std::isfinite(edge))
     throw Error(
         "the length of edges is negative or not finite: use more than 0, or 0 for the default");

@@ -16,27 +16,26 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes a complex of the cells that are part of a `Mesh_complex_3_in_triangulation_3`, as
-`make_mesh_3()` returns it, with the subdomains as labels; tetrahedra of label 0 fill the space
-around them, in a box.
+Makes a complex from the cells of a `Mesh_complex_3_in_triangulation_3`, as returned by
+`make_mesh_3()`. The subdomains become labels. Tetrahedra of label 0 fill the space around the
+cells, in a box. n log n in the number of tetrahedra, plus the tetrahedralization and the
+improvement.
 
-Curves and corners of the mesh are not kept, as a complex knows labels only; nor are facets between
-cells of the same subdomain.
+Curves and corners of the mesh are not kept, since a complex has labels only. Facets between cells
+of the same subdomain are not kept either.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 \tparam MeshComplex model of `MeshComplex_3InTriangulation_3`, whose subdomain indices are integers
 \tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`, such as `Tetgen_tetrahedralizer_3`
 \tparam NP a sequence of named parameters
 
-\param mesh not empty
-\param tetrahedralizer fills the space around
+\param mesh mesh with at least one cell
+\param tetrahedralizer tetrahedralizer that fills the space around the cells
 \param np named parameters of `make_deformable_simplicial_complex_3()` from surfaces
 
-\throws Error as `make_deformable_simplicial_complex_3()` from
-        tetrahedra in a box; indices count `mesh.cells_in_complex_begin()` and on, and their
-vertices in the order in which these name them first
-
-n log n in the number of tetrahedra, plus the tetrahedralization and the improvement.
+\throws Error as `make_deformable_simplicial_complex_3()` from tetrahedra in a box. Indices of cells
+        count from `mesh.cells_in_complex_begin()`. Indices of vertices follow the order in which
+        these cells first use them.
 */
 template <class Complex, class MeshComplex, class Tetrahedralizer,
           class NP = parameters::Default_named_parameters>
@@ -51,22 +50,22 @@ Complex make_complex_from_mesh_complex_3(const MeshComplex& mesh,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes a `Mesh_complex_3_in_triangulation_3` of a complex: of its cells with labels other than 0,
-which become subdomains, and of its interface. All cells are cells of the triangulation, which thus
-is a valid one, but in general not regular or Delaunay: functions that insert points into it are not
-for use.
+Makes a `Mesh_complex_3_in_triangulation_3` from a complex. The cells with labels other than 0
+become subdomains. The result also contains the interface. All cells of the complex are cells of the
+triangulation. The triangulation is valid, but in general neither regular nor Delaunay; do not use
+functions that insert points into it. n log n in the number of labels, linear in the number of
+cells.
 
-Vertices of the interface have dimension 2, others in subdomains 3. Surface patches are pairs of
-labels, the smaller first, if their index is constructed from a `std::pair` of subdomain indices, as
-that of `Labeled_mesh_domain_3` is; otherwise they are counted from 1, in the order of these pairs.
+Vertices of the interface have dimension 2; other vertices in subdomains have dimension 3. If
+surface patch indices can be constructed from a `std::pair` of subdomain indices, as those of
+`Labeled_mesh_domain_3`, patches are pairs of labels, the smaller label first. Otherwise, patches
+are numbered from 1, in the order of these pairs.
 
 \tparam MeshComplex a default constructible model of `MeshComplex_3InTriangulation_3`, such as
         `Mesh_complex_3_in_triangulation_3`, whose subdomain indices are integers
 \tparam Complex an instance of `Deformable_simplicial_complex_3` with a box as its domain
 
-\param complex in its user's coordinates in the result, see `Complex::normalization()`
-
-n log n in the number of labels, linear in the number of cells.
+\param complex the complex; the result is in user coordinates, see `Complex::normalization()`
 */
 template <class MeshComplex, class Complex>
 MeshComplex extract_mesh_complex_3(const Complex& complex) {

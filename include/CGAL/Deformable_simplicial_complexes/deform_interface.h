@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What `deform_interface()` reads from its named parameters, checked.
+// Reads and checks the named parameters of `deform_interface()`.
 template <class Complex, class NamedParameters>
 Deformation_options<Complex> deformation_options(const Complex& dsc, const NamedParameters& np) {
   namespace tags = internal_np;
@@ -36,8 +36,8 @@ Deformation_options<Complex> deformation_options(const Complex& dsc, const Named
           space_motion(dsc, CGAL::parameters::get_parameter(np, tags::flow))};
 }
 
-// Moves the vertices of the interface, all of them by increasing time stamp, by the named
-// parameters of `deform_interface()`.
+// Moves all vertices of the interface, given by increasing time stamp, with the named parameters of
+// `deform_interface()`.
 template <class Complex, class NamedParameters>
 Deformation_report<Complex>
 deform_by_parameters(Complex& dsc, const std::vector<typename Complex::Vertex_handle>& vertices,
@@ -62,108 +62,120 @@ deform_by_parameters(Complex& dsc, const std::vector<typename Complex::Vertex_ha
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Moves the vertices of the interface to destinations, without ever inverting a cell, and keeps the
-mesh good on the way (Algorithm 1 of the paper). Parts of the interface that meet may merge or
-split.
+Moves the vertices of the interface to destinations (Algorithm 1 of the paper). No cell is ever
+inverted, and the mesh is improved during the motion. Components of phases may merge or split where
+parts of the interface meet.
 
-Each pass moves all vertices at once as far as no cell inverts, carrying the free vertices around
-along with a harmonic extension of the motion; then the vertices that were held back, one by one
-(Algorithm 2); then relabels cells flattened between two parts of the interface, removes what is in
-the way of vertices that have not arrived and facets whose angles became small, and improves what
-became bad.
+Each pass does the following:
+- it moves all vertices at once as far as no cell inverts; free vertices follow the harmonic
+  extension of the displacement;
+- it moves the vertices that did not arrive one by one (Algorithm 2);
+- it relabels cells that were flattened between two parts of the interface;
+- it removes cells and facets that keep vertices from their destinations, and facets whose angles
+  became small;
+- it improves cells whose quality became low.
 
 \param dsc the complex
-\param destination a function object: `Point destination(Vertex_handle v)`, asked once for each
-       vertex of the interface, in the coordinates of the complex. A vertex on a side of the domain
-       goes to the nearest point of that side. A destination outside the domain, a box, is replaced
-       by the nearest point of the box: the interface stops there, and the report counts it.
+\param destination function object `Point destination(Vertex_handle v)`, called once for each vertex
+       of the interface, in the coordinates of the complex. A vertex on a side of the domain moves
+       to the nearest point of that side. A destination outside the domain, a box, is replaced by
+       the nearest point of the box: the interface stops there, and the report counts it.
 \param np named parameters:
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{maximum_number_of_passes}
-    \cgalParamDescription{bound on the passes; two passes without progress end the deformation earlier}
+    \cgalParamDescription{largest number of passes; two passes without progress end the deformation
+                          earlier}
     \cgalParamType{`unsigned int`} \cgalParamDefault{20}
   \cgalParamNEnd
   \cgalParamNBegin{quality_threshold}
-    \cgalParamDescription{cells that moved and are of lower quality are improved, in [0, 1]}
+    \cgalParamDescription{moved cells of lower quality are improved, in [0, 1]}
     \cgalParamType{`double`} \cgalParamDefault{0.2}
   \cgalParamNEnd
   \cgalParamNBegin{relabeling_threshold}
-    \cgalParamDescription{quality below which a cell trapped by the interface may join the other
-                          phase, if it is no better with the interface at its destinations, in
-                          [0, 1]; around vertices that do not get on, only the latter counts. 0
-                          relabels nothing.}
+    \cgalParamDescription{a cell of lower quality that is trapped by the interface may join the
+                          other phase, if its quality is not higher with the interface at its
+                          destinations; in [0, 1]. Around vertices that make no progress, only the
+                          quality at the destinations counts. With 0, no cell is relabeled.}
     \cgalParamType{`double`} \cgalParamDefault{0.01, the paper's}
   \cgalParamNEnd
   \cgalParamNBegin{minimum_angle}
-    \cgalParamDescription{cells with a dihedral angle, in degrees, below it or above its supplement
-                          are removed in the end if they are below the quality threshold, but for
-                          those at parts of the interface that stayed or moved as a whole. If
-                          trapped, they may join another phase as with `relabeling_threshold`.
-                          Else the topology stays; the interface moves by the cell or by a tenth of
-                          the cube of the mean edge there at most, or one of its vertices that moved
-                          by a twentieth of that edge; by up to five times as much where nothing
-                          less helps. In the plane, triangles with a smaller angle; only the mesh
-                          beside the interface changes for them. In [0, 30]; 0 leaves what has
-                          arrived in place.}
+    \cgalParamDescription{cells with a dihedral angle, in degrees, below this bound or above its
+                          supplement are removed at the end if they are below the quality threshold.
+                          Cells at parts of the interface that stayed or moved rigidly are not
+                          removed. Trapped cells may join another phase, as with
+                          `relabeling_threshold`. In all other cases, the topology stays. The
+                          interface then moves by the cell, or by a volume of at most a tenth of the
+                          cube of the mean edge length there. Or one of its vertices that moved is
+                          displaced by at most a twentieth of that length. If this is not
+                          sufficient, the bounds are up to five times as large. In 2D, triangles
+                          with a smaller angle are removed, and the interface does not change. In
+                          [0, 30]; with 0, vertices that have arrived stay in place.}
     \cgalParamType{`double`} \cgalParamDefault{5}
   \cgalParamNEnd
   \cgalParamNBegin{minimum_facet_angle}
-    \cgalParamDescription{facets of the interface whose smallest angle shrinks below it, in degrees,
-                          are removed where that makes the mesh around them better; in [0, 30]. With
-                          0, none is removed for its angles, and those that keep vertices from their
-                          destinations only from the third pass on. What `minimum_angle` and
-                          `relabeling_threshold` ask for is done none the less.}
+    \cgalParamDescription{facets of the interface whose smallest angle falls below this bound, in
+                          degrees, are removed where this improves the mesh around them; in [0, 30].
+                          With 0, no facet is removed because of its angles. Facets that keep
+                          vertices from their destinations are then removed only from the third pass
+                          on. The bound has no effect on `minimum_angle` and
+                          `relabeling_threshold`.}
     \cgalParamType{`double`} \cgalParamDefault{5}
   \cgalParamNEnd
   \cgalParamNBegin{flow}
-    \cgalParamDescription{where what is at a point, or a vertex, goes in the deformation: free
-                          vertices go there, too. Where the whole interface does, the flow fades
-                          towards a boundary of the domain, a box, that it would move; else
-                          vertices deviate from it by a harmonic function, as the interface or the
-                          boundary do. For the first pass only, in which most deformations end.
-                          Where it is not finite, or more than 100 times as long as the longest way
-                          of the interface, it counts as unknown: free vertices follow the interface
-                          there, and those whose flow is known.}
+    \cgalParamDescription{flow of space: the destination of a point or of a vertex. Free vertices
+                          follow the flow. If the whole interface follows the flow, but the boundary
+                          of a box would move, the flow fades to zero towards the boundary. If the
+                          interface or the boundary deviates from the flow, the harmonic extension
+                          of the deviation is added. The flow is used in the first pass only, in
+                          which most deformations end. Where it is not finite, or its displacement
+                          is more than 100 times as long as the longest displacement of the
+                          interface, it is unknown. Free vertices then follow the harmonic extension
+                          of the known displacements.}
     \cgalParamType{function object `Approximate_point flow(Approximate_point p)` or
                    `Approximate_point flow(Vertex_handle v)`, in the coordinates of the complex}
-    \cgalParamDefault{none: free vertices follow the interface}
+    \cgalParamDefault{none: free vertices follow the extension of the displacement}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_threads}
-    \cgalParamDescription{threads to use where linked with TBB; the result does not depend on it}
+    \cgalParamDescription{number of threads if linked with TBB; the result does not depend on it}
     \cgalParamType{`unsigned int`} \cgalParamDefault{1}
   \cgalParamNEnd
   \cgalParamNBegin{topology_control}
-    \cgalParamDescription{is asked before a change that alters the topology of a phase and of the
-                          interface}
+    \cgalParamDescription{called before each change of the topology of a phase and of the interface;
+                          it permits or forbids the change}
     \cgalParamType{model of `TopologyControl`, by value or `std::reference_wrapper`}
     \cgalParamDefault{`Allow_topology_changes`}
   \cgalParamNEnd
   \cgalParamNBegin{manifold_interface}
-    \cgalParamDescription{whether the boundary of each phase stays a 2-manifold: cells whose new
-                          label would pinch it take others along or keep theirs, see
-                          `propose_manifold_relabeling()`. Where it is pinched to begin with, it may
-                          stay so, at no more vertices.}
+    \cgalParamDescription{whether the boundary of each phase stays a manifold. If relabeling a cell
+                          would make it non-manifold, other cells are relabeled, too, or the cell
+                          keeps its label, see `propose_manifold_relabeling()`. If the boundary is
+                          non-manifold at the beginning, the number of non-manifold vertices does
+                          not increase.}
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{collision_order}
-    \cgalParamDescription{whether vertices that are held back move in the order in which their stars
-                          would first have a flat cell, instead of the order of storage. Rational
-                          arithmetic takes some microseconds for each cell around them.}
+    \cgalParamDescription{order of the vertices that are moved one by one: if true, by the time at
+                          which their stars would first have a flat cell; otherwise, the order of
+                          storage. The rational arithmetic takes some microseconds for each cell
+                          around these vertices.}
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told of each change of the mesh and may end the deformation}
+    \cgalParamDescription{visitor that is called at each change of the mesh and may end the
+                          deformation}
     \cgalParamType{model of `DeformationVisitor`, by value or `std::reference_wrapper`}
     \cgalParamDefault{`Deformation_visitor`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return which vertices did not arrive and how far they stayed, what happened to labels and mesh.
-\throws Invalid_destination_error if a destination is not finite;
-       the complex is then unchanged. An exception of the visitor leaves a valid complex.
-\throws Error if a parameter is out of its range, or there is an
-       interface, but no `dsc.mean_interface_edge()`; the complex is then unchanged.
+\return the vertices that did not arrive with their remaining distances, and the changes of labels
+        and mesh
+\throws Invalid_destination_error if a destination is not finite; the complex is then unchanged
+\throws Error if a parameter is out of its range, or there is an interface, but no
+        `dsc.mean_interface_edge()`; the complex is then unchanged
+
+After an exception of the visitor, the complex is valid.
 */
 template <class Complex, class Destination,
           class NamedParameters = parameters::Default_named_parameters>
@@ -180,15 +192,16 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Deforms the interface as `deform_interface()` does, with destinations in the order of a snapshot.
+Moves the interface as `deform_interface()` does, with destinations in the order of a snapshot.
 
 \param dsc the complex
-\param interface_ its interface, or the vertices of it. \pre the complex has not changed since
+\param interface_ the interface of the complex, or its vertices
 \param destinations one for each vertex of the snapshot, in the coordinates of the complex
 \param np the named parameters of `deform_interface()`
-\return what that returns
-\throws Invalid_destination_error if a destination is not finite
-       or their number is wrong; and whatever that throws
+\return the report of `deform_interface()`
+\pre the complex has not changed since the snapshot was taken
+\throws Invalid_destination_error if a destination is not finite or their number is wrong
+\throws Error as `deform_interface()` does
 */
 template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Deformation_report<Complex>
@@ -198,7 +211,7 @@ deform_interface_to(Complex& dsc, const Interface_vertices<Complex>& interface_,
   if (destinations.size() != interface_.vertices.size())
     throw Invalid_destination_error(
         "a destination must be given for each vertex of the interface, no more and no fewer", {});
-  require_finite(destinations, "a destination"); // exact numbers could not express it
+  require_finite(destinations, "a destination"); // exact numbers cannot represent NaN
   std::vector<typename Complex::Point> points;
   points.reserve(destinations.size());
   for (const auto& p : destinations)

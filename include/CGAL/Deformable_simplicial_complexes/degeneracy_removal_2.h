@@ -20,18 +20,17 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Proposes to flip the longest edge of a cap, an edge of the interface, together with the interface:
-both new triangles get the label of the other side, so that the tip of the cap, if it is on the
-interface, takes the place of the edge.
+Proposes to flip the longest edge of a cap if the edge is on the interface. The interface is
+flipped, too: both new triangles get the label of the other side of the edge. The two edges at the
+tip of the cap, which must be on the interface, take the place of the flipped edge. Linear in the
+stars of the vertices. Section 3.1 of the paper.
 
-\param complex is not changed.
-\param cell, i the edge opposite to the vertex i of a finite triangle, the tip.
-\param cavity filled with the proposal if there is one.
-\return whether the edge is on the interface, the tip, too, the topology stays, both new triangles
-        are positive, and the worse of them is better than the worse of the two. The interface moves
-        by the cap.
-
-Linear in the stars of the vertices. Section 3.1 of the paper.
+\param complex the complex; it is not changed
+\param cell, i the edge opposite to the vertex i, the tip, of a finite triangle
+\param cavity filled with the proposal if there is one
+\return whether the proposal is valid: the edge and the tip are on the interface, and the topology
+        stays. Both new triangles are positively oriented, and the worst quality rises. The
+        interface moves by the area of the cap.
 */
 template <class Complex>
 bool propose_cap_flip(const Complex& complex, typename Complex::Cell_handle cell, int i,
@@ -47,20 +46,20 @@ bool propose_cap_flip(const Complex& complex, typename Complex::Cell_handle cell
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Proposes to remove a triangle with a small angle. The longest edge of a *cap*, a triangle with an
-obtuse angle, is flipped, by `propose_cap_flip()` if it is on the interface; if that cannot be, and
-of a *needle*, the shortest edge is collapsed.
+Proposes to remove a triangle with a small angle. Of a *cap*, a triangle with an obtuse angle, the
+longest edge is flipped, with `propose_cap_flip()` if it is on the interface. If this is not
+possible, or if the triangle is a *needle*, the shortest edge is collapsed. Section 3.1 of the
+paper. The complexity is that of these functions.
 
-\param complex is not changed.
-\param cell a triangle.
-\param cosine only triangles with an angle of larger cosine are considered. The paper takes 0.99 for
-       minus the cosine of the angle of a cap, and an angle of 0.01 &pi; for needles.
-\param minimum_quality no new triangle of a collapse may be worse.
-\param cavity filled with the proposal if there is one.
-\return whether the triangle is finite, has a small angle, and there is a proposal. The interface
-        keeps its topology. It stays as it is, or moves by the triangles that are replaced.
-
-As these. Section 3.1 of the paper.
+\param complex the complex; it is not changed
+\param cell a triangle
+\param cosine only triangles with an angle of larger cosine are considered. The paper uses 0.99 for
+       minus the cosine of the obtuse angle of a cap, and an angle of 0.01 &pi; for needles.
+\param minimum_quality lower bound of the quality of the new triangles of a collapse
+\param cavity filled with the proposal if there is one
+\return whether the triangle is finite, has a small angle, and there is a proposal. The topology of
+        the interface stays. The interface is unchanged, or moves by the triangles that are
+        replaced.
 */
 template <class Complex>
 bool propose_degenerate_triangle_removal(const Complex& complex, typename Complex::Cell_handle cell,
@@ -68,7 +67,7 @@ bool propose_degenerate_triangle_removal(const Complex& complex, typename Comple
                                          Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
   if (complex.is_infinite(cell))
     return false;
-  std::array<double, 3> squared; // lengths of the edges opposite to the three vertices
+  std::array<double, 3> squared; // of the lengths of the edges opposite to the three vertices
   for (int i = 0; i < 3; ++i)
     squared[i] =
         complex.displacement(cell->vertex((i + 1) % 3), cell->vertex((i + 2) % 3)).squared_length();

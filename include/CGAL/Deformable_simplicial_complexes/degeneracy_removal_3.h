@@ -16,18 +16,17 @@
 #include <cmath>
 #include <utility>
 
-// Simplices that are degenerate: edges nearly without length, facets nearly without area and
-// tetrahedra nearly without volume ("degeneracy removal", section 3.2.1 of the paper). The paper
-// splits an edge and collapses the new vertex into a vertex c beside it. That is to remove the
-// edge, its ring being triangulated by a fan around c; edge removal takes the best of all
-// triangulations.
+// Degenerate simplices: edges of almost zero length, facets of almost zero area, and tetrahedra of
+// almost zero volume ("degeneracy removal", section 3.2.1 of the paper). The paper splits an edge
+// and collapses the new vertex into a vertex c of the ring. This is edge removal with a fan around
+// c as the triangulation of the ring. Edge removal uses the best of all triangulations instead.
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Proposes to remove an edge of a flat cell. An interface that bends around the cell there may do
-// so on its other side.
+// Proposes to remove an edge of a flat cell. If the interface bends around the cell at the edge, it
+// may be moved to the other side of the cell.
 template <class Complex>
 bool propose_removal_from_flat_cell(const Complex& complex, typename Complex::Cell_handle cell,
                                     int i, int j, Cavity<Complex>& cavity) {
@@ -43,21 +42,20 @@ bool propose_removal_from_flat_cell(const Complex& complex, typename Complex::Ce
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Proposes to remove a facet with a small angle. The longest edge of a *cap* is removed, or flipped if
-the facet is on the interface; the shortest edge of a *needle* is collapsed. A facet is a cap if its
-largest angle is above 120 degrees and its longest edge 1.03 times as long as the second one. For
-the smallest angle of the paper, the latter alone decides, as in the paper.
+Proposes to remove a facet with a small angle. Of a *cap*, the longest edge is removed, or flipped
+if the facet is on the interface. Of a *needle*, the shortest edge is collapsed. A facet is a cap if
+its largest angle is above 120 degrees and its longest edge is 1.03 times as long as the second one.
+For facets with the smallest angle of the paper, the lengths alone decide, as in the paper. Section
+3.2.1 of the paper, degeneracy removal (b). The complexity is that of the functions below.
 
-\param complex is not changed.
-\param cell, i a finite facet.
-\param cosine only facets with an angle of larger cosine are considered; the paper takes 0.999.
-\param minimum_quality no new tetrahedron of a collapse may be worse.
-\param cavity filled with the proposal if there is one.
-\return whether the facet has a small angle and `propose_edge_removal()`,
-        `propose_interface_edge_flip()` or `propose_edge_collapse()` proposes what is said above.
-The interface stays as it is, or moves by the volume next to its nearly flat facets.
-
-As these. Section 3.2.1 of the paper, degeneracy removal (b).
+\param complex the complex; it is not changed
+\param cell, i a finite facet
+\param cosine only facets with an angle of larger cosine are considered; the paper uses 0.999
+\param minimum_quality lower bound of the quality of the new tetrahedra of a collapse
+\param cavity filled with the proposal if there is one
+\return whether the facet has a small angle, and `propose_edge_removal()`,
+        `propose_interface_edge_flip()` or `propose_edge_collapse()` makes the proposal described
+        above. The interface is unchanged, or moves by the volume next to its nearly flat facets.
 */
 template <class Complex>
 bool propose_degenerate_facet_removal(const Complex& complex, typename Complex::Cell_handle cell,
@@ -66,7 +64,7 @@ bool propose_degenerate_facet_removal(const Complex& complex, typename Complex::
   using namespace internal;
   static constexpr double cap_cosine = -.5, cap_ratio = 1.03;
   const std::array<int, 3> v = {(i + 1) % 4, (i + 2) % 4, (i + 3) % 4};
-  std::array<double, 3> squared; // lengths of the edges opposite to the three vertices
+  std::array<double, 3> squared; // of the lengths of the edges opposite to the three vertices
   for (int k = 0; k < 3; ++k)
     squared[k] = complex.displacement(cell->vertex(v[(k + 2) % 3]), cell->vertex(v[(k + 1) % 3]))
                      .squared_length();
@@ -94,30 +92,31 @@ bool propose_degenerate_facet_removal(const Complex& complex, typename Complex::
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Proposes to remove a nearly flat cell, by where the vertex opposite to its largest facet projects
-to. Pressed flat, the cell would become
+Proposes to remove a nearly flat cell (section 3.2.1 of the paper, degeneracy removal (a)). The
+operation depends on the projection of the apex, which is the vertex opposite to the largest facet.
+If the cell were pressed flat, it would become
 
-- *three facets* around the vertex if it projects into the largest one: that facet is removed;
-- *two facets* if it projects to an edge of the largest one, up to a tenth of the height of the
-  facet: that edge is removed;
-- *four facets* if it projects beyond an edge: this edge and the one opposite to it in the cell
-  cross. One of them is removed, the one that leaves the better worst quality;
-- a single one if it projects to a vertex, up to a tenth: the edge between the two is collapsed.
+- *three facets* around the apex if it projects into the largest facet, which is removed;
+- *two facets* if the apex projects to an edge of the largest facet, within a tenth of the height of
+  the facet; this edge is removed;
+- *four facets* if the apex projects beyond an edge: this edge and the opposite edge of the cell
+  cross. One of them is removed, the one whose removal gives the better worst quality;
+- *one facet* if the apex projects to a vertex, within a tenth of the height; the edge between the
+  apex and this vertex is collapsed.
 
-It projects nowhere else, as the facet is the largest one.
+These are all cases, since the facet is the largest one. The complexity is that of the functions
+below.
 
-\param complex is not changed.
-\param cell the cell.
-\param threshold only cells of lower quality are considered; the paper takes 0.005. No new
-       tetrahedron of a collapse is worse.
-\param cavity filled with the proposal if there is one.
-\return whether the cell is finite and nearly flat and `propose_multi_face_removal()`,
-        `propose_edge_removal()` or `propose_edge_collapse()` proposes what is said above, or, where
-        two facets of the cell on the edge are on the interface, `propose_interface_edge_flip()`.
-        The interface keeps its topology. It stays as it is, or moves by the cell. Cells that change
-        more are `propose_relabeling()`'s to judge.
-
-As these. Section 3.2.1 of the paper, degeneracy removal (a).
+\param complex the complex; it is not changed
+\param cell the cell
+\param threshold only cells of lower quality are considered; the paper uses 0.005. It is also the
+       lower bound of the quality of the new tetrahedra of a collapse.
+\param cavity filled with the proposal if there is one
+\return whether the cell is finite and nearly flat, and `propose_multi_face_removal()`,
+        `propose_edge_removal()` or `propose_edge_collapse()` makes the proposal described above. If
+        two facets of the cell at the edge are on the interface, `propose_interface_edge_flip()`
+        makes the proposal. The topology of the interface stays. The interface is unchanged, or
+        moves by the cell. Cells whose removal changes more are left to `propose_relabeling()`.
 */
 template <class Complex>
 bool propose_degenerate_tetrahedron_removal(const Complex& complex,
@@ -130,8 +129,8 @@ bool propose_degenerate_tetrahedron_removal(const Complex& complex,
 
   const Facet_normals<Complex> normals(complex, cell);
   const int apex = normals.largest();
-  // Vertices of the largest facet: the tip is opposite to an edge at or beyond which the apex
-  // projects, the base is not.
+  // Vertices of the largest facet: the apex projects to or beyond the edge opposite to the tip, but
+  // not to or beyond the edge opposite to the base.
   int tip = -1, base = -1, number_of_edges = 0;
   for (int i = 0; i < 4; ++i) {
     if (i == apex)
@@ -149,7 +148,7 @@ bool propose_degenerate_tetrahedron_removal(const Complex& complex,
   if (tip < 0)
     return propose_multi_face_removal(complex, cell, apex, cavity);
 
-  std::array<int, 2> edge; // opposite to the tip in the largest facet
+  std::array<int, 2> edge; // edge of the largest facet opposite to the tip
   int* end = edge.data();
   for (int i = 0; i < 4; ++i)
     if (i != apex && i != tip)

@@ -21,7 +21,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The links of the two ends of an edge, in the cells and in the interface, compared.
+// Comparison of the links of the two ends of an edge, in the cells, in the interface, and in the
+// lines where more than two labels meet.
 template <class Complex> class Collapse_test
 {
 public:
@@ -33,10 +34,10 @@ public:
   Collapse_test(const Complex& complex, Vertex_handle a, Vertex_handle b)
       : m_complex(complex), m_a(a), m_b(b) {}
 
-  // Whether the removed vertex is no more singular than the edge: the sectors of one label (the
-  // outside of the domain being one) that meet in its star are those around the edge. A vertex in a
-  // sheet may thus go along the sheet, one on a triple line along the line, and a point where more
-  // meet stays.
+  // Returns whether the removed vertex is as regular as the edge: the sectors of one label in its
+  // star are exactly those around the edge. The outside of the domain counts as a label. A vertex
+  // in a sheet may thus move along the sheet, and a vertex on a triple line along the line. A
+  // vertex where more labels meet stays.
   bool has_same_stratum(const Star& star_a) const {
     Star around_edge;
     for (Cell_handle c : star_a)
@@ -46,9 +47,9 @@ public:
     return at_vertex.number == at_vertex.number_at_edge && at_vertex.number == at_edge.number;
   }
 
-  // Lk(a) and Lk(b) meet in Lk(ab), exactly: then the collapse keeps the topology of space, and if
-  // the same holds in the walls between labels and in the lines where more than two walls meet,
-  // that of these. The outside is a label like any other.
+  // Returns whether the intersection of Lk(a) and Lk(b) is exactly Lk(ab). The collapse then keeps
+  // the topology of space. If the same holds in the walls between labels and in the lines where
+  // more than two walls meet, it also keeps their topology. The outside counts as a label.
   bool fulfills_link_condition(const Star& star_a, const Star& star_b) const {
     Links volume, walls, lines;
     collect(star_a, m_a, m_b, volume.a, walls.a, lines.a);
@@ -56,7 +57,7 @@ public:
     for (Cell_handle c : star_a) {
       if (!c->has_vertex(m_b)) {
         if (c->neighbor(c->index(m_a))->has_vertex(m_b))
-          return false; // a facet in both links
+          return false; // a facet is in both links
         continue;
       }
       const int ia = c->index(m_a), ib = c->index(m_b);
@@ -78,7 +79,7 @@ public:
   }
 
 private:
-  // A vertex (v, v) or an edge (v, w) of a link, by time stamps.
+  // Vertex (v, v) or edge (v, w) of a link, given by time stamps.
   using Simplex = std::pair<std::size_t, std::size_t>;
 
   struct Links
@@ -102,8 +103,8 @@ private:
 
   bool is_wall(Cell_handle c, int i) const { return !has_same_label(c, c->neighbor(i)); }
 
-  // Vertices and edges of the links of `center`, without `other`: in space, in the walls, and in
-  // the lines.
+  // Collects the vertices and edges of the links of `center`, without `other`: in space, in the
+  // walls, and in the lines.
   void collect(const Star& star, Vertex_handle center, Vertex_handle other,
                std::vector<Simplex>& volume, std::vector<Simplex>& walls,
                std::vector<Simplex>& lines) const {
@@ -112,7 +113,8 @@ private:
       for (int i = 0; i <= d; ++i) {
         if (c->vertex(i) == center)
           continue;
-        std::array<Vertex_handle, d - 1> ends; // the facet opposite to i, without the center
+        // vertices of the facet opposite to i, without the center
+        std::array<Vertex_handle, d - 1> ends;
         auto out = ends.begin();
         for (int j = 0; j <= d; ++j)
           if (j != i && c->vertex(j) != center)
@@ -134,7 +136,7 @@ private:
             add(std::minmax(ends[0]->time_stamp(), ends[1]->time_stamp()));
       }
     std::sort(ends_of_walls.begin(), ends_of_walls.end());
-    static constexpr std::ptrdiff_t sides_in_a_sheet = 4; // of the two walls at an edge
+    static constexpr std::ptrdiff_t sides_in_a_sheet = 4; // at an edge between two walls
     for (auto first = ends_of_walls.begin(); first != ends_of_walls.end();) {
       const auto last = std::upper_bound(first, ends_of_walls.end(), *first);
       if (last - first > sides_in_a_sheet)
@@ -148,7 +150,7 @@ private:
     std::size_t number = 0, number_at_edge = 0;
   };
 
-  // Connected sets of cells of one label, infinite cells having a label of their own.
+  // Counts connected sets of cells of one label. Infinite cells have a label of their own.
   Sectors sectors(const Star& cells) const {
     Sectors result;
     Star front;
@@ -186,18 +188,19 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Proposes to collapse an edge: its first vertex is removed, its second one stays where it is.
+Proposes to collapse an edge. The first vertex is removed; the second one stays in place. n log n in
+the size of the two stars.
 
-\param complex is not changed.
-\param cell, i, j the vertex i of the cell goes, the vertex j stays.
-\param minimum_quality no new cell may be worse.
-\param cavity filled with the proposal if there is one.
-\return whether the collapse keeps every topology (exact link conditions, in the cells, in the
-       interface, and in the lines where labels meet), leaves sides of the domain, sheets, lines
-and points where labels meet in place or moves them only along themselves, and makes only positive
-       cells of sufficient quality.
-
-n log n in the size of the two stars.
+\param complex the complex; it is not changed
+\param cell, i, j the edge from the vertex i of the cell, which is removed, to the vertex j, which
+       stays
+\param minimum_quality lower bound of the quality of the new cells
+\param cavity filled with the proposal if there is one
+\return whether the collapse keeps the topology, is compatible with all lower-dimensional features,
+        and creates only positively oriented cells of sufficient quality. The topology of cells, of
+        the interface, and of the lines where labels meet is tested with exact link conditions.
+        Sides of the domain, sheets, and lines and points where labels meet stay in place or move
+        only along themselves.
 */
 template <class Complex>
 bool propose_edge_collapse(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,
@@ -210,11 +213,11 @@ bool propose_edge_collapse(const Complex& complex, typename Complex::Cell_handle
       (a->is_interface() && !b->is_interface()))
     return false;
 
-  static constexpr std::size_t many = 64; // cells; few vertices have more
+  static constexpr std::size_t many = 64; // cells; most vertices have fewer
   std::vector<typename Complex::Cell_handle> star_a, star_b;
   star_a.reserve(many);
   complex.star(a, star_a);
-  // Most proposals fail here, before anything is planned.
+  // Most proposals fail this test, before anything is planned.
   const bool is_good_enough = std::all_of(star_a.begin(), star_a.end(), [&](auto c) {
     if (c->has_vertex(b) || complex.is_infinite(c))
       return true;
@@ -261,17 +264,16 @@ bool propose_collapse_either_way(const Complex& complex, typename Complex::Cell_
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Proposes to remove an edge that is too short: it is collapsed, in whichever direction is possible.
+Proposes to collapse an edge that is too short, in one of the two directions. Section 3.2.1 of the
+paper, degeneracy removal (c). The complexity is that of `propose_edge_collapse()`.
 
-\param complex is not changed.
-\param cell, i, j the edge between the finite vertices i and j of the cell.
-\param minimum_length only shorter edges are considered; the paper takes half the length of the
-       shortest edge of the input's interface.
-\param minimum_quality no new cell may be worse.
-\param cavity filled with the proposal if there is one.
-\return whether the edge is short and `propose_edge_collapse()` proposes its collapse.
-
-As `propose_edge_collapse()`. Section 3.2.1 of the paper, degeneracy removal (c).
+\param complex the complex; it is not changed
+\param cell, i, j the edge between the finite vertices i and j of the cell
+\param minimum_length only shorter edges are considered; the paper uses half the length of the
+       shortest edge of the input's interface
+\param minimum_quality lower bound of the quality of the new cells
+\param cavity filled with the proposal if there is one
+\return whether the edge is short and `propose_edge_collapse()` proposes its collapse
 */
 template <class Complex>
 bool propose_degenerate_edge_removal(const Complex& complex, typename Complex::Cell_handle cell,

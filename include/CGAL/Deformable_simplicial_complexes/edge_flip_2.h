@@ -12,14 +12,14 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // Fills a cavity with the flip of the edge opposite to the vertex i of a triangle. The first new
-// triangle gets the label of `heir`, the second that of the neighbor.
+// triangle gets the label of `heir`, the second one the label of the neighbor.
 template <class Cell_handle, class Complex>
 void plan_flip(Cell_handle cell, int i, Cell_handle heir, Cavity<Complex>& cavity) {
   const Cell_handle other = cell->neighbor(i);
   cavity.begin(Proposal_kind::flip);
   cavity.remove(cell);
   cavity.remove(other);
-  // The edge from a to b has the cell, with its vertex c, on its left.
+  // The cell, with its vertex c, is on the left of the edge from a to b.
   const auto a = cavity.add(cell->vertex((i + 1) % 3)), b = cavity.add(cell->vertex((i + 2) % 3)),
              c = cavity.add(cell->vertex(i)), d = cavity.add(other->vertex(other->index(cell)));
   cavity.create({c, a, d}, heir);
@@ -31,16 +31,13 @@ void plan_flip(Cell_handle cell, int i, Cell_handle heir, Cavity<Complex>& cavit
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Proposes to flip an edge between two triangles of one label: they are replaced by the two on the
-other diagonal of their quadrilateral.
+Proposes to flip an edge between two triangles of one label. They are replaced by the two triangles
+on both sides of the other diagonal of their quadrilateral. Constant time.
 
-\param complex is not changed.
-\param cell, i the edge opposite to the vertex i of a finite triangle.
-\param cavity filled with the proposal if there is one.
-\return whether both new triangles are positive and the worse of them is better than the worse of the
-        two.
-
-Constant time.
+\param complex the complex; it is not changed
+\param cell, i the edge opposite to the vertex i of a finite triangle
+\param cavity filled with the proposal if there is one
+\return whether both new triangles are positively oriented and the worst quality rises
 */
 template <class Complex>
 bool propose_edge_flip(const Complex& complex, typename Complex::Cell_handle cell, int i,

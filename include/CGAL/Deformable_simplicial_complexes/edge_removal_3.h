@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The ring of cells around an edge a -> b: ring vertex k and k + 1 belong to cell k.
+// Ring of cells around an edge a -> b. The ring vertices k and k + 1 belong to the cell k.
 template <class Complex> class Edge_ring_3
 {
 public:
@@ -27,11 +27,11 @@ public:
   using Cavity = Deformable_simplicial_complexes::Cavity<Complex>;
   using Index = typename Cavity::Index;
 
-  // Counterclockwise around a -> b, starting in a cell. Makes all vertices ones of the cavity.
-  // Gives up where the ring becomes too large.
+  // Collects the ring counterclockwise around a -> b, starting at a cell, and adds its vertices to
+  // the cavity. Stops if the ring becomes too large.
   Edge_ring_3(Cell_handle cell, int i, int j, Cavity& cavity)
       : m_triangulation{cavity, cavity.add(cell->vertex(i)), cavity.add(cell->vertex(j))} {
-    // (a, b, s, t) is positive, the next cell lies opposite to s.
+    // (a, b, s, t) is positively oriented; the next cell is opposite to s.
     static constexpr int next[4][4] = {{-1, 2, 3, 1}, {3, -1, 0, 2}, {1, 3, -1, 0}, {2, 0, 1, -1}};
     const Vertex_handle a = cell->vertex(i), b = cell->vertex(j);
     Vertex_handle s = cell->vertex(next[i][j]);
@@ -45,7 +45,7 @@ public:
     } while (c != cell && !is_too_large());
   }
 
-  // Whether it is not worth the time to triangulate the ring. If so, some of it is missing.
+  // Returns whether the ring is too large to be triangulated. It is then incomplete.
   bool is_too_large() const {
     return size() > Polygon_triangulation_3<Complex>::maximum_number_of_vertices;
   }
@@ -53,9 +53,9 @@ public:
   std::size_t size() const { return m_cells.size(); }
   Cell_handle cell(std::size_t k) const { return m_cells[k % size()]; }
 
-  // Triangulates the polygon of ring vertices first, ..., last (modulo the size) so that the worst
-  // quality of the tetrahedra over and under it is best, and plans them in the cavity. Returns
-  // false if that quality is not above `bound`.
+  // Triangulates the polygon of the ring vertices first, ..., last (modulo the size), and plans the
+  // tetrahedra over and under the triangles. The triangulation maximizes the worst quality of these
+  // tetrahedra. Returns false if this quality is not above `bound`.
   bool triangulate(std::size_t first, std::size_t last, double bound) {
     const auto vertex = [&](std::size_t p) { return m_vertices[(first + p) % size()]; };
     return m_triangulation.create(last - first + 1, vertex, bound, cell(first));
@@ -74,18 +74,17 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Proposes to remove an edge: the ring of n cells around it becomes 2 (n - 2) tetrahedra, over and
-under a triangulation of the ring polygon that maximises the worst quality (Klincsek's dynamic
-programme; section 3.2.1 of the paper). The 3-2 and the 4-4 flip are the cases n = 3 and n = 4.
+Proposes to remove an edge (section 3.2.1 of the paper). The ring of n cells around the edge is
+replaced by 2 (n - 2) tetrahedra, over and under a triangulation of the ring polygon. The
+triangulation maximizes the worst quality (Klincsek's dynamic program). The 3-2 flip and the 4-4
+flip are the cases n = 3 and n = 4. Cubic in n.
 
-\param complex is not changed.
-\param cell, i, j the edge between the vertices i and j of the cell.
-\param cavity filled with the proposal if there is one.
-\return whether the ring is finite, of one label and of at most 52 cells, and the worst quality
-       rises, all new tetrahedra being positive. The interface and the boundary of the domain stay
-       as they are.
-
-Cubic in n.
+\param complex the complex; it is not changed
+\param cell, i, j the edge between the vertices i and j of the cell
+\param cavity filled with the proposal if there is one
+\return whether the ring is finite, of one label and of at most 52 cells, the worst quality rises,
+        and all new tetrahedra are positively oriented. The interface and the boundary of the domain
+        are unchanged.
 */
 template <class Complex>
 bool propose_edge_removal(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,
@@ -105,20 +104,20 @@ bool propose_edge_removal(const Complex& complex, typename Complex::Cell_handle 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Proposes to flip an edge of the interface: the two facets that share it are replaced by the two on
-the other diagonal, which is edge removal constrained to that diagonal (section 3.2.2 of the paper).
-The surface moves by the tetrahedron of the four vertices; whether that is small enough is the
-caller's to judge.
+Proposes to flip an edge of the interface (section 3.2.2 of the paper). The two facets that share
+the edge are replaced by the two facets that share the other diagonal of their quadrilateral. This
+is edge removal with the diagonal as a constraint. The interface moves by the tetrahedron of the
+four vertices; the caller must decide whether this is acceptable. Cubic in the number of cells
+around the edge.
 
-\param complex is not changed.
-\param cell, i, j the edge between the vertices i and j of the cell.
-\param cavity filled with the proposal if there is one.
-\param minimum_quality the worst quality need not rise if it is above this in the end.
-\return whether the ring is finite and of at most 52 cells, exactly two facets of the interface meet
-        in the edge, and the worst quality rises or is good enough, all new tetrahedra being
-        positive.
-
-Cubic in the number of cells around the edge.
+\param complex the complex; it is not changed
+\param cell, i, j the edge between the vertices i and j of the cell
+\param cavity filled with the proposal if there is one
+\param minimum_quality if all new tetrahedra are better than this, the worst quality need not rise
+\return whether the proposal is valid: the ring is finite and of at most 52 cells, and exactly two
+        facets of the interface meet in the edge. The worst quality rises or is above
+        `minimum_quality`, and all new tetrahedra are positively oriented. The topology of the
+        interface stays.
 */
 template <class Complex>
 bool propose_interface_edge_flip(const Complex& complex, typename Complex::Cell_handle cell, int i,
@@ -128,7 +127,7 @@ bool propose_interface_edge_flip(const Complex& complex, typename Complex::Cell_
   if (ring.is_too_large())
     return false;
   const std::size_t n = ring.size();
-  boost::container::small_vector<std::size_t, 8> sheets; // ring vertices at which the label changes
+  boost::container::small_vector<std::size_t, 8> sheets; // ring vertices where the label changes
   for (std::size_t k = 0; k < n; ++k) {
     if (complex.is_infinite(ring.cell(k)))
       return false;
@@ -138,7 +137,7 @@ bool propose_interface_edge_flip(const Complex& complex, typename Complex::Cell_
   }
   if (sheets.size() != 2)
     return false;
-  // Where one cell is all of a side, the other side takes it over.
+  // If one side consists of a single cell, the cell is relabeled to the other side.
   for (std::size_t k : sheets)
     if (ring.cell(k)->label() != ring.cell(k + 1)->label() &&
         !relabeling_keeps_topology(complex, ring.cell(k), ring.cell(k + 1)->label()))

@@ -18,17 +18,17 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Proposes to split an edge at a point: each cell around it becomes two. Labels and boundary classes
-are those of before.
+Proposes to split an edge at a point. Each cell around the edge is divided into two, which keep its
+label. The new vertex is on the sides of the domain that contain the edge. Linear in the number of
+cells around the edge.
 
-\param complex is not changed.
-\param cell, i, j the edge between the finite vertices i and j of the cell.
-\param point where the new vertex is to be. If that is not on the edge, the interface changes
-       accordingly. \pre it is on the edge, up to rounding, if that is on the boundary of the domain
-\param cavity filled with the proposal if there is one. Its last vertex is the new one.
-\return whether all new cells are positive and `complex.keeps_quality()`.
-
-Linear in the number of cells around the edge.
+\param complex the complex; it is not changed
+\param cell, i, j the edge between the finite vertices i and j of the cell
+\param point position of the new vertex. If it is not on the edge, the interface changes
+       accordingly.
+\param cavity filled with the proposal if there is one; its last vertex is the new one
+\return whether all new cells are positively oriented and `complex.keeps_quality()` holds
+\pre if the edge is on the boundary of the domain, the point is on the edge, up to rounding
 */
 template <class Complex>
 bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,
@@ -67,8 +67,9 @@ bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle ce
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-The same, with the point given by the part of the way from i to j, in (0, 1): the interface changes
-by the rounding of the point only.
+Proposes to split an edge at the fraction `ratio` of the vector from i to j, in (0, 1). The
+interface moves only by the rounding of the point. Otherwise the function is the same as the
+overload above.
 */
 template <class Complex>
 bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,

@@ -17,9 +17,9 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-is the base class of everything this package throws because of its input. `what()` is one line that
-says what is wrong and what can be done about it. The offending simplices are carried as indices
-that always refer to what the user passed in.
+Base class of all exceptions that this package throws because of its input. `what()` is one line
+that states the error and its remedy. Offending simplices are given as indices into the input of the
+user.
 */
 class Error : public std::runtime_error
 {
@@ -30,55 +30,58 @@ public:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-is thrown when an input surface does not bound a solid, so that inside and outside are undefined.
+Exception thrown if an input surface (in 2D, a curve) does not bound a solid, so that inside and
+outside are undefined.
 */
 class Invalid_surface_error : public Error
 {
 public:
-  /// what is wrong with the surface
+  /// Kind of the error.
   enum class Reason {
-    empty,             ///< there are no facets
+    empty,             ///< there is no facet
     not_finite,        ///< a coordinate is not a finite number
     bad_index,         ///< a facet refers to a vertex that does not exist
-    degenerate_facet,  ///< a facet has no area
-    open,              ///< an edge bounds a single facet
-    non_manifold_edge, ///< an edge bounds an odd number of facets, but not one
+    degenerate_facet,  ///< a facet has no area (in 2D, no length)
+    open,              ///< the surface has boundary edges: an edge has a single facet
+    non_manifold_edge, ///< an edge has an odd number of facets, at least three
     self_intersection, ///< two facets of one surface meet outside their common vertices and edges
-    crossing_surfaces, ///< two surfaces cross, or meet outside their common vertices and edges
-    too_fine,          ///< vertices cannot be told apart beside the size of all surfaces
+    crossing_surfaces, ///< facets of two surfaces meet outside their common vertices and edges
+    too_fine,          ///< vertices nearly coincide in relation to the extent of all surfaces
     outside_enclosing_box, ///< a vertex is not strictly inside the enclosing box
-    contradicting_sides ///< two patches tell different labels for the same region: the first facet
-                        ///< of `facets()` is of `surface()`, the second of `other_surface()`
+    /// two patches give different labels for the same region: the first facet of `facets()` is in
+    /// `surface()`, the second in `other_surface()`
+    contradicting_sides
   };
 
-  /// constructs the error; the arguments are returned by the functions below.
+  /// Constructs the error; the arguments are returned by the functions below.
   Invalid_surface_error(Reason reason, const std::string& message, std::size_t surface,
                         std::vector<std::size_t> facets, std::vector<std::size_t> vertices,
                         std::size_t other_surface)
       : Error(message), m_reason(reason), m_surface(surface), m_other_surface(other_surface),
         m_facets(std::move(facets)), m_vertices(std::move(vertices)) {}
 
-  /// constructs an error that concerns a single surface.
+  /// Constructs an error that concerns a single surface.
   Invalid_surface_error(Reason reason, const std::string& message, std::size_t surface,
                         std::vector<std::size_t> facets = {},
                         std::vector<std::size_t> vertices = {})
       : Invalid_surface_error(reason, message, surface, std::move(facets), std::move(vertices),
                               surface) {}
 
-  /// returns what is wrong.
+  /// Returns the kind of the error.
   Reason reason() const { return m_reason; }
 
-  /// returns the index of the offending input surface.
+  /// Returns the index of the offending input surface.
   std::size_t surface() const { return m_surface; }
 
-  /// returns the index of the second surface if two surfaces cross, `surface()` otherwise.
+  /// Returns the index of the second surface if the error concerns two surfaces, otherwise
+  /// `surface()`.
   std::size_t other_surface() const { return m_other_surface; }
 
-  /// returns the indices of the offending facets, increasing. Facets that intersect come in pairs
+  /// Returns the indices of the offending facets, increasing. Facets that intersect come in pairs
   /// instead: `facets()[2*i]` of `surface()` and `facets()[2*i+1]` of `other_surface()`.
   const std::vector<std::size_t>& facets() const { return m_facets; }
 
-  /// returns the indices of the offending vertices of `surface()`, increasing. Edges come in pairs
+  /// Returns the indices of the offending vertices of `surface()`, increasing. Edges come in pairs
   /// instead: `vertices()[2*i]` and `vertices()[2*i+1]` are the ends of an offending edge.
   const std::vector<std::size_t>& vertices() const { return m_vertices; }
 
@@ -91,16 +94,17 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-is thrown when space around valid surfaces could not be filled with tetrahedra.
+Exception thrown if the space around valid surfaces could not be filled with tetrahedra.
 */
 class Tetrahedralization_error : public Error
 {
 public:
-  /// constructs the error; `code` is returned by `code()`.
+  /// Constructs the error; `code` is returned by `code()`.
   explicit Tetrahedralization_error(const std::string& message, int code = 0)
       : Error(message), m_code(code) {}
 
-  /// returns the code that TetGen threw, or zero if it crashed, was stopped, or made a bad result.
+  /// Returns the code that TetGen threw; 0 if TetGen crashed, was stopped, or made an invalid
+  /// result.
   int code() const { return m_code; }
 
 private:
@@ -110,20 +114,21 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-is thrown when given tetrahedra do not form a ball-shaped mesh without flat or inverted cells.
+Exception thrown if given cells do not form a valid mesh of the domain: a ball or a torus without
+flat or inverted cells.
 */
 class Invalid_cells_error : public Error
 {
 public:
-  /// constructs the error; the arguments are returned by the functions below.
+  /// Constructs the error; the arguments are returned by the functions below.
   explicit Invalid_cells_error(const std::string& message, std::vector<std::size_t> tetrahedra = {},
                                std::vector<std::size_t> vertices = {})
       : Error(message), m_tetrahedra(std::move(tetrahedra)), m_vertices(std::move(vertices)) {}
 
-  /// returns the indices of the offending tetrahedra, increasing.
+  /// Returns the indices of the offending cells, increasing: tetrahedra in 3D, triangles in 2D.
   const std::vector<std::size_t>& tetrahedra() const { return m_tetrahedra; }
 
-  /// returns the indices of the offending vertices.
+  /// Returns the indices of the offending vertices.
   const std::vector<std::size_t>& vertices() const { return m_vertices; }
 
 private:
@@ -133,31 +138,32 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-is thrown when points bound no solid, so that none can be reconstructed from them.
+Exception thrown if points do not bound a solid, so that no solid can be reconstructed from them.
 */
 class Invalid_points_error : public Error
 {
 public:
-  /// what is wrong with the points
+  /// Kind of the error.
   enum class Reason {
     not_finite,   ///< coordinates are not finite numbers
     out_of_range, ///< the extent of the points is not between 1e-30 and 1e30
-    too_few,      ///< fewer than four points differ
+    too_few,      ///< fewer than four points are different
     flat,         ///< all points lie in a plane
-    open,         ///< what the points enclose is nothing, or too thin beside their distances
-    sheet         ///< the points sample an open sheet, and not a solid with holes
+    /// the points enclose nothing, or a volume that is too thin in relation to their distances
+    open,
+    sheet ///< the points sample an open sheet, not a solid with holes
   };
 
-  /// constructs the error; the arguments are returned by the functions below.
+  /// Constructs the error; the arguments are returned by the functions below.
   Invalid_points_error(Reason reason, const std::string& message,
                        std::vector<std::size_t> points = {})
       : Error(message), m_reason(reason), m_points(std::move(points)) {}
 
-  /// returns what is wrong.
+  /// Returns the kind of the error.
   Reason reason() const { return m_reason; }
 
-  /// returns the indices of the offending points among those that were given, increasing; none if
-  /// no point is worse than the others.
+  /// Returns the indices of the offending input points, increasing; empty if the error concerns all
+  /// points equally.
   const std::vector<std::size_t>& points() const { return m_points; }
 
 private:
@@ -168,17 +174,17 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-is thrown when interface vertices are sent to places that no position can be computed for, such as
-points with coordinates that are not finite. Nothing has been moved then.
+Exception thrown if destinations of interface vertices are invalid, such as points with coordinates
+that are not finite. No vertex has been moved then.
 */
 class Invalid_destination_error : public Error
 {
 public:
-  /// constructs the error; `vertices` is returned by `vertices()`.
+  /// Constructs the error; `vertices` is returned by `vertices()`.
   Invalid_destination_error(const std::string& message, std::vector<std::size_t> vertices)
       : Error(message), m_vertices(std::move(vertices)) {}
 
-  /// returns the indices of the offending vertices in the order of `interface_vertices()`.
+  /// Returns the indices of the offending vertices, in the order of `interface_vertices()`.
   const std::vector<std::size_t>& vertices() const { return m_vertices; }
 
 private:
@@ -188,13 +194,13 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-is thrown when a proposal is committed that was made before the last change of the complex: what was
-found out then need not hold any more. Nothing has changed then; propose again.
+Exception thrown if a proposal is committed after the complex has changed, so that the proposal may
+be invalid. The complex is unchanged; make a new proposal.
 */
 class Stale_proposal_error : public Error
 {
 public:
-  /// constructs the error.
+  /// Constructs the error.
   Stale_proposal_error()
       : Error("the complex has changed since this change of it was proposed; propose it again") {}
 };
@@ -202,16 +208,16 @@ public:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-is thrown when a file cannot be opened, read, written or understood.
+Exception thrown if a file cannot be opened, read, written or understood.
 */
 class File_error : public Error
 {
 public:
-  /// constructs the error; `path` is returned by `path()`.
+  /// Constructs the error; `path` is returned by `path()`.
   File_error(const std::string& message, std::string path)
       : Error(message), m_path(std::move(path)) {}
 
-  /// returns the path of the file as the user gave it.
+  /// Returns the path of the file as given by the user.
   const std::string& path() const { return m_path; }
 
 private:

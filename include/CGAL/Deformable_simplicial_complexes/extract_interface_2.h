@@ -26,43 +26,44 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-is the interface of a planar complex, or a part of it, as segments that share points, in user
-coordinates: the twin of `Interface_surface_3`.
+The interface of a complex in 2D, or a part of it, as segments that share points, in user
+coordinates. The class `Interface_surface_3` is the counterpart in 3D.
 
-On a torus, each connected part is unwrapped: points may be outside the box, and a part that goes
-around is cut open, with several points for the vertices there.
+On a torus, each connected component of the interface is unwrapped, so that points may be outside
+the box. A component that winds around the torus is cut open; vertices at the cut have several
+points.
 
-\tparam Complex is an instance of `Deformable_simplicial_complex_2`.
+\tparam Complex an instance of `Deformable_simplicial_complex_2`
 */
 template <class Complex> struct Interface_curve_2
 {
-  using Point_2 = typename Complex::Approximate_point_2; ///< has coordinates of type `double`
+  /// point with coordinates of type `double`
+  using Point_2 = typename Complex::Approximate_point_2;
   using Vertex_handle = typename Complex::Vertex_handle; ///< vertex of the complex
   using Label = typename Complex::Label;                 ///< name of a phase
 
-  /// the points in user coordinates, by increasing time stamp of their vertices; on a torus,
-  /// further images of these follow
+  /// points in user coordinates, by increasing time stamp of their vertices; on a torus, further
+  /// images of the vertices follow
   std::vector<Point_2> points;
 
   /// indices into `points`; the first label of the segment is on its left
   std::vector<std::array<std::size_t, 2>> segments;
 
-  /// for each segment the label on its left and that on its right
+  /// labels on the left and on the right of each segment
   std::vector<std::array<Label, 2>> labels;
 
-  /// for each point the vertex it is the position of
+  /// vertex at each point
   std::vector<Vertex_handle> vertices;
 };
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-extracts the whole interface of a planar complex, with the larger label on the left.
+Extracts the whole interface of a complex in 2D, with the larger label on the left. Linear in the
+number of cells, and n log n in the size of the interface.
 
-\param dsc is the complex; it is not changed.
-\return the segments in the order of `dsc.interface_facets()`.
-
-Linear in the number of cells, and n log n in the size of the interface.
+\param dsc the complex; it is not changed
+\return the segments, in the order of `dsc.interface_facets()`
 */
 template <class Traits, class Tds, class Domain>
 Interface_curve_2<Deformable_simplicial_complex_2<Traits, Tds, Domain>>
@@ -76,12 +77,12 @@ extract_interface(const Deformable_simplicial_complex_2<Traits, Tds, Domain>& ds
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-extracts the interface between two labels as a curve: otherwise as above.
+Extracts the interface between two labels as a curve. Linear in the number of cells, and n log n in
+the size of the interface.
 
-\param dsc is the complex; it is not changed.
-\param a, b two labels; the larger one is on the left.
-
-Linear in the number of cells, and n log n in the size of the interface.
+\param dsc the complex; it is not changed
+\param a, b two labels; the larger one is on the left
+\return the segments, in the order of `dsc.interface_facets(a, b)`
 */
 template <class Traits, class Tds, class Domain>
 Interface_curve_2<Deformable_simplicial_complex_2<Traits, Tds, Domain>>
@@ -94,8 +95,8 @@ extract_interface(const Deformable_simplicial_complex_2<Traits, Tds, Domain>& ds
 
 namespace internal {
 
-// Adds a cell and all that are connected with it through facets between cells of its label to
-// `found`, and returns them.
+// Returns a cell and all cells that are connected with it through facets between cells of its
+// label. Adds them to `found`.
 template <class Complex>
 std::vector<typename Complex::Cell_handle>
 connected_cells(const Complex& complex, typename Complex::Cell_handle first,
@@ -112,8 +113,8 @@ connected_cells(const Complex& complex, typename Complex::Cell_handle first,
   return result;
 }
 
-// The boundaries of the parts of labels: for each connected component of cells of a label closed
-// ways with that on their left, which pass no vertex twice.
+// Boundaries of the connected components of labels. For each component, they are closed polylines
+// with the component on their left. A polyline passes each vertex once.
 template <class Complex> class Label_boundary_2
 {
 public:
@@ -121,7 +122,7 @@ public:
   using Cell_handle = typename Complex::Cell_handle;
   using Way = std::vector<Vertex_handle>;
 
-  // Of the cells whose labels are wanted.
+  // Computes the boundaries of all components whose label fulfills `is_wanted(label)`.
   template <class Wanted>
   Label_boundary_2(const Complex& complex, const Wanted& is_wanted) : m_complex(complex) {
     std::set<Cell_handle> found;
@@ -142,11 +143,11 @@ public:
     std::vector<Way> ways;
   };
 
-  // One for each component, in the order of their first cells.
+  // Returns the components, in the order of their first cells.
   const std::vector<Part>& parts() const { return m_parts; }
 
-  // Whether a way goes counterclockwise around what it bounds, exactly: as it does at its first
-  // vertex from the left.
+  // Returns whether a polyline is counterclockwise, that is, an outer boundary. The test is the
+  // exact orientation at the leftmost vertex.
   bool is_outer(const Way& way) const {
     std::size_t first = 0;
     for (std::size_t i = 1; i < way.size(); ++i)
@@ -163,12 +164,12 @@ private:
     return m_complex.is_infinite(d) || d->label() != c->label();
   }
 
-  // Edge after edge, always with the next one of the same fan of cells. What lies between two
-  // visits to a vertex is a way of its own.
+  // Follows the boundary edge by edge; the next edge is always in the same fan of cells. The part
+  // between two visits to a vertex becomes a polyline of its own.
   void follow(Cell_handle c, int i) {
     auto& ways = m_parts.back().ways;
     Way way;
-    std::map<Vertex_handle, std::size_t> place; // in the way
+    std::map<Vertex_handle, std::size_t> place; // index in the polyline
     do {
       const Vertex_handle a = c->vertex((i + 1) % 3);
       const auto [first, is_new] = place.emplace(a, way.size());
@@ -179,7 +180,7 @@ private:
         way.resize(first->second);
       }
       way.push_back(a);
-      int next = (i + 1) % 3; // the edge that begins where this one ends
+      int next = (i + 1) % 3; // edge that begins at the end of the present one
       const Vertex_handle b = c->vertex((i + 2) % 3);
       while (!is_side(c, next)) {
         c = c->neighbor(next);
@@ -197,7 +198,7 @@ private:
 
 using Extracted_polygon_2 = Polygon_with_holes_2<Exact_predicates_inexact_constructions_kernel>;
 
-// Those of the labels that are wanted.
+// Returns the polygons of the labels that fulfill `is_wanted(label)`.
 template <class Complex, class Wanted>
 std::map<int, std::vector<Extracted_polygon_2>> polygons_of_labels(const Complex& dsc,
                                                                    const Wanted& is_wanted) {
@@ -228,14 +229,14 @@ std::map<int, std::vector<Extracted_polygon_2>> polygons_of_labels(const Complex
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-extracts the region of a label as polygons with holes in user coordinates, one for each connected
-component. Holes may touch each other and the outer boundary in vertices.
+Extracts the region of a label as polygons with holes in user coordinates, one for each connected
+component. Holes may touch each other and the outer boundary in vertices. n log n in the number of
+cells.
 
-\param dsc is the complex, whose domain is no torus, where a region need not be a polygon. It is not
-       changed.
-\param label a label; if no cell has it the result is empty.
-
-n log n in the number of cells.
+\param dsc the complex, which is not changed. Its domain is not a torus, since a region of a torus
+       need not be a polygon.
+\param label a label
+\return the polygons; empty if no cell has the label
 */
 template <class Traits, class Tds, class Domain>
 std::vector<Polygon_with_holes_2<Exact_predicates_inexact_constructions_kernel>>
@@ -247,11 +248,10 @@ extract_polygons(const Deformable_simplicial_complex_2<Traits, Tds, Domain>& dsc
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-extracts the regions of all labels at once, as above: by their labels.
+Extracts the regions of all labels, as above. n log n in the number of cells.
 
-\param dsc is the complex, whose domain is no torus. It is not changed.
-
-n log n in the number of cells.
+\param dsc the complex, which is not changed; its domain is not a torus
+\return the polygons of each label
 */
 template <class Traits, class Tds, class Domain>
 std::map<int, std::vector<Polygon_with_holes_2<Exact_predicates_inexact_constructions_kernel>>>

@@ -27,15 +27,15 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-is the interface of a complex, or a part of it, as a triangle soup in user coordinates. Triangles
-share points, so the soup has the connectivity of the interface, which need not be manifold.
+The interface of a complex in 3D, or a part of it, as a triangle soup in user coordinates. Triangles
+share points, so that the soup has the connectivity of the interface, which may be non-manifold. The
+two triangles at an edge of exactly two triangles are always consistently oriented.
 
-Across an edge of only two triangles the orientation is always coherent.
+On a torus, each connected component of the interface is unwrapped, so that points may be outside
+the box. A component that winds around the torus is cut open; vertices at the cut have several
+points.
 
-On a torus, each connected part is unwrapped: points may be outside the box, and a part that goes
-around is cut open, with several points for the vertices there.
-
-\tparam Complex is an instance of `Deformable_simplicial_complex_3`.
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
 
 \sa `extract_interface()`
 \sa `interface_to_surface_mesh()`
@@ -43,24 +43,26 @@ around is cut open, with several points for the vertices there.
 */
 template <class Complex> struct Interface_surface_3
 {
-  using Point_3 = typename Complex::Approximate_point_3; ///< has coordinates of type `double`
+  /// point with coordinates of type `double`
+  using Point_3 = typename Complex::Approximate_point_3;
   using Vertex_handle = typename Complex::Vertex_handle; ///< vertex of the complex
   using Label = typename Complex::Label;                 ///< name of a phase
 
-  /// the points in user coordinates, by increasing time stamp of their vertices; on a torus,
-  /// further images of these follow
+  /// points in user coordinates, by increasing time stamp of their vertices; on a torus, further
+  /// images of the vertices follow
   std::vector<Point_3> points;
 
   /// indices into `points`; the normal points out of the first label of the triangle
   std::vector<std::array<std::size_t, 3>> triangles;
 
-  /// for each triangle the label behind it and the label its normal points into
+  /// labels behind and in front of each triangle; the normal points from the first to the second
+  /// one
   std::vector<std::array<Label, 2>> labels;
 
-  /// for each point the vertex it is the position of
+  /// vertex at each point
   std::vector<Vertex_handle> vertices;
 
-  /// for each point where it lies on the boundary of the domain
+  /// boundary class of each point
   std::vector<Boundary_class::Bits> boundary_classes;
 };
 
@@ -83,12 +85,11 @@ Interface_surface_3<Complex> interface_surface(const Complex& dsc,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-extracts the whole interface of a complex. Normals point out of the larger label.
+Extracts the whole interface of a complex in 3D. Normals point out of the larger label. Linear in
+the number of cells, and n log n in the size of the interface.
 
-\param dsc is the complex; it is not changed.
-\return the triangles in the order of `dsc.interface_facets()`.
-
-Linear in the number of cells, and n log n in the size of the interface.
+\param dsc the complex; it is not changed
+\return the triangles, in the order of `dsc.interface_facets()`
 */
 template <class Traits, class Tds, class QualityMeasure, class Domain>
 Interface_surface_3<Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>>
@@ -99,13 +100,13 @@ extract_interface(const Deformable_simplicial_complex_3<Traits, Tds, QualityMeas
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-extracts the interface between two labels. Normals point out of `a` into `b`.
+Extracts the interface between two labels. Normals point out of `a` into `b`. Linear in the number
+of cells, and n log n in the size of the interface.
 
-\param dsc is the complex; it is not changed.
-\param a, b are different labels. If no facets lie between them the result is empty.
-\return the triangles in the order of `dsc.interface_facets(a, b)`.
-
-Linear in the number of cells, and n log n in the size of the interface.
+\param dsc the complex; it is not changed
+\param a, b different labels
+\return the triangles, in the order of `dsc.interface_facets(a, b)`; empty if there is no facet
+        between the labels
 */
 template <class Traits, class Tds, class QualityMeasure, class Domain>
 Interface_surface_3<Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>>
@@ -119,22 +120,20 @@ extract_interface(
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-adds an interface to a polygon mesh.
+Adds an interface to a polygon mesh. n log n in the size of the interface.
 
-A polygon mesh is manifold and an interface need not be. Where more than two triangles share an
-edge, the surface is cut open along the edge; where the triangles at a vertex form more than one
-fan, each fan gets a vertex of its own. `Polygon_mesh_processing::orient_polygon_soup()` does both.
-Triangles keep their orientation, and the mesh has them in the order of `surface.triangles`;
-vertices come in the order of `surface.points`, followed by the duplicates.
+A polygon mesh is manifold, but an interface may be non-manifold. The surface is therefore cut open
+along edges of more than two triangles. If the triangles at a vertex form more than one fan, each
+fan gets its own vertex. `Polygon_mesh_processing::orient_polygon_soup()` does both. Triangles keep
+their orientation and the order of `surface.triangles`. Vertices keep the order of `surface.points`,
+followed by the duplicates.
 
-\tparam Complex is an instance of `Deformable_simplicial_complex_3`.
-\tparam TriangleMesh is a model of `MutableFaceGraph` with an internal property map for
-`CGAL::vertex_point_t` whose points can be constructed from three coordinates.
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+\tparam TriangleMesh model of `MutableFaceGraph` with an internal property map for
+        `CGAL::vertex_point_t`, whose points can be constructed from three coordinates
 
-\param surface is what `extract_interface()` returned.
-\param mesh is the mesh that vertices and faces are added to.
-
-n log n in the size of the interface.
+\param surface a result of `extract_interface()`
+\param mesh the mesh that vertices and faces are added to
 */
 template <class Complex, class TriangleMesh>
 void interface_to_surface_mesh(const Interface_surface_3<Complex>& surface, TriangleMesh& mesh) {

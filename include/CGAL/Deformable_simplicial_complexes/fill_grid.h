@@ -16,7 +16,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The complex, empty before, of the cells of a grid with labels that a function tells.
+// Returns the complex of the cells of a grid, with labels given by a function. `result` is an empty
+// complex in the domain.
 template <class Complex, class LabelAt, class NamedParameters>
 Complex fill_grid(Complex result, const Grid<Complex::dimension>& grid, const LabelAt& label_at,
                   const NamedParameters& np) {

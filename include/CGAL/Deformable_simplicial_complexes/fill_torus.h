@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What make_deformable_simplicial_complex_2 and _3 do on a torus.
+// Makes a complex on a torus, for make_deformable_simplicial_complex_2 and _3.
 template <class Complex, class LabelAt, class NamedParameters>
 Complex fill_torus(const Torus_domain<Complex::dimension>& domain, double edge,
                    const LabelAt& label_at, const NamedParameters& np) {

@@ -19,13 +19,14 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Where a function that tells labels changes, on the way from a point of a label: by bisection.
+// Returns a point where the label given by a function changes between `from`, a point of the label,
+// and `to`; by bisection.
 template <class Complex, class LabelAt>
 typename Complex::Approximate_point change_of_label(const Complex& complex, const LabelAt& label_at,
                                                     typename Complex::Approximate_point from,
                                                     typename Complex::Approximate_point to,
                                                     typename Complex::Label label) {
-  static constexpr int halvings = 40; // to a billionth of a thousandth of the way
+  static constexpr int halvings = 40; // reduces the interval to a trillionth
   for (int i = 0; i < halvings; ++i) {
     const auto middle = from + (to - from) / 2;
     (label_at(complex.domain().canonical(middle)) == label ? from : to) = middle;
@@ -33,7 +34,7 @@ typename Complex::Approximate_point change_of_label(const Complex& complex, cons
   return from;
 }
 
-// The barycenter of a cell, as seen from its vertex 0.
+// Returns the barycenter of a cell, as seen from its vertex 0.
 template <class Complex>
 typename Complex::Approximate_point barycenter(const Complex& complex,
                                                typename Complex::Cell_handle c) {
@@ -43,8 +44,9 @@ typename Complex::Approximate_point barycenter(const Complex& complex,
   return ORIGIN + sum / Complex::corners;
 }
 
-// Where the labels that a function tells change, for the vertices of the interface: the mean of the
-// places between the cells on both sides of their facets. Vertices without one stay.
+// Returns positions of the interface vertices where the labels given by a function change. A
+// position is the mean of the points of change between the cells on both sides of the incident
+// facets. Vertices without such a point stay.
 template <class Complex, class LabelAt>
 std::vector<typename Complex::Approximate_point>
 changes_of_labels(const Complex& complex, const LabelAt& label_at,
@@ -79,25 +81,26 @@ changes_of_labels(const Complex& complex, const LabelAt& label_at,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Moves the interface to where the labels change that a function tells: after `relabel()`, which only
-chooses among the facets that are there. Vertices go to the mean of the places around them where it
-changes, found by bisection; that is done several times. So a smooth interface is met up to its
-curvature times the square of the edges, and lines where labels meet up to a part of an edge.
+Moves the interface to the places where a function of labels changes its value. Use it after
+`relabel()`, which can only choose among existing facets. Each vertex moves to the mean of the
+nearby points of change, which are found by bisection. This is repeated several times. The distance
+from a smooth interface is then of the order of its curvature times the square of the edge length.
+Lines where labels meet are approximated up to a fraction of the edge length.
+
+About 40 calls of `label_at` for each facet in each repetition, plus the deformations.
 
 \param dsc the complex
-\param label_at `label_at(p)` tells the label at an `Approximate_point` of the domain
+\param label_at `label_at(p)` returns the label at an `Approximate_point` of the domain
 \param np the named parameters of `deform_interface()`
-\return what the last deformation did
-\throws whatever `deform_interface()` throws
-
-About 40 calls of `label_at` for each facet, and the deformations.
+\return the report of the last deformation
+\throws Error as `deform_interface()` does
 */
 template <class Complex, class LabelAt,
           class NamedParameters = parameters::Default_named_parameters>
 Deformation_report<Complex> fit_interface(Complex& dsc, const LabelAt& label_at,
                                           const NamedParameters& np = NamedParameters()) {
   const Progress_phase phase("fitting the interface");
-  static constexpr int rounds = 3; // the first straightens stairs; more change little
+  static constexpr int rounds = 3; // the first one removes steps; more than three change little
   Deformation_report<Complex> report;
   for (int i = 0; i < rounds && !report.stopped; ++i) {
     const Interface_snapshot<Complex> interface_(dsc);

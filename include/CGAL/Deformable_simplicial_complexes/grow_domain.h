@@ -21,14 +21,14 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Returns whether the interface keeps its distance from the boundary of the domain, a box.
+Returns whether the interface keeps a distance from the boundary of the domain, a box. Linear in the
+size of the interface and of the boundary.
 
-\param dsc the complex.
-\param part the distance from each side, as a part of the length of the box across that side.
-\return whether all vertices of the interface are farther from all sides; `true` if the domain is no
-        box.
-
-Linear in the interface and in the boundary.
+\param dsc the complex
+\param part distance from each side, as a fraction of the length of the box perpendicular to the
+       side
+\return whether all vertices of the interface are farther from all sides; `true` if the domain is
+        not a box
 */
 template <class Complex> bool has_room_around_interface(const Complex& dsc, double part = .125) {
   const internal::Domain_box<Complex> box(dsc);
@@ -47,18 +47,16 @@ template <class Complex> bool has_room_around_interface(const Complex& dsc, doub
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Enlarges the domain, a box, about its center, so that an interface that comes near its boundary can
-move on. The space between the old and the new box is filled with cells of label 0. All cells of
-before stay, and are improved together with the new ones. The vertices of the interface, the
-normalization, `dsc.mean_interface_edge()` and `dsc.minimum_interface_edge()` stay, bit for bit; the
-volumes of all labels except 0 stay up to rounding.
+Enlarges the domain, a box, about its center, so that an interface near its boundary can move on.
+The space between the old and the new box is filled with cells of label 0. The old cells stay, and
+are improved together with the new ones. The vertices of the interface, the normalization,
+`dsc.mean_interface_edge()` and `dsc.minimum_interface_edge()` are bitwise unchanged. The volumes of
+all labels except 0 are unchanged up to rounding. n log n in the number of cells.
 
-\param dsc the complex. Handles are invalidated; changes of components not taken yet are forgotten.
-\param factor by which the sides of the box get longer, more than 1.
-\throws Error if the factor is not finite and more than 1, the domain
-        is no box, or the new box is larger than complexes can be; the complex is then unchanged.
-
-n log n in the number of cells.
+\param dsc the complex. Handles are invalidated; component events not taken yet are lost.
+\param factor factor by which the sides of the box are multiplied, larger than 1
+\throws Error if the factor is not finite or not larger than 1, the domain is not a box, or the new
+        box is too large for a complex; the complex is then unchanged
 */
 template <class Complex> void grow_domain(Complex& dsc, double factor = 1.5) {
   if (!(factor > 1) || !std::isfinite(factor))

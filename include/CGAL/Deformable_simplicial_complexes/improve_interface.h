@@ -19,100 +19,103 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Improves the facets of the interface without changing its shape by much (section 3.2.2 of the
-paper): splits long edges, collapses short ones, and moves vertices along the interface (null-space
-smoothing); in space, it also flips edges that do not fulfill the Delaunay criterion and removes
-facets with small angles. The cells around are improved where that made them bad.
+Improves the facets of the interface, with small changes of its shape (section 3.2.2 of the paper).
+The function splits long edges, collapses short edges, and moves vertices along the interface
+(null-space smoothing). In 3D, it also flips edges that do not fulfill the Delaunay criterion, and
+removes facets with small angles. Cells around that become badly shaped are improved. A pass over
+the cells and the stars of the vertices of the interface for each iteration.
 
-The topology stays, and so do lines and points where more than two labels meet, except where edges
-or, on request, junctions are split.
-Sharp edges, corners and their shape stay: vertices move and collapse only along edges, and these
-are not flipped; in the plane, corners stay. Smoothing keeps the volumes of labels up to rounding;
-flips, collapses and curved splits change them slightly.
+The topology stays. Lines and points where more than two labels meet stay, except where edges or, on
+request, junctions are split. Sharp edges and corners keep their shape: sharp edges are not flipped,
+and their vertices move and collapse only along them. In 2D, corners stay. Smoothing keeps the
+volumes of labels up to rounding; flips, collapses and curved splits change them slightly.
 
-\param dsc the complex.
+\param dsc the complex
 \param np named parameters:
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{how often all of that is done}
+    \cgalParamDescription{number of repetitions of all operations}
     \cgalParamType{`unsigned int`} \cgalParamDefault{1}
   \cgalParamNEnd
   \cgalParamNBegin{aggressiveness}
-    \cgalParamDescription{up to which ratio of the eigenvalues of its quadric a vertex may move in a
-                          direction, see `propose_null_space_position()`; in [0, 1), 0 for no
-                          smoothing}
+    \cgalParamDescription{largest ratio of the eigenvalues of the quadric of a vertex for which it
+                          may move in a direction, see `propose_null_space_position()`; in [0, 1); 0
+                          for no smoothing}
     \cgalParamType{`double`} \cgalParamDefault{0.025, the paper's}
   \cgalParamNEnd
   \cgalParamNBegin{flip_angle}
-    \cgalParamDescription{edges that do not fulfill the Delaunay criterion are flipped if the
-                          normals of their facets differ by less, in degrees, in [0, 90], and the
-                          worst cell around gets better or stays above the threshold; in space}
+    \cgalParamDescription{an edge that does not fulfill the Delaunay criterion is flipped if the
+                          normals of its facets differ by a smaller angle, in degrees, in [0, 90].
+                          The worst cell around must improve or stay above the threshold. In 3D
+                          only.}
     \cgalParamType{`double`} \cgalParamDefault{5, the paper's}
   \cgalParamNEnd
   \cgalParamNBegin{feature_angle}
-    \cgalParamDescription{edges where the normals of the facets differ by more are features, in
-                          degrees, in [0, 180]: never flipped, and their vertices move and collapse
-                          only along lines that bend by less; in the plane, vertices where edges
-                          differ by more are corners}
+    \cgalParamDescription{edges where the normals of the facets differ by a larger angle, in
+                          degrees, in [0, 180], are features. They are never flipped, and their
+                          vertices move and collapse only along feature lines that bend by a smaller
+                          angle. In 2D, vertices where the edges differ by a larger angle are
+                          corners.}
     \cgalParamType{`double`} \cgalParamDefault{60}
   \cgalParamNEnd
   \cgalParamNBegin{sizing_field}
-    \cgalParamDescription{the wanted length of edges, a positive function of position:
-                          `double sizing_field(Approximate_point p)`, callable as `const`, asked
-                          at midpoints of edges, in the coordinates of the complex; for example
+    \cgalParamDescription{target edge length, a positive function of position in the coordinates of
+                          the complex: `double sizing_field(Approximate_point p)`, callable as
+                          `const`, evaluated at midpoints of edges; for example
                           `Curvature_sizing_field`}
     \cgalParamType{function object, by value or `std::reference_wrapper`}
     \cgalParamDefault{`dsc.mean_interface_edge()` everywhere}
   \cgalParamNEnd
   \cgalParamNBegin{interface_split_length}
-    \cgalParamDescription{longer edges are split, in units of the wanted length, positive}
+    \cgalParamDescription{longer edges are split; in units of the target edge length, positive}
     \cgalParamType{`double`} \cgalParamDefault{2, the paper's}
   \cgalParamNEnd
   \cgalParamNBegin{curved_splits}
-    \cgalParamDescription{whether new vertices are put on the smooth surface or curve that the neighbors of
-                          the edge suggest, where the interface is smooth, and not on the edge}
+    \cgalParamDescription{whether new vertices are placed on a smooth surface or curve interpolated
+                          from the neighbors of the edge, instead of on the edge; only where the
+                          interface is smooth}
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{split_junctions}
     \cgalParamDescription{whether vertices where more than three phases meet are split into two
-                          junctions where that shortens the interface, see
-                          `propose_junction_split()`; in the plane}
+                          junctions if this shortens the interface, see `propose_junction_split()`;
+                          in 2D only}
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{interface_collapse_length}
-    \cgalParamDescription{shorter edges are collapsed, in units of the wanted length, not negative}
+    \cgalParamDescription{shorter edges are collapsed; in units of the target edge length, at least
+                          0}
     \cgalParamType{`double`} \cgalParamDefault{0.25}
   \cgalParamNEnd
   \cgalParamNBegin{minimum_facet_angle}
     \cgalParamDescription{an edge of a facet with a smaller angle is flipped or collapsed, whichever
-                          changes the shape less, in degrees, in [0, 30]; in space}
+                          changes the shape less; in degrees, in [0, 30]; in 3D only}
     \cgalParamType{`double`} \cgalParamDefault{15}
   \cgalParamNEnd
   \cgalParamNBegin{swept_volume}
-    \cgalParamDescription{how much volume may lie between the interface before and after a collapse,
-                          or a flip for the sake of a small angle, in cubes of the wanted length,
-                          in the plane squares, not negative}
+    \cgalParamDescription{largest volume between the interface before and after a collapse, or after
+                          a flip that removes a small angle; in cubes (in 2D, squares) of the target
+                          edge length, at least 0}
     \cgalParamType{`double`} \cgalParamDefault{0.1}
   \cgalParamNEnd
   \cgalParamNBegin{quality_threshold}
-    \cgalParamDescription{cells that changed and are of lower quality are improved, in [0, 1]}
+    \cgalParamDescription{changed cells of lower quality are improved, in [0, 1]}
     \cgalParamType{`double`} \cgalParamDefault{0.2}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told of each change of the mesh}
+    \cgalParamDescription{visitor that is called at each change of the mesh}
     \cgalParamType{model of `DeformationVisitor`, by value or `std::reference_wrapper`}
     \cgalParamDefault{`Deformation_visitor`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what was done.
-\throws Error if a parameter is out of its range, or there is an
-       interface, but neither a size field nor `dsc.mean_interface_edge()`, the complex then being
-       unchanged, or if the size field has a value that is not positive. An exception of the size
-       field or of the visitor leaves a valid complex.
+\return the numbers of changes
+\throws Error if a parameter is out of its range, or there is an interface, but neither a sizing
+        field nor `dsc.mean_interface_edge()`. The complex is then unchanged.
+\throws Error if the sizing field has a value that is not positive. After this exception, or one of
+        the sizing field or of the visitor, the complex is valid.
 
-A pass over the cells and the stars of the vertices of the interface for each iteration.
 */
 template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = NamedParameters()) {

@@ -17,60 +17,60 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Improves the cells of a complex, triangles or tetrahedra, by reconnection, smoothing, collapses and
-insertion of vertices, each done only if it raises the worst quality where it acts, and by splits of
-long edges (Algorithm 3 of the paper; insertion: Klingner and Shewchuk 2007). Where cells stay bad,
-those around are improved beyond the threshold, to give them room. The interface stays as it is, bit
-for bit, unless its vertices may be smoothed.
+Improves the cells of a complex (Algorithm 3 of the paper; insertion: Klingner and Shewchuk 2007).
+The operations are reconnection, smoothing, collapses, insertion of vertices, and splits of long
+edges. Except for splits, each operation is done only if it raises the worst quality of the cells it
+replaces. If the quality of a cell stays low, the cells around it are improved beyond the threshold,
+to give it room. The interface is bitwise unchanged unless `smooth_interface` is set. Some passes
+over the cells, then n log n in the number of cells below the threshold.
 
-What is improved is the measure of the complex. In space, where dihedral angles count,
-`Biased_minimum_sine_3` is the one to choose.
+The quality is that of the complex's quality measure. If dihedral angles are important in 3D, choose
+`Biased_minimum_sine_3`. The result is deterministic: random numbers come from generators with fixed
+seeds.
 
-\param dsc the complex.
+\param dsc the complex
 \param np named parameters:
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{quality_threshold}
-    \cgalParamDescription{only cells of lower quality are improved, in [0, 1];
-                          the higher it is, the more vertices are inserted}
+    \cgalParamDescription{only cells of lower quality are improved, in [0, 1]; the higher it is, the
+                          more vertices are inserted}
     \cgalParamType{`double`} \cgalParamDefault{0.25; 0.46 if `aggressive`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{how many rounds at the most: each round works on what the last one made.
-                          Six times as many where neighbors are improved, too, and that for each
-                          threshold if `aggressive`}
+    \cgalParamDescription{largest number of rounds; each round processes the cells changed by the
+                          previous one. Where neighbors are improved, too, there are six times as
+                          many rounds; if `aggressive`, this holds for each threshold.}
     \cgalParamType{`unsigned int`} \cgalParamDefault{10}
   \cgalParamNEnd
   \cgalParamNBegin{aggressive}
-    \cgalParamDescription{whether to raise the threshold in steps, and then to disturb and improve
-                          the surroundings of bad cells again and again, which in space takes
+    \cgalParamDescription{whether the threshold is raised in steps, and the cells around cells of
+                          low quality are then perturbed and improved repeatedly; in 3D, this takes
                           minutes instead of seconds}
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{smooth_interface}
-    \cgalParamDescription{whether vertices of the interface may move where it is flat, within their
-                          plane, or straight, on their line: see `propose_optimal_position()`; in
-                          space only}
+    \cgalParamDescription{whether vertices of the interface may move within a plane or a line where
+                          the interface is flat or straight, see `propose_optimal_position()`; in 3D
+                          only}
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_threads}
-    \cgalParamDescription{threads to use if `aggressive`, where linked with TBB; the result does not
+    \cgalParamDescription{number of threads if `aggressive` and linked with TBB; the result does not
                           depend on it}
     \cgalParamType{`unsigned int`} \cgalParamDefault{1}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told of each change of the mesh}
+    \cgalParamDescription{visitor that is called at each change of the mesh}
     \cgalParamType{model of `DeformationVisitor`, by value or `std::reference_wrapper`}
     \cgalParamDefault{`Deformation_visitor`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what was done.
-\throws Error if a parameter is out of its range; the complex is
-       then unchanged. An exception of the visitor leaves a valid complex.
+\return the numbers of changes
+\throws Error if a parameter is out of its range; the complex is then unchanged
 
-Some passes over the cells, then n log n in the number of cells below the threshold. Random numbers
-are drawn from generators of its own, with fixed seeds.
+After an exception of the visitor, the complex is valid.
 */
 template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedParameters()) {

@@ -19,10 +19,10 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-The sectors around a vertex: maximal runs of triangles of one label, counterclockwise. In the split,
-one sector goes to a new vertex, and the sectors beside it become neighbors along the edge between
-both. The polygon around the vertex stays; its sides in the two neighboring sectors are divided
-between the two vertices where the triangles become best.
+Sectors around a vertex: maximal runs of triangles of one label, counterclockwise. In the split, one
+sector is connected with a new vertex, and its two neighbors become adjacent along the edge between
+the two vertices. The polygon around the vertex stays. Its sides in the two neighboring sectors are
+divided between the two vertices so that the worst quality is best.
 */
 template <class Complex> class Junction_sectors
 {
@@ -33,7 +33,7 @@ public:
   using Vector = typename Complex::Approximate_vector;
   using Index = typename Cavity<Complex>::Index;
 
-  // \pre v is not on the boundary of the domain
+  // Collects the sectors around v. \pre v is not on the boundary of the domain
   Junction_sectors(const Complex& complex, Vertex_handle v) : m_complex(complex), m_center(v) {
     const Cell_handle first = v->cell();
     Cell_handle c = first;
@@ -50,8 +50,9 @@ public:
 
   std::size_t number() const { return m_begins.size(); }
 
-  // The sector that is pulled away from the center most strongly, if stronger than an edge of the
-  // interface pulls back; `number()` if none is. Its neighbors have different labels.
+  // Returns the sector with the strongest pull away from the center, if the pull is stronger than
+  // that of one interface edge; otherwise `number()`. The two neighbors of the sector have
+  // different labels.
   std::size_t strongest() const {
     double strongest_pull = 1;
     std::size_t result = number();
@@ -65,8 +66,9 @@ public:
     return result;
   }
 
-  // Plans to move a sector to a new vertex at a part of its shorter side from the center. Returns
-  // whether the interface gets shorter and all triangles are positive and keep their quality.
+  // Plans to connect a sector with a new vertex. The distance of the new vertex from the center is
+  // a fraction of the shorter edge of the sector. Returns whether the interface becomes shorter,
+  // and all triangles are positively oriented and keep their quality.
   bool plan(std::size_t s, double part, Cavity<Complex>& cavity) const {
     const Vector pull = this->pull(s), left = to_corner(begin(s + 1)), right = to_corner(begin(s));
     const double shorter = std::sqrt((std::min)(left.squared_length(), right.squared_length()));
@@ -88,7 +90,7 @@ public:
   }
 
 private:
-  // Of the polygon, counterclockwise.
+  // Side of the polygon, counterclockwise.
   struct Side
   {
     Vertex_handle from, to;
@@ -98,7 +100,7 @@ private:
   static double length(const Vector& v) { return std::sqrt(v.squared_length()); }
   Label label(std::size_t k) const { return m_sides[k].cell->label(); }
 
-  // Sectors and sides are counted around the center: any number names one.
+  // Sectors and sides are numbered cyclically: any number is valid.
   const Side& side(std::size_t k) const { return m_sides[k % m_sides.size()]; }
   std::size_t begin(std::size_t s) const {
     return m_begins[s % number()] + s / number() * m_sides.size();
@@ -106,7 +108,7 @@ private:
   Label sector_label(std::size_t s) const { return side(begin(s)).cell->label(); }
   Vector to_corner(std::size_t k) const { return m_complex.displacement(m_center, side(k).from); }
 
-  // The sum of the unit vectors along the two edges of the interface that bound a sector.
+  // Returns the sum of the unit vectors along the two interface edges that bound a sector.
   Vector pull(std::size_t s) const {
     const Vector right = to_corner(begin(s)), left = to_corner(begin(s + 1));
     return right / length(right) + left / length(left);
@@ -122,7 +124,8 @@ private:
       cavity.create(triangle(cavity, k, apex), side(k).cell);
   }
 
-  // The first sides of a sector get one vertex as apex, the others the other.
+  // Connects the first sides of a sector with the vertex `one`, and the others with the vertex
+  // `other`.
   void divide(Cavity<Complex>& cavity, std::size_t s, Index one, Index other) const {
     const std::size_t first = begin(s), last = begin(s + 1);
     const auto between = [&](std::size_t k) -> typename Cavity<Complex>::Indices {
@@ -147,7 +150,7 @@ private:
   const Complex& m_complex;
   Vertex_handle m_center;
   std::vector<Side> m_sides;
-  std::vector<std::size_t> m_begins; // of sectors, in the sides
+  std::vector<std::size_t> m_begins; // first side of each sector
 };
 
 } // namespace internal
@@ -155,31 +158,30 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Proposes to split a vertex in which the phases of more than three sectors meet: one sector goes to a
-new vertex, and its two neighbors get a wall between both vertices. Where all walls have the same
-tension, such a vertex is unstable: the walls of one of the sectors enclose less than 120 degrees
-and pull it away.
+Proposes to split a vertex where the phases of more than three sectors meet. One sector is connected
+with a new vertex, and its two neighbors get a wall between the two vertices. If all walls have the
+same tension, such a vertex is unstable: the walls of one of the sectors enclose less than 120
+degrees and pull the sector away. Linear in the star of v, but quadratic in the size of the two
+sectors that become neighbors.
 
-\param complex is not changed.
-\param v a finite vertex.
-\param cavity filled with the proposal if there is one. Its last vertex is the new one.
-\return whether v is inside the domain, more than three sectors meet there, the interface gets
-        shorter by the split, the phases that become neighbors differ, and all new triangles are
-        positive and `complex.keeps_quality()`.
-
-Linear in the star of v, but quadratic in the two sectors that become neighbors.
+\param complex the complex; it is not changed
+\param v a finite vertex
+\param cavity filled with the proposal if there is one; its last vertex is the new one
+\return whether the proposal is valid: v is inside the domain, more than three sectors meet at v,
+        and the new neighbors have different labels. The split shortens the interface, all new
+        triangles are positively oriented, and `complex.keeps_quality()` holds.
 */
 template <class Complex>
 bool propose_junction_split(const Complex& complex, typename Complex::Vertex_handle v,
                             Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
-  static constexpr std::size_t stable = 3; // sectors
+  static constexpr std::size_t stable = 3; // number of sectors
   if (v->interface_degree() <= stable || complex.is_boundary(v))
     return false;
   const internal::Junction_sectors<Complex> sectors(complex, v);
   const std::size_t s = sectors.strongest();
   if (s == sectors.number())
     return false;
-  for (const double part : {.5, .25, .125}) // of an edge: as short as walls that are exchanged
+  for (const double part : {.5, .25, .125}) // fractions of an edge, as short as exchanged walls
     if (sectors.plan(s, part, cavity))
       return true;
   return false;

@@ -35,7 +35,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The complex, empty before, of triangles, and its improvement.
+// Makes a complex of the given triangles, and improves it. `dsc` is an empty complex in the domain.
 template <class Complex, class NP>
 Complex assign_and_improve(Complex dsc, const std::vector<Planar_kernel::Point_2>& planar,
                            const std::vector<std::array<std::size_t, 3>>& triangles,
@@ -50,7 +50,7 @@ Complex assign_and_improve(Complex dsc, const std::vector<Planar_kernel::Point_2
   return dsc;
 }
 
-// The same for a filled box, with labels told by `label(filling)`.
+// Fills a box, labels the triangles with `label(filling)`, and makes a complex of them.
 template <class Complex, class NP, class Label>
 Complex fill_box(Complex dsc, const Curve_soup_2& soup, const Bbox_2& box, const NP& np,
                  const Label& label) {
@@ -61,7 +61,7 @@ Complex fill_box(Complex dsc, const Curve_soup_2& soup, const Bbox_2& box, const
   return assign_and_improve(std::move(dsc), filling.points, filling.triangles, labels, np);
 }
 
-// Closed curves together, and the labels of what they enclose.
+// All closed curves, and the labels of the regions that they enclose.
 template <class Label> struct Closed_curves_2
 {
   Curve_soup_2 soup;
@@ -86,34 +86,36 @@ template <class Label> struct Closed_curves_2
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes a complex of regions of the plane that are bounded by closed polylines, in a rectangle that
-belongs to the outside: the twin of `make_deformable_simplicial_complex_3()`.
+Makes a complex from regions of the plane bounded by closed polylines, in a rectangle that belongs
+to the outside. The function `make_deformable_simplicial_complex_3()` is the counterpart in space. n
+log n in the number of segments and triangles.
 
-A curve is a set of segments, an even number of them at each point. Curves may be nested in any way,
-may touch in common ends of segments, and may have whole segments in common, but not cross or
-overlap in parts. A point inside several curves gets the label of the one that is entered last on a
-way from the outside that crosses as few segments as possible, the one that was given last if
-several are entered at once; outside all of them is label 0.
+A curve is a set of segments; an even number of them meet at each point. Curves may be nested in any
+way, may touch in common ends of segments, and may have whole segments in common. They must not
+cross or overlap partially. The label of a point is found along a path from the outside that crosses
+as few segments as possible: it is the label of the curve entered last. If several curves are
+entered at once, the one that was given last counts. Points outside all curves have label 0.
 
-Space is filled by CGAL's constrained Delaunay triangulation, with points as dense as those of the
-curves near them and sparser away from them. Points of the curves keep their coordinates, bit for
-bit.
+The rectangle is filled with CGAL's constrained Delaunay triangulation. Its points are as dense as
+the points of the curves near them, and sparser away from them. The coordinates of the points of the
+curves are bitwise unchanged.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_2`
 \tparam NP a sequence of named parameters
 
-\param curves with the labels of what they enclose; coordinates are rounded to `double`
+\param curves curves with the labels of the regions that they enclose; coordinates are rounded to
+       `double`
 \param np named parameters:
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{enclosing_box}
-    \cgalParamDescription{The domain, in which the curves must be strictly inside.}
+    \cgalParamDescription{The domain; the curves must be strictly inside.}
     \cgalParamType{`Bbox_2` or a class with `bbox()`, such as `Iso_rectangle_2`}
-    \cgalParamDefault{the square about the barycenter of the points whose half side is 2.5 times the
-                      largest distance of a point from it}
+    \cgalParamDefault{the square centered at the barycenter of the points, whose half side is 2.5
+                      times the largest distance of a point from the barycenter}
   \cgalParamNEnd
   \cgalParamNBegin{improve}
-    \cgalParamDescription{Whether the mesh is improved at the end, as it will be in each step of a
+    \cgalParamDescription{Whether the mesh is improved at the end, as in each pass of a
                           deformation.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
@@ -124,18 +126,15 @@ bit.
     \cgalParamDefault{0.3}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{How many rounds of improvement at the most.}
+    \cgalParamDescription{Largest number of rounds of improvement.}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{10}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\throws Invalid_surface_error if a curve is not as described above,
-        or reaches the box: its facets are segments
-\throws Error if there is no curve, or parameters or the extent of the
-        domain are out of range
-
-n log n in the number of segments and triangles.
+\throws Invalid_surface_error if a curve is not as described above, or reaches the box; the facets
+        of the error are segments
+\throws Error if there is no curve, or parameters or the extent of the domain are out of range
 */
 template <class Complex, class NP = parameters::Default_named_parameters>
 Complex make_deformable_simplicial_complex_2(
@@ -150,20 +149,19 @@ Complex make_deformable_simplicial_complex_2(
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes a complex on a flat torus of regions that are bounded by closed polylines, as above. The
-polylines are given unwrapped, in the plane, and may lie across the seam; together they are less
-than a period wide and high. For regions that go around the torus, use a function of labels.
+Makes a complex on a flat torus from regions bounded by closed polylines, as above. The polylines
+are given unwrapped, in the plane, and may cross the seam. Their common bounding box is smaller than
+a period in both directions. For regions that wind around the torus, use a function of labels. n log
+n in the number of segments and triangles.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_2` with the domain `Torus_domain<2>`
+
 \param domain the torus
-\param curves as above; points are rounded to the unit of positions on the torus
-\param np the named parameters above, but for `enclosing_box`
+\param curves curves as above; points are rounded to the unit of positions on the torus
+\param np the named parameters above, except `enclosing_box`
 
-\throws Invalid_surface_error if a curve is not as described above,
-        or too large
+\throws Invalid_surface_error if a curve is not as described above, or too large
 \throws Error if there is no curve, or parameters are out of range
-
-n log n in the number of segments and triangles.
 */
 template <class Complex, class NP = parameters::Default_named_parameters>
 Complex make_deformable_simplicial_complex_2(
@@ -179,19 +177,17 @@ Complex make_deformable_simplicial_complex_2(
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes a complex of the regions between segments, whose labels are told by points in them; enclosed
-regions without one get the label `enclosed_label` of the segments. As above, but segments need not
-be closed curves: those with the same label on both sides are just edges of the mesh.
+Makes a complex from the regions between segments, as above, with labels given by seeds: points in
+the regions. Bounded regions without a seed get the label `enclosed_label` of the segments. Segments
+need not be closed curves; segments with the same label on both sides become edges of the mesh only.
+n log n in the number of segments and triangles.
 
-\param segments with seeds; coordinates are rounded to `double`
+\param segments segments with seeds; coordinates are rounded to `double`
 \param np the named parameters above
 
-\throws Invalid_surface_error if segments cross or overlap, have no
-        length, or reach the box
-\throws Error if there is no segment, a seed is outside the box or on
-        a segment, or two seeds give a region different labels; or as above
-
-n log n in the number of segments and triangles.
+\throws Invalid_surface_error if segments cross or overlap, have no length, or reach the box
+\throws Error if there is no segment, a seed is outside the box or on a segment, or two seeds give a
+        region different labels; or as above
 */
 template <class Complex, class NP = parameters::Default_named_parameters>
 Complex
@@ -208,23 +204,24 @@ make_deformable_simplicial_complex_2(const Seeded_segments_2<typename Complex::P
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes a complex of an image of labels. Each label gets the area of its pixels, and the center of
-each pixel keeps its label. The interface is smooth where it can be, and follows the edges of pixels
-elsewhere: the boundary of a single pixel is a square. Pixels of a label that have only a corner in
-common touch there. Away from the interface, triangles are large.
+Makes a complex from an image of labels. Each label gets the area of its pixels, and the center of
+each pixel keeps its label. The interface is smooth where possible. Elsewhere, it follows the edges
+of pixels: the boundary of a single pixel is a square. Pixels of a label that have only a corner in
+common touch there. Triangles far from the interface are large.
+
+Linear in the number of pixels, with a byte of memory for each. n log n in the number of pixel edges
+between different labels, with about a kilobyte of memory for each segment of the interface.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_2`
-\param image the labels of square pixels of side 1, from the origin
-\param edge about how long the segments of the interface are to be, in pixels; at least 1
-\param np the named parameters above, but `enclosing_box`, which is the rectangle of all pixels by
-       default; the space between the image and a larger box has label 0
-\throws Error if the image has no pixels, more than 2^20 of them in a
-        row or column, or not one label for each pixel; if `edge` is less than 1; if the image is
-neither strictly inside the box nor fills it; or if more than 2^20 edges of pixels are between
-different labels
 
-Linear in the number of pixels, with a byte of memory for each, and n log n in the number of edges
-of pixels between different labels, with about a kilobyte for each segment of the interface.
+\param image labels of square pixels of side 1, from the origin
+\param edge approximate length of the segments of the interface, in pixels; at least 1
+\param np the named parameters above. By default, `enclosing_box` is the rectangle of all pixels.
+       The space between the image and a larger box has label 0.
+
+\throws Error if the image has no pixels, more than 2^20 of them in a row or column, or not one
+        label for each pixel; if `edge` is less than 1; if the image is neither strictly inside the
+        box nor fills it; or if more than 2^20 pixel edges are between different labels
 */
 template <class Complex, class NP = parameters::Default_named_parameters>
 Complex make_deformable_simplicial_complex_2(const Labelled_image_2& image, double edge = 2.5,
@@ -240,20 +237,18 @@ Complex make_deformable_simplicial_complex_2(const Labelled_image_2& image, doub
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes a complex of given triangles, the union of which is a disk. Triangles may be oriented in any
-way. The interface stays what it is, bit for bit.
+Makes a complex from given triangles whose union is a disk. Triangles may be oriented in any way.
+The interface is bitwise unchanged. n log n in the number of triangles, plus the improvement.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_2`
 
-\param points the vertices, each in a triangle
+\param points the vertices; each is in a triangle
 \param triangles indices into `points`
 \param labels one label for each triangle
 \param np named parameters: `improve`, `quality_threshold`, `number_of_iterations`, as above
 
-\throws Invalid_cells_error if coordinates are not finite,
-        sizes or indices do not fit, a triangle is flat, or the union is no disk
-
-n log n in the number of triangles, plus the improvement.
+\throws Invalid_cells_error if coordinates are not finite, sizes or indices do not fit, a triangle
+        is degenerate, or the union is not a disk
 */
 template <class Complex, class NP = parameters::Default_named_parameters>
 Complex make_deformable_simplicial_complex_2(const std::vector<typename Complex::Point_2>& points,
@@ -278,19 +273,19 @@ Complex make_deformable_simplicial_complex_2(const std::vector<typename Complex:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes a complex in a rectangle from a function that tells labels, such as `Labelled_image_2`: almost
-regular triangles get the labels of their barycenters, then `fit_interface()` moves the interface to
-where labels change.
+Makes a complex in a rectangle from a function of labels, such as `Labelled_image_2`. Almost regular
+triangles get the labels of their barycenters. Then `fit_interface()` moves the interface to the
+places where labels change. Linear in the number of triangles.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_2`
-\param box the domain, of positive size
-\param edge about how long edges are to be, more than 0
-\param label_at `label_at(p)` tells the label at an `Approximate_point_2` in the box
-\param np the named parameters of `deform_interface()`, for `fit_interface()`
-\throws Error if `edge` is not positive, or too short, or the box is
-        empty; or Invalid_cells_error if it is smaller or larger than complexes can be
 
-Linear in the number of triangles.
+\param box the domain, of positive size
+\param edge approximate edge length, positive
+\param label_at `label_at(p)` returns the label at an `Approximate_point_2` in the box
+\param np the named parameters of `deform_interface()`, for `fit_interface()`
+
+\throws Error if `edge` is not positive, or too short, or the box is empty
+\throws Invalid_cells_error if the box is too small or too large for a complex
 */
 template <class Complex, class LabelAt,
           class NamedParameters = parameters::Default_named_parameters>
@@ -303,18 +298,18 @@ Complex make_deformable_simplicial_complex_2(const Bbox_2& box, double edge,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes a complex on a flat torus from a function that tells labels: almost regular triangles get the
-labels of their barycenters, then `fit_interface()` moves the interface to where labels change.
+Makes a complex on a flat torus from a function of labels. Almost regular triangles get the labels
+of their barycenters. Then `fit_interface()` moves the interface to the places where labels change.
+Linear in the number of triangles.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_2` with the domain `Torus_domain<2>`
-\param domain the torus
-\param edge about how long edges are to be, more than 0; there are at least three in each direction
-\param label_at `label_at(p)` tells the label at an `Approximate_point_2` in the box of the torus
-\param np the named parameters of `deform_interface()`, for `fit_interface()`
-\throws Error if `edge` is not positive, or is less than a millionth
-        of a period
 
-Linear in the number of triangles.
+\param domain the torus
+\param edge approximate edge length, positive; there are at least three edges in each direction
+\param label_at `label_at(p)` returns the label at an `Approximate_point_2` in the box of the torus
+\param np the named parameters of `deform_interface()`, for `fit_interface()`
+
+\throws Error if `edge` is not positive, or is less than a millionth of a period
 */
 template <class Complex, class LabelAt,
           class NamedParameters = parameters::Default_named_parameters>

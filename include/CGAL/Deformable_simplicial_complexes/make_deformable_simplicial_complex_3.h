@@ -14,11 +14,11 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/building/Boxed_soup_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/Solid_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/box_grid_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/check_patches_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/check_surfaces_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/check_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/label_by_sides_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/checks/check_patches_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/checks/check_surfaces_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/checks/check_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/improve_new_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
@@ -40,7 +40,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// check, normalize, enclose, tetrahedralize, label, assign, improve
+// Checks, normalizes, encloses and tetrahedralizes surfaces, and makes an improved complex with
+// labels.
 template <class Complex, class Tetrahedralizer, class NP>
 Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
                         const std::vector<typename Complex::Label>& surface_labels,
@@ -63,54 +64,57 @@ template <class Points> std::vector<Coordinates_3> all_coordinates(const Points&
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes a complex of solids that are bounded by closed triangle surfaces, in a box that belongs to the
-outside (section 3.3 of the paper).
+Makes a complex from solids bounded by closed triangle surfaces, in a box that belongs to the
+outside (section 3.3 of the paper). n log n in the number of triangles and tetrahedra, plus the
+tetrahedralization and the improvement.
 
-A surface is a set of triangles that meet only in common vertices and edges, an even number of them
-in each edge: it may have any number of parts, which may touch in vertices and along edges. Its
-triangles may be oriented in any way and need not share points: equal points are merged, points
-without triangles are left out. What is inside is counted: points that can be reached from the
-outside by crossing a surface once are inside of it, crossing it twice leads into a cavity of it.
+A surface is a set of triangles that meet only in common vertices and edges; an even number of them
+meet in each edge. It may have any number of connected components, which may touch in vertices and
+along edges. Triangles may be oriented in any way and need not share points: equal points are
+merged, and points without triangles are ignored. A point is inside a surface if a path from the
+outside crosses the surface once; a path that crosses it twice leads into a cavity.
 
-Surfaces may be nested in any way, and may touch in common vertices and along common edges, but not
-cross nor share triangles. Space inside several surfaces gets the label of the one that is entered
-last on a way from the outside that crosses as few triangles as possible; space outside all of them
-gets label 0.
+Surfaces may be nested in any way, and may touch in common vertices and along common edges. They
+must not cross or share triangles. The label of a point is found along a path from the outside that
+crosses as few triangles as possible: it is the label of the surface entered last. Points outside
+all surfaces have label 0.
 
-Triangles between different labels are the interface of the complex. Points of the surfaces keep
-their coordinates, bit for bit unless `normalize` is set.
+Triangles between different labels form the interface of the complex. The coordinates of the points
+are bitwise unchanged unless `normalize` is set.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 \tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`, such as `Tetgen_tetrahedralizer_3`
 \tparam NP a sequence of named parameters
 
-\param surfaces with the labels of what they enclose; coordinates are rounded to `double`
-\param tetrahedralizer fills the box with tetrahedra
+\param surfaces surfaces with the labels of the solids that they bound; coordinates are rounded to
+       `double`
+\param tetrahedralizer tetrahedralizer that fills the box
 \param np named parameters:
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{normalize}
-    \cgalParamDescription{Whether the complex uses coordinates in which the barycenter of the points
-                          of the surfaces is the origin and their largest distance from it is
-                          1/2.5. `Complex::normalization()` leads back.}
+    \cgalParamDescription{Whether the coordinates of the complex are normalized: the barycenter of
+                          the points of the surfaces is the origin, and their largest distance from
+                          it is 1/2.5. `Complex::normalization()` is the map to user coordinates.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{enclosing_box}
-    \cgalParamDescription{The domain, in the coordinates of the surfaces, which must be strictly
-                          inside.}
+    \cgalParamDescription{The domain, in the coordinates of the surfaces; the surfaces must be
+                          strictly inside.}
     \cgalParamType{`Bbox_3` or a class with `bbox()`, such as `Iso_cuboid_3`}
-    \cgalParamDefault{the cube about the barycenter whose half side is 2.5 times the largest
-                      distance of a point from it: \f$[-1, 1]^3\f$ if `normalize` is set}
+    \cgalParamDefault{the cube centered at the barycenter, whose half side is 2.5 times the largest
+                      distance of a point from the barycenter; \f$[-1, 1]^3\f$ if `normalize` is
+                      set}
   \cgalParamNEnd
   \cgalParamNBegin{box_subdivision}
-    \cgalParamDescription{Number of parts into which each edge of the box is cut, 1 to 1000.}
+    \cgalParamDescription{Number of pieces that each edge of the box is divided into, in [1, 1000].}
     \cgalParamType{`unsigned`}
     \cgalParamDefault{4}
   \cgalParamNEnd
   \cgalParamNBegin{improve}
-    \cgalParamDescription{Whether the mesh is improved at the end, as it will be in each step of a
-                          deformation. `improve_mesh()` does more, by inserting vertices.}
+    \cgalParamDescription{Whether the mesh is improved at the end, as in each pass of a deformation.
+                          `improve_mesh()` gives a better mesh, since it also inserts vertices.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
@@ -120,19 +124,16 @@ their coordinates, bit for bit unless `normalize` is set.
     \cgalParamDefault{0.3}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{How many rounds of improvement at the most.}
+    \cgalParamDescription{Largest number of rounds of improvement.}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{10}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\throws Invalid_surface_error if a surface is not as described
-        above, or reaches the box
+\throws Invalid_surface_error if a surface is not as described above, or reaches the box
 \throws Tetrahedralization_error if the tetrahedralizer fails
-\throws Error if the box is not finite, or its subdivision is out
-of range
+\throws Error if the box is not finite, or its subdivision is out of range
 
-n log n in the number of triangles and tetrahedra, plus the tetrahedralization and the improvement.
 */
 template <class Complex, class Tetrahedralizer, class NP = parameters::Default_named_parameters>
 Complex make_deformable_simplicial_complex_3(
@@ -150,9 +151,9 @@ Complex make_deformable_simplicial_complex_3(
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes a complex of the solid, with label 1, that is bounded by a triangle mesh. The same as the
-overload above for a single surface; indices in errors count `vertices(surface)` and
-`faces(surface)`.
+Makes a complex from the solid bounded by a triangle mesh; the solid gets label 1. Otherwise the
+function is the same as the overload above for a single surface. Indices in errors follow the order
+of `vertices(surface)` and `faces(surface)`.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 \tparam FaceListGraph model of `FaceListGraph`
@@ -160,10 +161,10 @@ overload above for a single surface; indices in errors count `vertices(surface)`
 \tparam NP a sequence of named parameters
 
 \param surface a closed mesh
-\param tetrahedralizer fills the box with tetrahedra
+\param tetrahedralizer tetrahedralizer that fills the box
 \param np named parameters of the overload above, and CGAL's `vertex_point_map`
 
-\throws Error if a face is no triangle; else as above
+\throws Error if a face is not a triangle; otherwise as above
 */
 #ifdef DOXYGEN_RUNNING
 template <class Complex, class FaceListGraph, class Tetrahedralizer, class NP>
@@ -188,30 +189,29 @@ Complex make_deformable_simplicial_complex_3(const FaceListGraph& surface,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes a complex of patches that share borders, such as the walls between several materials: labels
-are told for both sides of each patch. What can be reached from a side without crossing a triangle
-has its label; so the box around has that of the patches that it touches.
+Makes a complex from patches that share borders, such as the walls between several materials. Each
+patch has labels for both of its sides. A region that can be reached from a side without crossing a
+triangle has the label of that side. The rest of the box thus has the label of the patches that it
+touches. n log n in the number of triangles and tetrahedra, plus the tetrahedralization and the
+improvement.
 
-Triangles meet only in common vertices and edges, any number in each. They need not share points:
-equal points are merged, points without triangles are left out. Patches need not be closed, as long
-as regions of different labels are separated: a wall with the same label on both sides is no part of
-the interface.
+Triangles meet only in common vertices and edges, with any number of triangles in each. They need
+not share points: equal points are merged, and points without triangles are ignored. Patches may be
+open if regions of different labels are separated. A wall with the same label on both sides is not
+part of the interface.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 \tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`, such as `Tetgen_tetrahedralizer_3`
 \tparam NP a sequence of named parameters
 
-\param patches with the labels of their sides; coordinates are rounded to `double`
-\param tetrahedralizer fills the box with tetrahedra
+\param patches patches with the labels of their sides; coordinates are rounded to `double`
+\param tetrahedralizer tetrahedralizer that fills the box
 \param np named parameters of the first overload
 
-\throws Invalid_surface_error if a patch is not as described above,
-        or reaches the box, or two of them tell different labels for the same region
+\throws Invalid_surface_error if a patch is not as described above, or reaches the box, or two
+        patches give different labels for the same region
 \throws Tetrahedralization_error if the tetrahedralizer fails
-\throws Error if the box is not finite, or its subdivision is out
-of range
-
-n log n in the number of triangles and tetrahedra, plus the tetrahedralization and the improvement.
+\throws Error if the box is not finite, or its subdivision is out of range
 */
 template <class Complex, class Tetrahedralizer, class NP = parameters::Default_named_parameters>
 Complex make_deformable_simplicial_complex_3(
@@ -232,21 +232,19 @@ Complex make_deformable_simplicial_complex_3(
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes a complex of given tetrahedra, the union of which is a ball. Tetrahedra may be oriented in any
-way. The interface stays what it is, bit for bit.
+Makes a complex from given tetrahedra whose union is a ball. Tetrahedra may be oriented in any way.
+The interface is bitwise unchanged. n log n in the number of tetrahedra, plus the improvement.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 \tparam NP a sequence of named parameters
 
-\param points the vertices, each in a tetrahedron
+\param points the vertices; each is in a tetrahedron
 \param tetrahedra indices into `points`
 \param labels one label for each tetrahedron
 \param np named parameters: `improve`, `quality_threshold`, `number_of_iterations`, as above
 
-\throws Invalid_cells_error if coordinates are not finite,
-        sizes or indices do not fit, a tetrahedron is flat, or the union is no ball
-
-n log n in the number of tetrahedra, plus the improvement.
+\throws Invalid_cells_error if coordinates are not finite, sizes or indices do not fit, a
+        tetrahedron is degenerate, or the union is not a ball
 */
 template <class Complex, class NP = parameters::Default_named_parameters>
 Complex make_deformable_simplicial_complex_3(const std::vector<typename Complex::Point_3>& points,
@@ -263,27 +261,26 @@ Complex make_deformable_simplicial_complex_3(const std::vector<typename Complex:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes a complex of given tetrahedra of any shape, with any number of parts and voids, and of
-tetrahedra with label 0 that fill the space around them, in a box. Given tetrahedra stay what they
-are but for the improvement; the interface stays bit for bit unless `normalize` is set.
+Makes a complex from given tetrahedra, with any number of connected components and voids. Tetrahedra
+with label 0 fill the space around them, in a box. Only the improvement changes the given
+tetrahedra. The interface is bitwise unchanged unless `normalize` is set. n log n in the number of
+tetrahedra, plus the tetrahedralization and the improvement.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 \tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`, such as `Tetgen_tetrahedralizer_3`
 \tparam NP a sequence of named parameters
 
-\param points the vertices; equal ones are merged, those without tetrahedra are left out
+\param points the vertices; equal points are merged, and points without tetrahedra are ignored
 \param tetrahedra indices into `points`, oriented in any way
 \param labels one label for each tetrahedron
-\param tetrahedralizer fills the space around
+\param tetrahedralizer tetrahedralizer that fills the space around the given tetrahedra
 \param np named parameters of the first overload
 
-\throws Invalid_cells_error if there are none, coordinates are
-        not finite, sizes or indices do not fit, or tetrahedra are flat or overlap
-\throws Invalid_surface_error if their boundary reaches the box;
-        its vertices are indices into `points`
+\throws Invalid_cells_error if there are no tetrahedra, coordinates are not finite, sizes or indices
+        do not fit, or tetrahedra are degenerate or overlap
+\throws Invalid_surface_error if the boundary of the tetrahedra reaches the box; the vertices of the
+        error are indices into `points`
 \throws Tetrahedralization_error if the tetrahedralizer fails
-
-n log n in the number of tetrahedra, plus the tetrahedralization and the improvement.
 */
 template <class Complex, class Tetrahedralizer, class NP = parameters::Default_named_parameters,
           class = std::enable_if_t<
@@ -308,19 +305,19 @@ make_deformable_simplicial_complex_3(const std::vector<typename Complex::Point_3
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes a complex in a box from a function that tells labels, such as one of implicit functions:
-almost regular tetrahedra get the labels of their barycenters, then `fit_interface()` moves the
-interface to where labels change.
+Makes a complex in a box from a function of labels, such as one based on implicit functions. Almost
+regular tetrahedra get the labels of their barycenters. Then `fit_interface()` moves the interface
+to the places where labels change. Linear in the number of tetrahedra.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
-\param box the domain, of positive size
-\param edge about how long edges are to be, more than 0
-\param label_at `label_at(p)` tells the label at an `Approximate_point_3` in the box
-\param np the named parameters of `deform_interface()`, for `fit_interface()`
-\throws Error if `edge` is not positive, or too short, or the box is
-        empty; or Invalid_cells_error if it is smaller or larger than complexes can be
 
-Linear in the number of tetrahedra.
+\param box the domain, of positive size
+\param edge approximate edge length, positive
+\param label_at `label_at(p)` returns the label at an `Approximate_point_3` in the box
+\param np the named parameters of `deform_interface()`, for `fit_interface()`
+
+\throws Error if `edge` is not positive, or too short, or the box is empty
+\throws Invalid_cells_error if the box is too small or too large for a complex
 */
 template <class Complex, class LabelAt,
           class NamedParameters = parameters::Default_named_parameters>
@@ -333,18 +330,18 @@ Complex make_deformable_simplicial_complex_3(const Bbox_3& box, double edge,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes a complex on a flat torus from a function that tells labels: almost regular tetrahedra get the
-labels of their barycenters, then `fit_interface()` moves the interface to where labels change.
+Makes a complex on a flat torus from a function of labels. Almost regular tetrahedra get the labels
+of their barycenters. Then `fit_interface()` moves the interface to the places where labels change.
+Linear in the number of tetrahedra.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3` with the domain `Torus_domain<3>`
-\param domain the torus
-\param edge about how long edges are to be, more than 0; there are at least three in each direction
-\param label_at `label_at(p)` tells the label at an `Approximate_point_3` in the box of the torus
-\param np the named parameters of `deform_interface()`, for `fit_interface()`
-\throws Error if `edge` is not positive, or is less than a millionth
-        of a period
 
-Linear in the number of tetrahedra.
+\param domain the torus
+\param edge approximate edge length, positive; there are at least three edges in each direction
+\param label_at `label_at(p)` returns the label at an `Approximate_point_3` in the box of the torus
+\param np the named parameters of `deform_interface()`, for `fit_interface()`
+
+\throws Error if `edge` is not positive, or is less than a millionth of a period
 */
 template <class Complex, class LabelAt,
           class NamedParameters = parameters::Default_named_parameters>

@@ -28,37 +28,36 @@ The patches between the regions that closed surfaces bound, and the labels of th
 template <class Point> struct Patches_of_surfaces_3
 {
   std::vector<Labelled_patch_3<Point>> patches; ///< one for each pair of labels that share a wall
-  std::vector<std::vector<int>> labels;         ///< for each surface, the labels of its
-                                                ///< regions; the first one is that of the surface
+  /// labels of the regions of each surface; the first one is the label of the surface
+  std::vector<std::vector<int>> labels;
 };
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes patches of closed surfaces that share walls, such as the boundaries of several materials, for
-`make_deformable_simplicial_complex_3()`.
+Makes patches from closed surfaces that share walls, such as the boundaries of several materials,
+for `make_deformable_simplicial_complex_3()`. n log n in the number of triangles, times the number
+of regions.
 
-Surfaces may touch in any way: walls that two surfaces share may be triangulated differently. They
-may be nested; the innermost surface determines the label. Otherwise surfaces must not overlap.
-Walls between regions of the same label are left out.
+Surfaces may touch in any way: the triangulations of a wall in two surfaces may be different.
+Surfaces may be nested; the innermost surface determines the label. Otherwise, surfaces must not
+overlap. Walls between regions of the same label are ignored.
 
-A single surface may have walls, too: triangles that are there twice, as between closed parts that
-touch, or edges of three triangles. Each bounded region of such a surface gets a label of its own:
-the first one that of the surface, the others the next labels that no surface has. Regions are
-ordered by their first triangles.
+A single surface may have inner walls, too: triangles that occur twice, as between closed components
+that touch, or edges of three triangles. Each bounded region of such a surface gets its own label.
+The first region gets the label of the surface. The others get the next labels that no surface has,
+in the order of their first triangles.
 
-Triangles are split where they meet, by exact arithmetic; the points of intersection are rounded.
+Triangles are split where they meet, with exact arithmetic; the intersection points are rounded.
 
-\tparam Point a point type with `double` coordinates, as that of `Labelled_surface_3`
+\tparam Point a point type with `double` coordinates, such as that of `Labelled_surface_3`
 
-\throws Invalid_surface_error if coordinates are not finite, indices
-        are wrong, a triangle has no area, or a surface is not closed, intersects itself, or
-overlaps another one
-\throws Interrupted_error if the callback of a
-        `Progress_scope` returns `false`
-\pre Labels are small enough that the labels of further regions are values of type `int`.
-
-n log n in the number of triangles, times the number of regions.
+\param surfaces the closed surfaces with their labels
+\return the patches, and the labels of the regions
+\throws Invalid_surface_error if coordinates are not finite, indices are wrong, a triangle has no
+        area, or a surface is not closed, intersects itself, or overlaps another one
+\throws Interrupted_error if the callback of a `Progress_scope` returns `false`
+\pre Labels are small enough that the labels of the additional regions are values of type `int`.
 */
 template <class Point>
 Patches_of_surfaces_3<Point>
@@ -67,7 +66,7 @@ make_patches_3(const std::vector<Labelled_surface_3<Point>>& surfaces) {
   for (const auto& surface : surfaces)
     taken.insert(surface.label);
   std::vector<internal::Cell_surface_3> cells;
-  std::vector<int> labels; // of cells
+  std::vector<int> labels; // labels of `cells`
   Patches_of_surfaces_3<Point> result;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     internal::Triangle_soup_3 soup;
@@ -90,7 +89,8 @@ make_patches_3(const std::vector<Labelled_surface_3<Point>>& surfaces) {
   const auto label_of = [&](std::size_t cell) {
     return cell == internal::Walled_regions_3::outside ? 0 : labels[cell];
   };
-  std::map<std::array<int, 2>, internal::Triangle_soup_3> walls; // behind and in front
+  // by the labels behind and in front of it
+  std::map<std::array<int, 2>, internal::Triangle_soup_3> walls;
   for (std::size_t t = 0; t < regions.sides.size(); ++t) {
     std::array<int, 2> sides = {label_of(regions.sides[t].behind),
                                 label_of(regions.sides[t].in_front)};

@@ -10,9 +10,8 @@
 
 #include <vector>
 
-/// \file
-/// Where the interface is a manifold, and how it stays one: what the parameter
-/// `manifold_interface()` is about.
+/// \file Tests whether the interface is manifold, and relabeling that keeps it manifold, as used
+/// with the parameter `manifold_interface()`.
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -20,18 +19,16 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Tells whether the interface is manifold at a vertex and its edges: whether for each label there, the
-boundary of the union of its closed cells, where that contains the vertex, is a 2-manifold around
-it. Triple lines and points where more labels meet are manifold in this sense. Parts of one label
-that meet only in the vertex or in one of its edges are not; nor are parts of what a label leaves,
-the outside of the domain included.
+Returns whether the interface is manifold at a vertex and its edges. This means: for each label
+around the vertex, the boundary of the union of its closed cells is a manifold around the vertex, if
+it contains the vertex. Lines and points where three or more labels meet are manifold in this sense.
+Parts of one label that share only the vertex or one of its edges are not. The same holds for the
+complement of a label, which includes the outside of the domain. Quadratic in the star of v.
 
-\param complex is not changed.
-\param v a finite vertex.
-\return whether the cells around v of each label are connected through facets around v, and so are
-        those that are not of it. Only incidences decide.
-
-Quadratic in the star of v.
+\param complex the complex; it is not changed
+\param v a finite vertex
+\return whether, for each label, the cells around v with the label are connected through facets
+        around v, and so are the cells without the label. The result depends only on incidences.
 */
 template <class Complex>
 bool is_manifold_at(const Complex& complex, typename Complex::Vertex_handle v) {
@@ -43,13 +40,11 @@ bool is_manifold_at(const Complex& complex, typename Complex::Vertex_handle v) {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Finds the vertices at which `is_manifold_at()` does not hold. If there are none, the boundary of
-each phase is a closed 2-manifold.
+Returns the vertices at which `is_manifold_at()` does not hold. If there is none, the boundary of
+each phase is a closed manifold. n log n in the number of vertices, for stars of bounded size.
 
-\param complex is not changed.
-\return the vertices by increasing time stamp.
-
-n log n in the number of vertices, for stars of bounded size.
+\param complex the complex; it is not changed
+\return the vertices, by increasing time stamp
 */
 template <class Complex>
 std::vector<typename Complex::Vertex_handle> non_manifold_vertices(const Complex& complex) {
@@ -63,22 +58,24 @@ std::vector<typename Complex::Vertex_handle> non_manifold_vertices(const Complex
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Proposes to give a cell another label without pinching the interface. Where the cell alone would do
-so at a vertex, cells of its old label around that vertex join it, until the interface is manifold
-at all vertices of what is relabeled: between parts of the new label, those of least volume that
-connect them through facets; of parts of the old label that are cut off from each other, all but the
-one of most volume. A tunnel thus opens between parts that would only touch (section 5 of the paper
-suggests it, but leaves it open), and what would hang on a vertex or an edge is torn off.
+Proposes to give a cell another label while the interface stays manifold. If relabeling the cell
+alone would make the interface non-manifold at a vertex, other cells of the old label around the
+vertex are added. This is repeated until the interface is manifold at all vertices of the relabeled
+cells. If parts of the new label are not connected, the cells of least volume that connect them
+through facets are added. If parts of the old label are cut off from each other, all of them except
+the one of largest volume are added. A tunnel thus opens between parts that would only touch, and
+parts that would be connected only by a vertex or an edge are cut off. Section 5 of the paper
+suggests such an operation without details.
 
-\param complex is not changed.
-\param cell a finite cell.
-\param label the new label, different from that of the cell.
-\param cells filled with the proposal if there is one: `cell` and others of its label.
-\return whether there is a proposal, of at most 60 cells; commit with `complex.relabel(c, label)`
-        for each of its cells c. No vertex becomes non-manifold then, and those of the cells are
-        manifold, even if they were not before.
+Constant time for stars of bounded size, since the number of cells is bounded.
 
-Constant time for stars of bounded size, as the number of cells is bounded.
+\param complex the complex; it is not changed
+\param cell a finite cell
+\param label the new label, different from that of the cell
+\param cells filled with the proposal if there is one: `cell` and other cells of its label
+\return whether there is a proposal with at most 60 cells; commit it with `complex.relabel(c,
+        label)` for each cell c. No vertex becomes non-manifold then, and all vertices of the cells
+        are manifold, even if they were not before.
 */
 template <class Complex>
 bool propose_manifold_relabeling(const Complex& complex, typename Complex::Cell_handle cell,

@@ -18,9 +18,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Grows the set of sandwiched facets whose removal is best, by recursion over the edges of the set:
-// across an edge either the next facet joins the set, or the edge becomes part of its boundary and
-// the new edge ab is joined to it (Shewchuk).
+// Search for the best set of sandwiched facets to be removed, by recursion over the edges of the
+// set (Shewchuk). Across an edge, either the next facet joins the set, or the edge becomes part of
+// the boundary of the set and is connected with the new edge ab.
 template <class Complex> class Best_sandwich_3
 {
 public:
@@ -53,14 +53,14 @@ public:
   Vertex_handle a() const { return m_sandwich.a(); }
   Vertex_handle b() const { return m_sandwich.b(); }
   const Small_vector<Sheet>& sheets() const { return m_sheets; }
-  // (a, b, source, target) is to become a cell.
+  // Returns the boundary of the set. Each edge gives the new cell (a, b, source, target).
   const Small_vector<Directed_edge>& boundary() const { return m_boundary; }
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr std::size_t maximum_number_of_sheets = 50; // as in Stellar; few need more than 5
+  static constexpr std::size_t maximum_number_of_sheets = 50; // as in Stellar; most need at most 5
 
-  // Worst quality of the new cells behind an edge, and of the cells that joined.
+  // Worst quality of the new cells behind an edge, and of the old cells behind it.
   struct Outcome
   {
     double after, before;
@@ -104,7 +104,8 @@ private:
   const Complex& m_complex;
   Sandwich m_sandwich;
   Small_vector<Sheet> m_sheets;
-  Small_vector<Sheet> m_tried; // each once, or the search would be exponential
+  // each facet is tried once; otherwise, the search would be exponential
+  Small_vector<Sheet> m_tried;
   Small_vector<Directed_edge> m_boundary;
 };
 
@@ -113,19 +114,17 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Proposes to remove a facet, and with it the facets around that are sandwiched between the same two
-vertices a and b: 2m cells become the m + 2 that share the new edge ab. The 2-3 flip is the case m
-= 1. The set is grown by Shewchuk's recursion, so that the worst quality rises most. Section 3.2.1
-of the paper.
+Proposes to remove a facet together with neighboring facets that are sandwiched between the same two
+vertices a and b (section 3.2.1 of the paper). If there are m facets, their 2m cells are replaced by
+m + 2 cells that share the new edge ab. The 2-3 flip is the case m = 1. Shewchuk's recursion finds
+the set of facets for which the worst quality rises most. Linear in m.
 
-\param complex is not changed.
-\param cell, i the facet.
-\param cavity filled with the proposal if there is one.
-\return whether the two cells of the facet are finite and of one label and the worst quality rises,
-       all new tetrahedra being positive. The interface and the boundary of the domain stay as they
-       are.
-
-Linear in m.
+\param complex the complex; it is not changed
+\param cell, i the facet
+\param cavity filled with the proposal if there is one
+\return whether the two cells of the facet are finite and of one label, the worst quality rises, and
+        all new tetrahedra are positively oriented. The interface and the boundary of the domain are
+        unchanged.
 */
 template <class Complex>
 bool propose_multi_face_removal(const Complex& complex, typename Complex::Cell_handle cell, int i,

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// All facets sandwiched between the two apices of a first one and connected with it.
+// The connected set of all facets sandwiched between the two apices of a given facet.
 template <class Complex> class Whole_sandwich_3
 {
 public:
@@ -35,8 +35,8 @@ public:
   Whole_sandwich_3(const Complex& complex, Cell_handle below, int i)
       : m_sandwich(complex, below, i) {}
 
-  // Finds the facets. Returns whether they are more than one and form a disc whose vertices are all
-  // on its boundary.
+  // Finds the facets. Returns whether there are at least two, and they form a disk with all
+  // vertices on its boundary.
   bool grow() {
     m_sheets.push_back(m_sandwich.first());
     for (const Directed_edge& e : m_sandwich.edges_of_first())
@@ -56,15 +56,16 @@ public:
         m_open.push_back({g, {apex, e.target}});
       }
     }
-    // Part of the link of a, which is a sphere: one simple loop bounds a disc, and Euler's formula
-    // tells whether there are more vertices inside.
+    // The facets are part of the link of a, which is a sphere. One simple loop thus bounds a disk,
+    // and Euler's formula tells whether there are vertices in its interior.
     return m_sheets.size() > 1 && m_boundary.size() == m_sheets.size() + 2 && find_loop();
   }
 
   // Plans the best triangulation of the loop in place of the facets. Returns false if the worst
   // quality would not rise.
   bool retriangulate(Cavity& cavity) const {
-    // The vertices of the loop come first: their indices are their places in it.
+    // The vertices of the loop are added first, so that their indices are their positions in the
+    // loop.
     for (Vertex_handle v : m_loop)
       cavity.add(v);
     const Index a = cavity.add(m_sandwich.a()), b = cavity.add(m_sandwich.b());
@@ -72,8 +73,8 @@ public:
     for (const Sheet& s : m_sheets) {
       cavity.remove(s.below);
       cavity.remove(s.above);
-      // In the order in which the new tetrahedra have their vertices: a quality that differs by
-      // rounding is no better.
+      // Qualities are computed with the vertex order of the new tetrahedra, so that a difference by
+      // rounding does not count as an improvement.
       std::array<Index, 3> t;
       const int apex = s.below->index(m_sandwich.a());
       for (int k = 0; k < 3; ++k)
@@ -129,19 +130,19 @@ private:
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Proposes to retriangulate the facets that are sandwiched between the same two vertices as a given
-one: the largest set of m facets that is connected through edges inside one label is replaced by the
-triangulation of its boundary loop that maximises the worst quality (Klincsek's dynamic programme),
-so that 2m cells become 2m others. This is multi-face removal and the removal of the new edge in
-one, for which the mesh need not be worse in between (Misztal, Baerentzen, Anton and Erleben 2009).
+facet. The set is the largest one that is connected through edges inside one label. Its m facets are
+replaced by the triangulation of its boundary loop that maximizes the worst quality (Klincsek's
+dynamic program), so that 2m cells become 2m others. The operation combines multi-face removal and
+removal of the new edge, and does not require that the mesh improves in between (Misztal,
+Baerentzen, Anton and Erleben 2009). Cubic in m.
 
-\param complex is not changed.
-\param cell, i the facet.
-\param cavity filled with the proposal if there is one.
-\return whether the two cells of the facet are finite and of one label, the set is a disc without
-        vertices inside and has at most 50 facets, and the worst quality rises, all new tetrahedra
-        being positive. The interface and the boundary of the domain stay as they are.
-
-Cubic in m.
+\param complex the complex; it is not changed
+\param cell, i the facet
+\param cavity filled with the proposal if there is one
+\return whether the proposal is valid: the two cells of the facet are finite and of one label, and
+        the set is a disk without inner vertices with at most 50 facets. The worst quality rises,
+        and all new tetrahedra are positively oriented. The interface and the boundary of the domain
+        are unchanged.
 */
 template <class Complex>
 bool propose_multi_face_retriangulation(const Complex& complex, typename Complex::Cell_handle cell,

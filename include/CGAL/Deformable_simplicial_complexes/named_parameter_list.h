@@ -1,5 +1,6 @@
 // List of the package's named parameters, in the format of CGAL's own list:
-// CGAL_add_named_parameter(tag type, tag, function). No include guard: included several times.
+// CGAL_add_named_parameter(tag type, tag, function). It has no include guard, since it is included
+// several times.
 
 // clang-format off
 CGAL_add_named_parameter(normalize_t, normalize, normalize)

@@ -16,10 +16,9 @@
 #include <string>
 #include <type_traits>
 
-/// \file
-/// Named parameters of the package. They chain like CGAL's:
-/// `deform_interface(dsc, destination, parameters::maximum_number_of_passes(20).visitor(v))`
-/// with `namespace parameters = CGAL::Deformable_simplicial_complexes::parameters`.
+/// \file Named parameters of the package. They are chained like those of CGAL:
+/// `deform_interface(dsc, destination, parameters::maximum_number_of_passes(20).visitor(v))` with
+/// `namespace parameters = CGAL::Deformable_simplicial_complexes::parameters`.
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -31,7 +30,7 @@ namespace internal_np {
 #undef CGAL_add_named_parameter
 /// \endcond
 
-// Those of CGAL's own parameters that the package understands keep CGAL's tags.
+// For CGAL's own parameters, the package uses CGAL's tags.
 using CGAL::internal_np::normal_t;
 using CGAL::internal_np::number_of_iterations_t;
 using CGAL::internal_np::point_t;
@@ -47,7 +46,7 @@ using CGAL::internal_np::visitor_t;
               CGAL_add_named_parameter(normal_t, normal_map, normal_map)
 /// \endcond
 
-/// A chain of named parameters: CGAL's class with the functions of this package.
+/// Chain of named parameters: CGAL's class with the functions of this package.
 template <class T, class Tag, class Base = CGAL::internal_np::No_property>
 struct Named_parameters : public Named_function_parameters<T, Tag, Base>
 {
@@ -67,10 +66,10 @@ struct Named_parameters : public Named_function_parameters<T, Tag, Base>
 
 namespace parameters {
 
-/// The type of an empty chain.
+/// Type of an empty chain.
 using Default_named_parameters = Named_parameters<bool, CGAL::internal_np::all_default_t>;
 
-/// An empty chain: every parameter has its default value.
+/// Returns an empty chain: every parameter has its default value.
 inline Default_named_parameters default_values() { return {}; }
 
 /// \cond SKIP_IN_MANUAL
@@ -85,18 +84,18 @@ CGAL_DSC_SHARED_PARAMETERS
 
 namespace internal {
 
-// What a parameter given by value or by reference stands for.
+// Returns the object that a parameter given by value or by reference refers to.
 template <class T> T& unwrap(T& value) { return value; }
 template <class T> T& unwrap(std::reference_wrapper<T>& value) { return value.get(); }
 
-// A quality, as it is given for a threshold.
+// Checks a threshold of quality. Throws Error if it is not in [0, 1].
 inline void check_threshold(double quality) {
   if (!(quality >= 0 && quality <= 1))
     throw Error("a threshold of quality is out of range: use 0 to 1");
 }
 
-// A count that was given as any integer, or its default value. A negative one is refused, as it
-// would become a huge one.
+// Returns a count given as any integer, or its default value. Throws Error if the count is
+// negative, since the conversion would give a huge number.
 template <class NamedParameters, class Tag>
 unsigned count_parameter(const NamedParameters& np, Tag tag, const char* name,
                          unsigned default_value) {

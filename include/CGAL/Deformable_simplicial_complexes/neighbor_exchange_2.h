@@ -21,12 +21,12 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-The surroundings of a wall: an edge of the interface from a to b, at each of which three phases
-meet: A on the left of the wall, B on its right, C beyond a, D beyond b.
+Cells around a wall: an edge of the interface from a to b, whose ends are vertices where three
+phases meet. A is on the left of the wall, B on its right, C at a, and D at b.
 
-In the exchange, a becomes the junction of A, C and D, and b that of B, C and D. The polygon around
-the two stays: its sides in A go to a, those in B to b, and those in C and D are divided between
-them where the triangles become best.
+After the exchange, a is the junction of A, C and D, and b that of B, C and D. The polygon around
+the two vertices stays. Its sides in A are connected with a, and those in B with b. Its sides in C
+and D are divided between a and b so that the worst quality is best.
 */
 template <class Complex> class Wall_surroundings
 {
@@ -37,12 +37,12 @@ public:
   using Point = typename Complex::Approximate_point;
   using Index = typename Cavity<Complex>::Index;
 
-  // The edge opposite to vertex i of a cell, which is A.
+  // Constructs the cells around the edge opposite to the vertex i of a cell in A.
   Wall_surroundings(const Complex& complex, Cell_handle cell, int i)
       : m_complex(complex), m_a(cell->vertex((i + 1) % 3)), m_b(cell->vertex((i + 2) % 3)),
         m_cell(cell), m_other(cell->neighbor(i)) {}
 
-  // Whether the surroundings are as described.
+  // Collects the polygon. Returns whether the phases are as described above.
   bool collect() {
     if (m_complex.is_boundary(m_a) || m_complex.is_boundary(m_b))
       return false;
@@ -72,8 +72,8 @@ public:
   Label beyond(int end) const { return m_beyond[end]; }
   Point middle() const { return m_complex.position(m_a) + m_complex.displacement(m_a, m_b) / 2; }
 
-  // The length of the wall as a part of the mean of the four other edges of the interface that end
-  // with it.
+  // Returns the length of the wall divided by the mean length of the four other interface edges at
+  // its ends.
   double relative_length() const {
     double sum = 0;
     for (int end = 0; end < 4; ++end)
@@ -82,8 +82,9 @@ public:
     return 4 * std::sqrt(m_complex.displacement(m_a, m_b).squared_length()) / sum;
   }
 
-  // Plans the exchange with a wall of a part of the length, and returns by how much the interface
-  // gets longer; nothing if a cell would not be positive.
+  // Plans the exchange, with a new wall whose length is a fraction of the old one. Returns the
+  // change of the length of the interface; nothing if a cell would not be positively oriented or
+  // would not keep its quality.
   std::optional<double> plan(double part, Cavity<Complex>& cavity) const {
     cavity.begin(Proposal_kind::replacement);
     for (const auto& side : m_sides)
@@ -119,14 +120,14 @@ public:
   }
 
 private:
-  // Of the polygon, counterclockwise, with the cell inside.
+  // Side of the polygon, counterclockwise, with its inner cell.
   struct Side
   {
     Vertex_handle from, to;
     Cell_handle cell;
   };
 
-  // The sides opposite to v, counterclockwise, between two cells around it.
+  // Adds the sides opposite to v between two cells around it, counterclockwise.
   void walk(Vertex_handle v, Cell_handle first, Cell_handle last) {
     for (Cell_handle c = next(v, first); c != last; c = next(v, c)) {
       const int i = c->index(v);
@@ -146,7 +147,7 @@ private:
     return k;
   }
 
-  // Where side k begins.
+  // Returns the first vertex of side k.
   Vertex_handle corner(std::size_t k) const { return m_sides[k % m_sides.size()].from; }
 
   typename Cavity<Complex>::Indices triangle(Cavity<Complex>& cavity, std::size_t k,
@@ -157,7 +158,8 @@ private:
     cavity.create(triangle(cavity, k, apex), m_sides[k].cell);
   }
 
-  // Sides of a phase beyond an end, the first ones for one junction, the others for the next.
+  // Connects the first sides of a phase at an end of the wall with the vertex `one`, and the others
+  // with the vertex `other`.
   void divide(Cavity<Complex>& cavity, std::size_t first, std::size_t last, Index one,
               Index other) const {
     std::size_t best = first;
@@ -181,8 +183,8 @@ private:
   Cell_handle m_cell, m_other;
   std::vector<Side> m_sides; // from the corner of A opposite to the wall
   std::size_t m_sides_of_a = 0;
-  std::array<std::size_t, 4> m_ends; // of the sides in A, C, B and D
-  std::array<Label, 2> m_beyond;     // C and D
+  std::array<std::size_t, 4> m_ends; // ends of the sides in A, C, B and D
+  std::array<Label, 2> m_beyond;     // labels of C and D
 };
 
 } // namespace internal
@@ -190,19 +192,18 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Proposes that the phases on both sides of a short wall part, and the two at its ends become
-neighbors (T1 event). The wall is one edge of the interface between two vertices, in each of which
-three phases meet; a wall across takes its place.
+Proposes to exchange neighbors (T1 event). The phases on both sides of a short wall are separated,
+and the two phases at its ends become neighbors. The wall is one edge of the interface between two
+vertices where three phases meet. It is replaced by a wall perpendicular to it. Linear in the stars
+of the two vertices, but quadratic in the phases at the ends.
 
-\param complex is not changed.
-\param cell, i the edge opposite to the vertex i of a finite triangle.
-\param longest only a wall that is shorter is considered, as a part of the mean of the four other
-       edges of the interface that end with it.
-\param cavity filled with the proposal if there is one; its vertices move.
-\return what would be exchanged, if the interface gets shorter by it and all new triangles are
-        positive.
-
-Linear in the stars of the two vertices, but for the phases at the ends, where it is quadratic.
+\param complex the complex; it is not changed
+\param cell, i the edge opposite to the vertex i of a finite triangle
+\param longest largest length of walls to be considered, divided by the mean length of the four
+       other interface edges at the ends of the wall
+\param cavity filled with the proposal if there is one; the ends of the wall move
+\return the exchange, if it shortens the interface, all new triangles are positively oriented, and
+        `complex.keeps_quality()` holds
 */
 template <class Complex>
 std::optional<Neighbor_exchange<Complex>>

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// As propose_null_space_position(), for the center of a fan.
+// Proposes a position for the center of a fan, see `propose_null_space_position()`.
 template <class Complex>
 bool null_space_position(const Complex& complex, const Interface_fan_3<Complex>& fan,
                          const std::vector<typename Complex::Cell_handle>& star,
@@ -83,31 +83,31 @@ bool null_space_position(const Complex& complex, const Interface_fan_3<Complex>&
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Proposes to move a vertex of the interface along the interface, towards the mean of the centroids of
-its facets, weighted by their areas: within the null space of the quadric of its facets, which is
-the tangent plane where the interface is smooth, and the line of a ridge (null-space smoothing,
-section 3.2.2 of the paper, after Jiao). Corners stay, and so do vertices on the boundary of the
-domain and where the interface is not one sheet between two labels.
+Proposes to move a vertex of the interface along the interface (null-space smoothing, section 3.2.2
+of the paper, after Jiao). The vertex moves towards the area-weighted mean of the centroids of its
+facets. The displacement is projected on the null space of the quadric of the facets. The null space
+is the tangent plane where the interface is smooth, and the line of a ridge. Corners, vertices on
+the boundary of the domain, and vertices where the interface is not a single sheet between two
+labels stay. Linear in the star.
 
-The step is also taken to be perpendicular to the sum of the area vectors of the facets, so that the
-two labels keep their volumes, up to rounding.
+The displacement is also perpendicular to the sum of the area vectors of the facets, so that the
+volumes of the two labels stay the same, up to rounding.
 
-\param complex is not changed.
-\param v a vertex of the interface.
-\param star the star of v.
-\param aggressiveness up to which ratio of the eigenvalues a direction belongs to the null space, in
-       [0, 1); the paper takes 0.025. On an edge between two facets of equal areas, that is a
-       dihedral angle of 2 atan(sqrt(aggressiveness)): 18 degrees.
-\param feature_angle where the normals of two facets differ by more, in radians, v moves only along
-       their edge whatever their areas, and not at all where such edges end, meet or turn.
-\param minimum_quality no cell of the star may come to be of lower quality, unless it is so already;
-       then none may come to be worse than the worst is.
-\param target the proposed position.
-\return whether there is one: all cells around v being positive, no facet turned over, and the worst
-       facet better by the ratio of the area to the squared edges. Commit with
-       `complex.set_point(v, star, target)`.
-
-Linear in the star.
+\param complex the complex; it is not changed
+\param v a vertex of the interface
+\param star the star of v
+\param aggressiveness largest ratio of the eigenvalues for which a direction belongs to the null
+       space, in [0, 1); the paper uses 0.025. On an edge between two facets of equal areas, a ratio
+       corresponds to a dihedral angle of 2 atan(sqrt(aggressiveness)): 18 degrees for 0.025.
+\param feature_angle an edge is a feature if the normals of its two facets differ by a larger angle,
+       in radians. v then moves only along feature edges, for any areas, and stays where such edges
+       end, meet or turn.
+\param minimum_quality lower bound of the quality of the cells of the star. If the worst cell is
+       below the bound already, its quality is the bound.
+\param target the proposed position
+\return whether there is a proposal: all cells around v stay positively oriented, no facet is turned
+        over, and the worst facet improves, measured by the ratio of area to squared edge lengths.
+        Commit with `complex.set_point(v, star, target)`.
 */
 template <class Complex>
 bool propose_null_space_position(const Complex& complex, typename Complex::Vertex_handle v,

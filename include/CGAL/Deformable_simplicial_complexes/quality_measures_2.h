@@ -14,12 +14,13 @@ namespace Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
-Area over the mean square edge length, times 4 / sqrt(3): 1 for the regular triangle, 0 for a flat
-one, negative for an inverted one, invariant under similarities.
+Quality measure of triangles: area divided by the mean squared edge length, times 4 / sqrt(3). It is
+1 for the regular triangle, 0 for a degenerate one, and negative for an inverted one. It is
+invariant under similarity transformations.
 */
 struct Area_length_ratio_2
 {
-  /// returns the quality of pqr.
+  /// Returns the quality of pqr.
   /// \tparam Point a point of a kernel whose coordinates are of type `double`
   template <class Point> double operator()(const Point& p, const Point& q, const Point& r) const {
     const double squared =

@@ -9,15 +9,14 @@
 #include <array>
 #include <cmath>
 
-/// \file
-/// Models of `TetrahedronQualityMeasure_3`: 1 for the regular tetrahedron, 0 for a flat one,
-/// negative for an inverted one, invariant under similarities.
+/// \file Models of `TetrahedronQualityMeasure_3`: 1 for the regular tetrahedron, 0 for a degenerate
+/// one, negative for an inverted one, invariant under similarity transformations.
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A tetrahedron as the vectors from its first vertex, shared by the measures.
+// Tetrahedron given by the vectors from its first vertex, shared by the measures.
 template <class Point> struct Tetrahedron_frame
 {
   using Vector = decltype(Point() - Point());
@@ -25,24 +24,25 @@ template <class Point> struct Tetrahedron_frame
   Tetrahedron_frame(const Point& p, const Point& q, const Point& r, const Point& s)
       : a(q - p), b(r - p), c(s - p), six_volumes(cross_product(a, b) * c) {}
 
-  // Area vectors of the facets opposite to p, q, r, s: outward normals, twice the area long.
+  // Returns the area vectors of the facets opposite to p, q, r, s: outward normals whose length is
+  // twice the area.
   std::array<Vector, 4> area_vectors() const {
     return {cross_product(b - a, c - a), cross_product(c, b), cross_product(a, c),
             cross_product(b, a)};
   }
 
-  // Edges in pairs of opposite ones: pq rs, pr qs, ps qr.
+  // Returns the edges in pairs of opposite ones: pq rs, pr qs, ps qr.
   std::array<Vector, 6> edges() const { return {a, c - b, b, c - a, c, b - a}; }
 
   Vector a, b, c;
   double six_volumes;
 };
 
-constexpr double sine_of_regular = 0.94280904158206337; // of its dihedral angles, sqrt(8) / 3
+constexpr double sine_of_regular = 0.94280904158206337; // sine of its dihedral angles, sqrt(8) / 3
 
-// The smallest sine of a dihedral angle over that of the regular tetrahedron, those of obtuse
-// angles times a weight. Coordinates are in arrays of their own, so that loops over them become
-// vector instructions: half of the time of an improvement is spent here.
+// Returns the smallest sine of a dihedral angle, divided by that of the regular tetrahedron. Sines
+// of obtuse angles are multiplied by a weight. Coordinates are in separate arrays, so that loops
+// over them are vectorized: mesh optimization spends much of its time in this function.
 template <class Point>
 double minimum_sine(const Point& p, const Point& q, const Point& r, const Point& s,
                     double obtuse_weight) {
@@ -59,8 +59,8 @@ double minimum_sine(const Point& p, const Point& q, const Point& r, const Point&
     ny[i] = uz[i] * vx[i] - ux[i] * vz[i];
     nz[i] = ux[i] * vy[i] - uy[i] * vx[i];
   }
-  // The edges pq, rs, pr, qs, ps, qr, and the vertices that the facets are opposite to that meet
-  // there.
+  // The edges pq, rs, pr, qs, ps, qr. `one` and `other` are the vertices opposite to the two facets
+  // at each edge.
   const double x[] = {a.x(), f.x(), b.x(), e.x(), c.x(), d.x()},
                y[] = {a.y(), f.y(), b.y(), e.y(), c.y(), d.y()},
                z[] = {a.z(), f.z(), b.z(), e.z(), c.z(), d.z()};
@@ -68,7 +68,7 @@ double minimum_sine(const Point& p, const Point& q, const Point& r, const Point&
   double squared_edges[6];
   for (int i = 0; i < 6; ++i)
     squared_edges[i] = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
-  // In units of the longest edge, so that nothing overflows.
+  // Lengths are in units of the longest edge to avoid overflow.
   double unit = 0;
   for (double squared : squared_edges)
     unit = (std::max)(unit, squared);
@@ -78,7 +78,7 @@ double minimum_sine(const Point& p, const Point& q, const Point& r, const Point&
   double squared_areas[4];
   for (int i = 0; i < 4; ++i)
     squared_areas[i] = (nx[i] * nx[i] + ny[i] * ny[i] + nz[i] * nz[i]) * per_unit * per_unit;
-  // Squares of sines over that of six volumes, as fractions: divisions cost most.
+  // Squares of sines divided by the square of six volumes, as fractions, since divisions are slow.
   const double squared_weight = obtuse_weight * obtuse_weight;
   double numerators[6], denominators[6];
   for (int i = 0; i < 6; ++i) {
@@ -104,12 +104,13 @@ double minimum_sine(const Point& p, const Point& q, const Point& r, const Point&
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
-Volume over the cube of the root mean square edge length, times 6 sqrt(2): section 3.2 of the paper,
-after Parthasarathy et al. Penalises slivers and needles alike and is smooth.
+Quality measure of tetrahedra: volume divided by the cube of the root mean square edge length, times
+6 sqrt(2) (section 3.2 of the paper, after Parthasarathy et al.). It penalizes slivers and needles
+equally, and is smooth.
 */
 struct Volume_length_ratio_3
 {
-  /// returns the quality of pqrs. \pre the points are not all equal
+  /// Returns the quality of pqrs; 0 if the points are all equal.
   /// \tparam Point a point of a kernel whose coordinates are of type `double`
   template <class Point>
   double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const {
@@ -122,7 +123,8 @@ struct Volume_length_ratio_3
     return cube == 0 ? 0 : std::sqrt(2.) * t.six_volumes / cube;
   }
 
-  /// returns the derivative of the quality by the position of p. \pre the points are not all equal
+  /// Returns the gradient of the quality with respect to the position of p. \pre the points are not
+  /// all equal
   template <class Point>
   auto gradient(const Point& p, const Point& q, const Point& r, const Point& s) const {
     const internal::Tetrahedron_frame<Point> t(p, q, r, s);
@@ -130,7 +132,7 @@ struct Volume_length_ratio_3
     for (const auto& e : t.edges())
       squared += e.squared_length();
     squared /= 6;
-    // Of six volumes over the cube of the length, by the product rule.
+    // Gradient of six volumes divided by the cube of the length, by the product rule.
     const auto of_six_volumes = cross_product(t.c - t.a, t.b - t.a);
     const auto of_squared = (t.a + t.b + t.c) / -3;
     return std::sqrt(2.) / (squared * std::sqrt(squared)) *
@@ -140,12 +142,13 @@ struct Volume_length_ratio_3
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
-Smallest sine of the six dihedral angles, over that of the regular tetrahedron. Bad at both small
-and large angles, blind to the lengths of edges.
+Quality measure of tetrahedra: smallest sine of the six dihedral angles, divided by that of the
+regular tetrahedron. It is low for small and for large angles, and does not depend on the lengths of
+edges.
 */
 struct Minimum_sine_3
 {
-  /// returns the quality of pqrs. \pre the points are not all on a line
+  /// Returns the quality of pqrs. \pre the points are not all on a line
   /// \tparam Point a point of a kernel whose coordinates are of type `double`
   template <class Point>
   double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const {
@@ -155,12 +158,13 @@ struct Minimum_sine_3
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
-The same with the sines of obtuse angles times 0.7 (Klingner and Shewchuk 2007): angles near 180
-degrees do more harm than those near 0. The measure for meshes at rest, where angles count.
+Quality measure of tetrahedra: as `Minimum_sine_3`, with sines of obtuse angles multiplied by 0.7
+(Klingner and Shewchuk 2007), since angles near 180 degrees do more harm than angles near 0. Use
+this measure for meshes that do not move and whose angles are important.
 */
 struct Biased_minimum_sine_3
 {
-  /// returns the quality of pqrs. \pre the points are not all on a line
+  /// Returns the quality of pqrs. \pre the points are not all on a line
   /// \tparam Point a point of a kernel whose coordinates are of type `double`
   template <class Point>
   double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const {
@@ -170,11 +174,12 @@ struct Biased_minimum_sine_3
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
-Three times the radius of the inscribed over that of the circumscribed sphere.
+Quality measure of tetrahedra: three times the radius of the inscribed sphere, divided by the radius
+of the circumscribed sphere.
 */
 struct Radius_ratio_3
 {
-  /// returns the quality of pqrs.
+  /// Returns the quality of pqrs.
   /// \tparam Point a point of a kernel whose coordinates are of type `double`
   template <class Point>
   double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const {
@@ -182,8 +187,8 @@ struct Radius_ratio_3
     double area = 0;
     for (const auto& n : t.area_vectors())
       area += std::sqrt(n.squared_length()) / 2;
-    // The circumcenter is this vector over twice the six volumes away from p, so that the radii are
-    // six_volumes / (2 area) and |center| / (2 six_volumes).
+    // The vector from p to the circumcenter is `center` divided by twice the six volumes. The radii
+    // are thus six_volumes / (2 area) and |center| / (2 six_volumes).
     const auto center = t.a.squared_length() * cross_product(t.b, t.c) +
                         t.b.squared_length() * cross_product(t.c, t.a) +
                         t.c.squared_length() * cross_product(t.a, t.b);

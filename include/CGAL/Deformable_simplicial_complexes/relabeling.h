@@ -14,15 +14,16 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Returns the largest facet of a cell that lies on the interface and that the opposite vertex,
-// which is on the interface or on the boundary of the domain, touches; -1 if there is none. Between
-// two parts of the interface with the same triangulation, vertices project to vertices, and two
-// facets are equally large: rounding must not decide.
+// Returns the largest facet of a cell if it lies on the interface and the opposite vertex touches
+// it; -1 otherwise. The opposite vertex is on the interface or on the boundary of the domain.
+// Between two parts of the interface with the same triangulation, vertices project to vertices, and
+// two facets are equally large. Tolerances prevent rounding from deciding these cases.
 template <class Complex>
 int contact_facet(const Complex& complex, typename Complex::Cell_handle cell,
                   const Facet_normals<Complex>& normals) {
-  static constexpr double outside = .01; // barycentric coordinate, by which the projection may miss
-  static constexpr double least = 1 - (Complex::dimension - 1) * outside; // of the largest facet
+  static constexpr double outside = .01; // tolerance of a barycentric coordinate of the projection
+  // as a fraction of the largest facet
+  static constexpr double least = 1 - (Complex::dimension - 1) * outside;
   int result = -1;
   double largest = least * least * normals[normals.largest()].squared_length();
   for (int i = 0; i < Complex::corners; ++i) {
@@ -45,21 +46,22 @@ int contact_facet(const Complex& complex, typename Complex::Cell_handle cell,
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Proposes another label for a nearly flat cell trapped between two parts of the interface
-("tetrahedron relabeling", section 3.2.1 of the paper). By the first rule, the largest facet of the
-cell lies on the interface, and the opposite vertex, on the interface or on the boundary of the
-domain, projects into the facet: the cell joins the phase behind the facet. A facet counts as the
-largest up to 2 % (in the plane 1 %), and the projection may lie outside by a hundredth of the
-height of the facet. By the second rule, for half the threshold, the cell joins the neighboring
-phase that decreases the area of the interface most, if there is one. The topology of the interface
-may change.
-
-\param complex is not changed.
-\param cell a finite cell.
-\param threshold only cells of lower quality are considered; the paper takes 0.01.
-\param label the proposed label.
-\return whether there is a proposal; commit with `complex.relabel(cell, label)`.
-
+("tetrahedron relabeling", section 3.2.1 of the paper). The topology of the interface may change.
 Constant time.
+
+First rule: the largest facet of the cell lies on the interface, and the opposite vertex projects
+into the facet. This vertex is on the interface or on the boundary of the domain. The cell then
+joins the phase behind the facet. The facet may be smaller than the largest one by 2 % (in 2D, by 1
+%). The projection may be outside the facet by a hundredth of its height.
+
+Second rule, for half the threshold: the cell joins the neighboring phase for which the measure of
+the interface decreases most, if there is one.
+
+\param complex the complex; it is not changed
+\param cell a finite cell
+\param threshold only cells of lower quality are considered; the paper uses 0.01
+\param label the proposed label
+\return whether there is a proposal; commit it with `complex.relabel(cell, label)`
 */
 template <class Complex>
 bool propose_relabeling(const Complex& complex, typename Complex::Cell_handle cell,
@@ -78,7 +80,7 @@ bool propose_relabeling(const Complex& complex, typename Complex::Cell_handle ce
   for (int candidate = 0; candidate < Complex::corners; ++candidate) {
     if (!complex.is_interface(std::make_pair(cell, candidate)))
       continue;
-    double change = 0; // of the measure of the interface, up to a factor
+    double change = 0; // of the measure of the interface, up to a constant factor
     for (int i = 0; i < Complex::corners; ++i)
       if (!complex.is_infinite(cell->neighbor(i))) {
         const auto other = cell->neighbor(i)->label();

@@ -23,55 +23,56 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Removes what is degenerate, of the interface too, each where it is possible: in space nearly flat
-tetrahedra, facets with small angles and short edges ("degeneracy removal", section 3.2.1 of the
-paper), by `propose_degenerate_tetrahedron_removal()`, `propose_degenerate_facet_removal()` and
-`propose_degenerate_edge_removal()`; in the plane nearly flat triangles (section 3.1), by
-`propose_degenerate_triangle_removal()`, and short edges. The topology of the interface stays;
-the interface moves by the volume of what is removed.
+Removes degenerate simplices where possible, also those of the interface. In 3D, these are nearly
+flat tetrahedra, facets with small angles, and short edges ("degeneracy removal", section 3.2.1 of
+the paper). They are removed with `propose_degenerate_tetrahedron_removal()`,
+`propose_degenerate_facet_removal()` and `propose_degenerate_edge_removal()`. In 2D, these are
+nearly flat triangles (section 3.1), removed with `propose_degenerate_triangle_removal()`, and short
+edges. The topology of the interface stays; the interface moves by the volume of the removed cells.
+A pass over the cells, then n log n in the number of changed cells.
 
-\param dsc the complex.
+\param dsc the complex
 \param np named parameters:
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{degenerate_quality}
-    \cgalParamDescription{in space, cells of lower quality are removed, in [0, 1]}
+    \cgalParamDescription{cells of lower quality are removed, in [0, 1]; in 3D only}
     \cgalParamType{`double`} \cgalParamDefault{0.005, the paper's}
   \cgalParamNEnd
   \cgalParamNBegin{degenerate_cosine}
-    \cgalParamDescription{facets, in the plane triangles, with an angle of larger cosine are
-                          removed, in [0.5, 1]}
+    \cgalParamDescription{facets (in 2D, triangles) with an angle of larger cosine are removed; in
+                          [0.5, 1]}
     \cgalParamType{`double`} \cgalParamDefault{0.999, the paper's}
   \cgalParamNEnd
   \cgalParamNBegin{degenerate_length}
-    \cgalParamDescription{shorter edges are removed, in units of the size field or, without one, of
-                          `dsc.minimum_interface_edge()`, not negative}
+    \cgalParamDescription{shorter edges are removed; in units of the sizing field or, without one,
+                          of `dsc.minimum_interface_edge()`, at least 0}
     \cgalParamType{`double`} \cgalParamDefault{0.5, the paper's}
   \cgalParamNEnd
   \cgalParamNBegin{sizing_field}
-    \cgalParamDescription{the wanted length of edges, a positive function of position:
-                          `double sizing_field(Approximate_point p)`, callable as `const`, asked
-                          at midpoints of edges, in the coordinates of the complex}
+    \cgalParamDescription{target edge length, a positive function of position in the coordinates of
+                          the complex: `double sizing_field(Approximate_point p)`, callable as
+                          `const`, evaluated at midpoints of edges}
     \cgalParamType{function object, by value or `std::reference_wrapper`}
     \cgalParamDefault{`dsc.minimum_interface_edge()` everywhere}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{how many rounds at the most: each round works on what the last one made}
+    \cgalParamDescription{largest number of rounds; each round processes the cells created by the
+                          previous one}
     \cgalParamType{`unsigned int`} \cgalParamDefault{10}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told of each change of the mesh}
+    \cgalParamDescription{visitor that is called at each change of the mesh}
     \cgalParamType{model of `DeformationVisitor`, by value or `std::reference_wrapper`}
     \cgalParamDefault{`Deformation_visitor`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what was done.
-\throws Error if a parameter is out of its range, the complex then
-       being unchanged, or if the size field has a value that is not positive. An exception of the
-       size field or of the visitor leaves a valid complex.
+\return the numbers of changes
+\throws Error if a parameter is out of its range; the complex is then unchanged
+\throws Error if the sizing field has a value that is not positive. After this exception, or one of
+        the sizing field or of the visitor, the complex is valid.
 
-A pass over the cells, then n log n in the number of changed cells.
 */
 template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Improvement_report remove_degeneracies(Complex& dsc,

@@ -38,9 +38,9 @@ void assign(Labelled_surface_3<Point>& surface, const Triangle_soup_3& soup) {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes a surface bound a solid, as the overload below. Only this overload takes `merge_distance` and
-`longest_border`. If `merge_distance` is more than 0, near vertices are merged first, even if the
-surface bounds a solid.
+Makes a surface bound a solid, as the overload below does. Only this overload has the options
+`merge_distance` and `longest_border`. If `merge_distance` is positive, near vertices are merged
+first, even if the surface bounds a solid.
 */
 template <class Point>
 Surface_repair_report_3 repair_surface_3(Labelled_surface_3<Point>& surface,
@@ -55,69 +55,69 @@ Surface_repair_report_3 repair_surface_3(Labelled_surface_3<Point>& surface,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Makes a surface bound a solid, as `make_deformable_simplicial_complex_3()` requires, if it nearly
-does. The following steps are done in this order until the surface bounds a solid:
+Makes a surface bound a solid if it nearly does, as `make_deformable_simplicial_complex_3()`
+requires. The following steps are done in this order until the surface bounds a solid:
 
-- equal points are merged, and triangles without area are removed. Of triangles with the same
-corners one is kept, or none if they are a wall between parts that touch.
-- Boundary vertices become one if their distance is less than a thousandth of the mean edge and a
+- Equal points are merged, and triangles without area are removed. Of triangles with the same
+  corners, one is kept; none is kept if the triangles are a wall between components that touch.
+- Boundary vertices are stitched if their distance is less than a thousandth of the mean edge and a
   tenth of the boundary edges at them.
-- T-junctions are closed: a boundary edge is split at a boundary vertex if the distance of the
-vertex from the edge is less than a thousandth of that edge and of the shortest boundary edge at the
-  vertex.
-- Fins are removed: triangles with a boundary edge that hang on an otherwise closed surface. They
-stay if they reach farther than two mean edges from it.
-- Holes are filled. A surface with a long border is refused: it is a sheet, not a solid with a hole.
-- Parts that cross each other or themselves are united: triangles are split where they cross, by
-exact arithmetic, and those that do not bound the union are removed. A closed part that is inside an
-odd number of other parts without crossing them stays a cavity. Walls inside a solid are removed.
-The step is omitted if it would remove triangles outside the solid farther than two mean edges from
-it.
-- The surface is replaced by an alpha wrap, which is closed and has no crossings; cavities are
-filled.
+- T-junctions are closed: a boundary edge is split at a boundary vertex near it. The distance of the
+  vertex from the edge must be less than a thousandth of that edge and of the shortest boundary edge
+  at the vertex.
+- Fins are removed: triangles with a boundary edge that are attached to an otherwise closed surface.
+  They stay if they extend farther than two mean edge lengths from the surface.
+- Holes are filled. If a border is too long, an exception is thrown, since the surface is a sheet,
+  not a solid with a hole.
+- Intersecting and self-intersecting components are united. Triangles are split where they
+  intersect, with exact arithmetic, and triangles that do not bound the union are removed. A closed
+  component inside an odd number of other components that does not intersect them stays a cavity.
+  Walls inside a solid are removed. The step is omitted if it would remove triangles outside the
+  solid at a distance of more than two mean edge lengths.
+- The surface is replaced by an alpha wrap, which is closed and has no self-intersections; cavities
+  are filled.
 
-No length in this is absolute: a surface that is scaled by a power of two has the same result,
-scaled.
+All lengths are relative: if a surface is scaled by a power of two, the result is the same, scaled.
+CGAL's Polygon Mesh Processing and 3D Alpha Wrapping are used. n log n in the number of triangles,
+plus the square of the number of edges of holes, plus the wrap.
 
-CGAL's polygon mesh processing and alpha wrapping do the work.
-
-\tparam Point a point type with `double` coordinates, as that of `Labelled_surface_3`
+\tparam Point a point type with `double` coordinates, such as that of `Labelled_surface_3`
 \tparam NP a sequence of named parameters
 
-\param surface is replaced by the repaired one; if it bounds a solid already, it is unchanged
+\param surface the surface; it is replaced by the repaired surface, and unchanged if it already
+       bounds a solid
 \param np named parameters:
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{largest_hole}
-    \cgalParamDescription{The longest border of holes that are filled, in diagonals of the bounding
-                          box of the part that has it, at least 0. The border of a flat sheet is at
-                          least two of them long.}
+    \cgalParamDescription{Length of the longest border of holes that are filled, at least 0. The
+                          unit is the diagonal of the bounding box of the connected component with
+                          the hole. The border of a flat sheet is at least two diagonals long.}
     \cgalParamType{`double`}
     \cgalParamDefault{1.6}
   \cgalParamNEnd
   \cgalParamNBegin{wrap_alpha}
-    \cgalParamDescription{The parameter alpha of CGAL's alpha wrap, in mean edges of the surface,
-                          at least 0; 0 for no wrap. A ball of this radius does not pass holes that
-                          are smaller than it. At least a thousandth of the diagonal of the bounding
-                          box is used.}
+    \cgalParamDescription{The parameter alpha of CGAL's alpha wrap, in mean edge lengths of the
+                          surface, at least 0; 0 for no wrap. A ball of this radius does not pass
+                          smaller holes. At least a thousandth of the diagonal of the bounding box
+                          is used.}
     \cgalParamType{`double`}
     \cgalParamDefault{1}
   \cgalParamNEnd
   \cgalParamNBegin{wrap_offset}
-    \cgalParamDescription{How far from the surface the wrap is, in mean edges, more than 0.}
+    \cgalParamDescription{Distance of the wrap from the surface, in mean edge lengths, positive.}
     \cgalParamType{`double`}
     \cgalParamDefault{0.1}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what was done, and how far the surface is from what it was
-\throws Invalid_surface_error if coordinates are not finite, indices
-        are wrong, there are no triangles, or nothing helps; if `open`, a hole may be too large.
-        The surface is unchanged then.
-\throws Error if a parameter is out of range, or the mean edge is less
-        than 1e-30 or the extent more than 1e30. The surface is unchanged then.
+\return the numbers of changes, and the distances between the input and the result
+\throws Invalid_surface_error if coordinates are not finite, indices are wrong, there are no
+        triangles, or the surface cannot be repaired; if the reason is `open`, a hole may be too
+        large. The surface is then unchanged.
+\throws Error if a parameter is out of range, or the mean edge is less than 1e-30 or the extent more
+        than 1e30. The surface is then unchanged.
 
-n log n in the number of triangles, plus the square of the edges of holes, and the wrap.
 */
 template <class Point, class NP = parameters::Default_named_parameters>
 Surface_repair_report_3 repair_surface_3(Labelled_surface_3<Point>& surface,
@@ -128,21 +128,20 @@ Surface_repair_report_3 repair_surface_3(Labelled_surface_3<Point>& surface,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Replaces a surface by its alpha wrap, even if it bounds a solid. Where surfaces nearly meet, a
-tetrahedralizer may fail on the surface and succeed on the wrap.
+Replaces a surface by its alpha wrap, even if it bounds a solid. If surfaces nearly meet, a
+tetrahedralizer may fail for the surface and succeed for the wrap.
 
-\tparam Point a point type with `double` coordinates, as that of `Labelled_surface_3`
+\tparam Point a point type with `double` coordinates, such as that of `Labelled_surface_3`
 
-\param surface is replaced by the wrap
+\param surface the surface; it is replaced by the wrap
 \param options `wrap_alpha` and `wrap_offset` are used
-
 \return the distances to the input, and the alpha and the offset of the wrap
 
-\throws Invalid_surface_error if coordinates are not finite, indices
-        are wrong, there are no triangles, or the wrap does not bound a solid
-\throws Error if `wrap_alpha` is 0, an option is out of range, CGAL
-        cannot wrap the surface, or the mean edge is less than 1e-30 or the extent more than 1e30.
-        The surface is unchanged if an exception is thrown.
+\throws Invalid_surface_error if coordinates are not finite, indices are wrong, there are no
+        triangles, or the wrap does not bound a solid
+\throws Error if `wrap_alpha` is 0, an option is out of range, CGAL cannot wrap the surface, or the
+        mean edge length is less than 1e-30 or the extent more than 1e30. The surface is unchanged
+        if an exception is thrown.
 */
 template <class Point>
 Surface_repair_report_3 wrap_surface_3(Labelled_surface_3<Point>& surface,

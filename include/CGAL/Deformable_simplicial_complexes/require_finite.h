@@ -15,7 +15,8 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// Throws if points or vectors given for the vertices of an interface, `name` each, are not finite.
+// Throws an error if points or vectors given for interface vertices are not finite. `name` is the
+// name of one value in the message.
 template <class Values> void require_finite(const Values& values, const std::string& name) {
   std::vector<std::size_t> refused;
   for (std::size_t i = 0; i < values.size(); ++i)

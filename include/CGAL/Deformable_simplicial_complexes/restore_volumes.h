@@ -24,49 +24,48 @@ namespace Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
-What `restore_volumes()` did.
+Report of `restore_volumes()`.
 \tparam Complex a deformable simplicial complex
 */
 template <class Complex> struct Volume_report
 {
-  bool complete = true; ///< whether all volumes are right within the tolerance
-  /// one for each time the interface was moved; vertices of earlier ones may have been removed
-  /// since
+  bool complete = true; ///< whether all volumes are correct within the tolerance
+  /// one for each deformation; vertices in earlier reports may have been removed since
   std::vector<Deformation_report<Complex>> deformations;
 };
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Gives labels the volumes, in the plane the areas, they are to have, by moving the interface along
-its normals, flat parts between two labels equally far: the correction after a step of a flow that
-keeps volumes, whose discretization does not quite. It is repeated until the volumes are right, as
-`deform_interface()` may change the mesh on the way.
+Restores given volumes (in 2D, areas) of labels by moving the interface along its normals. Parts of
+the interface between two labels move by the same distance where they are flat. Use it after a time
+step of a volume-preserving flow whose discretization changes volumes. The correction is repeated
+until the volumes are correct, since `deform_interface()` may change the mesh. Linear in the size of
+the interface, plus the deformations.
 
-\param dsc the complex.
-\param volumes of labels, positive, in the coordinates of the complex. Labels that are not mentioned
-       take what is left.
+\param dsc the complex
+\param volumes target volumes of labels, positive, in the coordinates of the complex. Labels without
+       a target volume share the rest of the domain.
 \param np named parameters: those of `deform_interface()` and
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{volume_tolerance}
-    \cgalParamDescription{by how much a volume may differ in the end, relative to itself, positive}
+    \cgalParamDescription{largest relative error of a volume at the end, positive}
     \cgalParamType{`double`} \cgalParamDefault{1e-10}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{how often the interface is moved at the most}
+    \cgalParamDescription{largest number of deformations}
     \cgalParamType{`unsigned int`} \cgalParamDefault{5}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what was done, and whether all volumes are right within the tolerance. If not, something
-        keeps the interface from where it should go, a visitor has ended it, or there were too few
-        iterations.
-\throws Error if a label does not occur, a volume or the tolerance
-       is not positive, the number of iterations is negative, all labels are given and their volumes
-do not fill the domain, or some are and leave nothing for the others; the complex is then unchanged.
-
-Linear in the size of the interface, plus the deformations.
+\return the deformations, and whether all volumes are correct within the tolerance. If they are not,
+        the interface could not reach its destinations, a visitor ended the deformation, or there
+        were too few iterations.
+\throws Error if a label does not occur, a volume or the tolerance is not positive, or the number of
+        iterations is negative. Also if all labels are given and their volumes do not fill the
+        domain, or if some are given and leave no volume for the others. The complex is then
+        unchanged.
 */
 template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Volume_report<Complex> restore_volumes(Complex& dsc,

@@ -15,40 +15,37 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-subdivides an interface by Loop's scheme, for rendering: each time, a triangle becomes four, and
-points move towards a smooth surface.
+Subdivides an interface with Loop's scheme, for rendering (C. Loop, <em>Smooth subdivision surfaces
+based on triangles</em>, Master's thesis, University of Utah, 1987). In each subdivision, a triangle
+is divided into four, and points move towards a smooth surface. n log n in the size of the result,
+which is multiplied by four in each subdivision.
 
-Where more than two triangles meet in an edge, where there is only one, and where the labels change,
-the edge is on a curve. On the manifold patches between curves, points are those of
-`Subdivision_method_3::Loop_subdivision()`, up to rounding. Curves are subdivided by the rule for
-borders, 1/8, 3/4, 1/8, each once for all patches that meet there, so that these still share their
-points. Points stay where they are
+An edge is on a curve if it has one triangle or more than two, or if the labels change at it. On the
+manifold patches between curves, points are those of `Subdivision_method_3::Loop_subdivision()`, up
+to rounding. Curves are subdivided by the rule for borders, 1/8, 3/4, 1/8. Each curve is subdivided
+once for all patches that meet there, so that the patches still share its points. Some points do not
+move:
 
-- where curves branch or end, as in quadruple points, and where sheets touch in the point alone,
-- on the edges of a box, so that the interface still ends in the sides of the box; on the boundary
-of a domain that is no box, all that were vertices.
+- points where curves branch or end, as in quadruple points, and points where sheets touch in a
+  single point;
+- points on the edges of a box, so that the interface still ends in the sides of the box;
+- original vertices on the boundary of a domain that is not a box.
 
-The interface between two labels, extracted alone, has a border where further labels meet it: it
-agrees with a part of the whole interface if no curve branches on it. On a torus, a part that was
-cut open has a border there.
+The interface between two labels, extracted alone, has a border where other labels meet it. Its
+subdivision agrees with the corresponding part of the whole interface if no curve branches on it. On
+a torus, a component that was cut open has a border at the cut.
 
-\tparam Complex is an instance of `Deformable_simplicial_complex_3`.
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
 
-\param surface is what `extract_interface()` or this function returned.
-\param number_of_subdivisions is how many times, at least 0; with 0, the surface stays as it is.
-\return the subdivided surface. Of each subdivision, triangle i becomes the triangles 4 i to
-4 i + 3 with its labels and its orientation, the last of which is in the middle. Points of edges
-follow the points that there were, by the indices of the ends of their edges; in `vertices`, they
-have a default-constructed handle, while the others keep that of the vertex they come from.
+\param surface a result of `extract_interface()` or of this function
+\param number_of_subdivisions number of subdivisions, at least 0; with 0, the surface is unchanged
+\return the subdivided surface. In each subdivision, triangle i becomes the triangles 4 i to 4 i + 3
+        with its labels and its orientation; the last one is in the middle. New points are on edges.
+        They follow the old points, ordered by the indices of the ends of their edges. In
+        `vertices`, new points have a default-constructed handle, and old points keep their vertex.
 
-\throws Error if `number_of_subdivisions` is negative.
-\throws Interrupted_error if the callback of a
-`Progress_scope` returns `false`
-
-n log n in the size of the result, which is four times as large each time.
-
-The scheme is that of C. Loop, <em>Smooth subdivision surfaces based on triangles</em>, Master's
-thesis, University of Utah, 1987.
+\throws Error if `number_of_subdivisions` is negative
+\throws Interrupted_error if the callback of a `Progress_scope` returns `false`
 
 \sa `extract_interface()`
 */

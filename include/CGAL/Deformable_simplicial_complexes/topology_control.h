@@ -9,15 +9,15 @@
 #include <utility>
 #include <vector>
 
-/// \file
-/// Who decides whether the interface may change its topology: values of the parameter
-/// `topology_control()`.
+/// \file Models of `TopologyControl`: values of the parameter `topology_control()`, which permit or
+/// forbid changes of the topology of the interface.
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /// \ingroup PkgDeformableSimplicialComplexesRef
-/// Parts of a phase may merge, split, appear and vanish: the default.
+/// Topology control that permits all changes: components of a phase may merge, split, appear and
+/// vanish. This is the default.
 /// \cgalModels{TopologyControl}
 struct Allow_topology_changes
 {
@@ -30,8 +30,9 @@ struct Allow_topology_changes
 };
 
 /// \ingroup PkgDeformableSimplicialComplexesRef
-/// The Betti numbers of each phase and of the interface stay what they are. Vertices that would
-/// have to pass through another part of the interface do not reach their destinations.
+/// Topology control that forbids all changes: the Betti numbers of each phase and of the interface
+/// stay the same. Vertices that would have to pass through another part of the interface do not
+/// reach their destinations.
 /// \cgalModels{TopologyControl}
 struct Forbid_topology_changes
 {
@@ -44,17 +45,18 @@ struct Forbid_topology_changes
 };
 
 /// \ingroup PkgDeformableSimplicialComplexesRef
-/// The topology may change where space passes between two labels of one of the given pairs, in
-/// either direction.
+/// Topology control that permits changes only where space passes from one label of a given pair to
+/// the other, in either direction.
 /// \cgalModels{TopologyControl}
 class Allow_topology_changes_between
 {
 public:
-  /// \param pairs of labels; the order in a pair does not matter
+  /// Constructs the control.
+  /// \param pairs pairs of labels; the order in a pair does not matter
   explicit Allow_topology_changes_between(std::vector<std::pair<int, int>> pairs)
       : m_pairs(std::move(pairs)) {}
 
-  /// Returns whether the label of the cell and the new one are a pair.
+  /// Returns whether the label of the cell and the new label are one of the pairs.
   template <class Complex>
   bool operator()(const Complex& /*complex*/, typename Complex::Cell_handle cell,
                   typename Complex::Label label) const {

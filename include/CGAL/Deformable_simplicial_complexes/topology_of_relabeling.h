@@ -13,8 +13,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Where a set of cells touches a cell that is none of them: which of its faces belong to one of the
-// cells. A face is known by the set of its vertices, as bits.
+// Faces that a cell shares with a set of other cells. A face is given by the set of its vertices,
+// as bits.
 template <int corners> class Trace_on_cell
 {
 public:
@@ -27,15 +27,16 @@ public:
       m_has[s] = m_has[s] || other.m_has[s];
   }
 
-  // Whether the trace, made complete by the faces of its simplices, is contractible: connected and
-  // of Euler characteristic 1, which on a sphere excludes loops and the whole sphere.
+  // Returns whether the trace, completed with the faces of its simplices, is contractible. The test
+  // is that it is connected and has the Euler characteristic 1. On a sphere, this excludes loops
+  // and the whole sphere.
   bool is_contractible() const {
     std::array<bool, whole> has = m_has;
     for (unsigned s = whole - 1; s > 0; --s)
       for (unsigned t = s + 1; t < whole; ++t)
         has[s] = has[s] || (has[t] && (s & t) == s);
     int characteristic = 0;
-    std::array<unsigned, corners> part; // of the vertices, those connected to each
+    std::array<unsigned, corners> part; // vertices connected with each vertex
     unsigned vertices = 0;
     for (int i = 0; i < corners; ++i) {
       part[i] = 1u << i;
@@ -67,10 +68,11 @@ private:
     return result;
   }
 
-  std::array<bool, whole> m_has = {}; // of its boundary, which the cell itself is no part of
+  std::array<bool, whole> m_has = {}; // for each proper face of the cell
 };
 
-// The criterion of relabeling_keeps_topology(), for labels that cells need not carry yet.
+// Returns whether relabeling a cell keeps the topology, see relabeling_keeps_topology(), with
+// labels given by a function.
 template <class Complex, class LabelOf>
 bool keeps_topology(const Complex& complex, typename Complex::Cell_handle cell,
                     typename Complex::Label label, const LabelOf& label_of) {
@@ -107,23 +109,22 @@ bool keeps_topology(const Complex& complex, typename Complex::Cell_handle cell,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Tells whether giving a cell another label keeps the topology of the two labels, both as the union of
-their closed cells and as its interior, and with them that of the interface. All their Betti numbers
-then stay what they are; no other label is concerned.
+Returns whether giving a cell another label keeps the topology of the two labels, both for the union
+of their closed cells and for its interior. The topology of the interface then also stays. All Betti
+numbers stay the same; other labels are not affected. Linear in the stars of the vertices of the
+cell.
 
-The cell leaves the closed cells of its label and joins those of the new one, and it joins the
-closed complement of its old label and leaves that of the new one. Each keeps the homotopy type if
-the set, without the cell, meets the boundary of the cell in something contractible: the criterion
-for simple points of digital topology, on simplices. At the boundary of the domain the same must
-hold for the sets together with the outside.
+Four sets change: the cell leaves the closed cells of its old label and joins those of the new
+label; it joins the closed complement of the old label and leaves that of the new label. A set keeps
+its homotopy type if the set without the cell meets the boundary of the cell in a contractible set.
+This is the criterion for simple points in digital topology, applied to simplices. At the boundary
+of the domain, the same must hold for the sets together with the outside.
 
-\param complex is not changed.
-\param cell a finite cell.
-\param label the new label, different from that of the cell.
-\return whether the topology stays. Only incidences decide. Changes that cancel each other, such as a
-        part that is cut off where another one joins, count as changes.
-
-Linear in the stars of the vertices of the cell.
+\param complex the complex; it is not changed
+\param cell a finite cell
+\param label the new label, different from that of the cell
+\return whether the topology stays. The result depends only on incidences. Changes that cancel each
+        other count as changes, such as one part that is cut off while another one joins.
 */
 template <class Complex>
 bool relabeling_keeps_topology(const Complex& complex, typename Complex::Cell_handle cell,
@@ -135,16 +136,15 @@ bool relabeling_keeps_topology(const Complex& complex, typename Complex::Cell_ha
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Tells whether several cells can get another label one after the other so that each of them keeps the
-topology, as the function above says.
+Returns whether several cells can get another label one after the other, so that each step keeps the
+topology as defined above. Quadratic in the number of cells if the given order is valid, otherwise
+cubic.
 
-\param complex is not changed.
-\param cells finite cells, each once.
-\param label the new label, different from those of the cells.
-\return whether an order was found. It is sought cell by cell, without ever going back, so that in
-        rare cases one is missed; then a change is named that there is none.
-
-Quadratic in the number of cells if the first order tried is one, else cubic.
+\param complex the complex; it is not changed
+\param cells finite cells, each once
+\param label the new label, different from those of the cells
+\return whether an order was found. The search is greedy, without backtracking, so that it misses an
+        order in rare cases; the result is then false although the topology would stay.
 */
 template <class Complex>
 bool relabeling_keeps_topology(const Complex& complex,

@@ -23,15 +23,16 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The set of cells around a seed that a star of a point p replaces best: its facets see p, and the
-// worst quality of the cells that they form with p is highest.
+// The best set of cells around a seed to be replaced by the star of a point p. The facets of the
+// set are visible from p, and the worst quality of the cells that they form with p is highest.
 //
-// A set that is better than the present one and contains it must also contain the cell behind its
-// worst facet. So the cells that are absorbed across the worst facet, one after the other, are part
-// of the best set until they are that set: no search is needed, nor the cut of a graph by Klingner
-// and Shewchuk. What is behind some facets may not be absorbed, as it has another label, is
-// outside, is too far away, or would enclose a vertex: such a facet bounds all sets that contain
-// the present one, so that these compete in the worst of the other facets.
+// Consider a set that contains the present one and is better. It must contain the cell behind the
+// worst facet of the present set. The cells behind the worst facets are therefore absorbed one
+// after the other. Each of the sets is part of the best set until the best set is reached. No
+// search is needed, nor the graph cut of Klingner and Shewchuk. The cell behind a blocked facet
+// cannot be absorbed: it has another label, is outside or too far away, or would enclose a vertex.
+// A blocked facet bounds all sets that contain the present one, so that only the worst of the other
+// facets matters.
 template <class Complex> class Star_shaped_set
 {
 public:
@@ -40,7 +41,7 @@ public:
   using Planned = Cavity<Complex>;
   using Index = typename Planned::Index;
 
-  // `cavity` is used to number the vertices.
+  // Constructs the search. `cavity` is used to number the vertices.
   Star_shaped_set(const Complex& complex, const Point& p, Planned& cavity)
       : m_complex(complex), m_cavity(cavity), m_p(cavity.add(p, Boundary_class::inside)) {}
 
@@ -49,10 +50,10 @@ public:
     static constexpr double infinity = std::numeric_limits<double>::infinity();
     std::size_t best_size = 0;
     std::pair<double, double> best(-infinity,
-                                   -infinity); // of all facets, of those that are not blocked
+                                   -infinity); // of all facets, and of those not blocked
     absorb(seed, 0);
     for (;;) {
-      Facet* worst = nullptr; // of those that may be passed
+      Facet* worst = nullptr; // of the facets that are not blocked
       double open = infinity, blocked = infinity;
       for (Facet& f : m_facets) {
         if (f.quality >= (std::max)(open, blocked))
@@ -95,9 +96,9 @@ private:
   {
     Cell_handle cell;
     int index;
-    int depth;                                // of the cell, in steps from the seed
-    typename Planned::Indices with_new_point; // the cell with p in the place of its vertex
-    double quality;                           // -infinity if p is not on the inner side, exactly
+    int depth;                                // steps from the seed to the cell
+    typename Planned::Indices with_new_point; // cell with p in place of its vertex
+    double quality;                           // -infinity if p is not inside, exactly
   };
 
   bool contains(Cell_handle c) const {
@@ -110,7 +111,7 @@ private:
            next->label() == seed->label() && !encloses_vertex(next);
   }
 
-  // Whether a vertex would have all its cells in the set with this one.
+  // Returns whether a vertex would have all its cells in the set if the cell joined it.
   bool encloses_vertex(Cell_handle c) const {
     for (int i = 0; i < Complex::corners; ++i) {
       bool is_open = false;
@@ -152,12 +153,12 @@ private:
   const Complex& m_complex;
   Planned& m_cavity;
   Index m_p;
-  boost::container::small_vector<Cell_handle, 16> m_cells; // as they were absorbed
+  boost::container::small_vector<Cell_handle, 16> m_cells; // in the order of absorption
   boost::container::small_vector<Facet, 40> m_facets;      // of the boundary of the set
 };
 
-// Fills a cavity with the best set for a vertex at p and moves the vertex, and p, to where the
-// worst quality of its star is locally highest. Returns whether there is a set.
+// Fills a cavity with the best set for a vertex at p. Then moves the vertex and p to a local
+// maximum of the worst quality of its star. Returns whether there is a set.
 template <class Complex>
 bool fill_with_star(const Complex& complex, typename Complex::Cell_handle seed,
                     typename Complex::Approximate_point& p, Cavity<Complex>& cavity) {
@@ -195,24 +196,26 @@ bool fill_with_star(const Complex& complex, typename Complex::Cell_handle seed,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Proposes to insert a vertex: cells around a bad one are replaced by the star of a new vertex
-(Klingner and Shewchuk 2007). Of all sets of cells that contain the bad one, and whose boundary its
-barycenter sees, the one is taken for which the worst quality of the star of the barycenter is
-highest. Then the new vertex goes to where that quality is locally highest, as in
-`propose_optimal_position()`, and the best set for that position is sought, as long as this helps.
+Proposes to insert a vertex: a set of cells around a cell of low quality is replaced by the star of
+a new vertex (Klingner and Shewchuk 2007). The set contains the cell, and its boundary is visible
+from the barycenter of the cell. Among these sets, the one is chosen for which the worst quality of
+the star of the barycenter is highest. The new vertex then moves to a local maximum of this quality,
+as in `propose_optimal_position()`, and the best set for the new position is found. This is repeated
+while the quality rises.
 
-\param complex is not changed.
-\param cell the bad cell.
-\param cavity filled with the proposal if there is one. Its last vertex is the new one.
-\return whether the worst quality rises, all new cells being positive. The cells are finite, of
-        one label, at most 64 and at most 6 steps from the bad one; all other vertices keep some of
-        their cells. The interface and the boundary of the domain stay as they are.
+In 2D, a needle that flips and smoothing cannot remove gets a vertex at its barycenter (section 3.1
+of the paper), if this improves the mesh. The split into triangles with even smaller angles and the
+following flips are a single change.
 
-In the plane, this is where a needle, which flips and smoothing cannot remove, gets a vertex at its
-barycenter (section 3.1 of the paper), if that helps: two triangles with even smaller angles and the
-flips after that are one change.
+Constant time, since the number of cells is bounded; quadratic in their number.
 
-Constant time, as the number of cells is bounded; quadratic in it.
+\param complex the complex; it is not changed
+\param cell the cell of low quality
+\param cavity filled with the proposal if there is one; its last vertex is the new one
+\return whether the worst quality rises and all new cells are positively oriented. The replaced
+        cells are finite and of one label. There are at most 64 of them, at most 6 steps from the
+        given cell. All other vertices keep some of their cells. The interface and the boundary of
+        the domain are unchanged.
 */
 template <class Complex>
 bool propose_vertex_insertion(const Complex& complex, typename Complex::Cell_handle cell,

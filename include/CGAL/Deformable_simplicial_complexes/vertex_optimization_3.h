@@ -16,22 +16,20 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Proposes to move a vertex to where the worst quality of its star is locally highest
-(optimisation-based smoothing, section 3.2.1 of the paper; Freitag, Jones and Plassmann 1995). An
-order of magnitude more expensive than `propose_smart_laplacian()`.
+Proposes to move a vertex to a local maximum of the worst quality of its star (optimization-based
+smoothing, section 3.2.1 of the paper; Freitag, Jones and Plassmann 1995). This is an order of
+magnitude more expensive than `propose_smart_laplacian()`. Linear in the star.
 
-\param complex is not changed.
-\param v a vertex that is not on the boundary of the domain. Where the interface around it is flat,
-       it stays in its plane; where the facets there have a line in common, such as
-       a straight edge between two planes or a straight triple line, it stays on that line. Other
-       vertices of the interface do not move.
-\param star the star of v.
-\param target the proposed position.
-\return whether there is one; commit with `complex.set_point(v, star, target)`. The interface moves
-        by less than a ten millionth of the way of the vertex, as planes count as the same up to
-        that.
-
-Linear in the star.
+\param complex the complex; it is not changed
+\param v a vertex that is not on the boundary of the domain. If the interface around it is flat, it
+       stays in the plane. If the facets around it have a line in common, such as a straight edge
+       between two planes or a straight triple line, it stays on the line. Other vertices of the
+       interface do not move.
+\param star the star of v
+\param target the proposed position
+\return whether there is a proposal; commit with `complex.set_point(v, star, target)`. The interface
+        moves by less than a ten-millionth of the displacement of the vertex, which is the tolerance
+        of flatness.
 */
 template <class Complex>
 bool propose_optimal_position(const Complex& complex, typename Complex::Vertex_handle v,

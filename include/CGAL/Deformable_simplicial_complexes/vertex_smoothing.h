@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Worst quality of a star, by any measure, if its vertex v were at p; stops at the first cell not
-// above `bound`.
+// Returns the worst quality of a star, for any measure, with its vertex v at p. Stops at the first
+// cell whose quality is not above `bound`.
 template <class Complex, class Measure>
 double star_quality(const Complex& complex, const Measure& measure,
                     typename Complex::Vertex_handle v,
@@ -44,17 +44,15 @@ double star_quality(const Complex& complex, const Measure& measure,
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Proposes to move a vertex towards the barycenter of its neighbors (smart Laplacian smoothing,
-section 3.2 of the paper): all the way, else half of it, if that raises the worst quality of its
-star.
+section 3.2 of the paper). The vertex moves to the barycenter, or half of the displacement, if this
+raises the worst quality of its star. Linear in the star.
 
-\param complex is not changed.
-\param v a vertex that is not on the interface; on the boundary of the domain it stays within its
-       sides.
-\param star the star of v.
-\param target the proposed position.
-\return whether there is one; commit with `complex.set_point(v, star, target)`.
-
-Linear in the star.
+\param complex the complex; it is not changed
+\param v a vertex that is not on the interface; a vertex on the boundary of the domain stays within
+       its sides
+\param star the star of v
+\param target the proposed position
+\return whether there is a proposal; commit with `complex.set_point(v, star, target)`
 */
 template <class Complex>
 bool propose_smart_laplacian(const Complex& complex, typename Complex::Vertex_handle v,
@@ -64,7 +62,7 @@ bool propose_smart_laplacian(const Complex& complex, typename Complex::Vertex_ha
     return false;
   using Vector = typename Complex::Approximate_vector;
   internal::Marks seen = internal::vertex_marks(complex);
-  std::size_t number = 0; // of neighbors
+  std::size_t number = 0; // number of neighbors
   const auto from = complex.position(v);
   Vector sum(CGAL::NULL_VECTOR);
   double worst = std::numeric_limits<double>::infinity();

@@ -18,35 +18,35 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// A liquid: what fills the cells of a label. Any units that fit together.
+/// A liquid, which fills the cells of a label. All units must be consistent.
 struct Liquid
 {
-  double density;       ///< mass of a unit of volume, more than 0
-  double viscosity = 0; ///< dynamic, 0 or more
+  double density;       ///< mass of a unit of volume, greater than 0
+  double viscosity = 0; ///< dynamic viscosity, 0 or more
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// A gas: what fills the cells of a label without mass. Each connected part of it keeps its
-/// pressure times volume^exponent, and has one pressure everywhere.
+/// A gas, which fills the cells of a label and has no mass. Each connected component of a gas has
+/// one pressure. The product of the pressure and the power volume^exponent is constant.
 struct Gas
 {
-  double pressure; ///< in the beginning, against void, 0 or more
-  double exponent =
-      1.4; ///< 1.4 for air that neither takes nor gives heat, 1 where that stays as warm
-           ///< as it is, 0 for a pressure that never changes, as of air all around
+  double pressure; ///< initial pressure, relative to void, 0 or more
+  /// Exponent, 0 or more: 1.4 for air without heat exchange, 1 for a constant temperature, 0 for a
+  /// constant pressure, such as that of the atmosphere.
+  double exponent = 1.4;
 };
 
 /*!
 \ingroup PkgIncompressibleFluids3Ref
 
-What the labels of a complex stand for: liquids, gases, and void, which has no mass and no pressure;
-and how interfaces between them contract.
+The media of the labels of a complex, the surface tensions between them, and gravity. A medium is a
+liquid, a gas or void. Void has neither mass nor pressure.
 */
 class Fluid_properties_3
 {
 public:
-  /// Label `label` is this liquid. Labels that are neither liquid nor gas are void.
-  /// \throws Error if a number is out of its range, or the label is a gas
+  /// Makes a label a liquid. Labels that are neither liquid nor gas are void.
+  /// \throws Error if the density or the viscosity is out of its range, or if the label is a gas
   void set_liquid(int label, const Liquid& liquid) {
     if (!(liquid.density > 0) || !std::isfinite(liquid.density))
       throw Error("the density of label " + std::to_string(label) +
@@ -58,8 +58,8 @@ public:
     m_liquids[label] = liquid;
   }
 
-  /// Label `label` is this gas.
-  /// \throws Error if a number is out of its range, or the label is a liquid
+  /// Makes a label a gas.
+  /// \throws Error if the pressure or the exponent is out of its range, or if the label is a liquid
   void set_gas(int label, const Gas& gas) {
     if (!(gas.pressure >= 0) || !std::isfinite(gas.pressure))
       throw Error("the pressure of label " + std::to_string(label) + " is negative or not finite");
@@ -70,8 +70,9 @@ public:
     m_gases[label] = gas;
   }
 
-  /// The energy of a unit of area of the interface between two labels is `tension`, 0 where none is
-  /// set. \throws Error if it is negative or not finite, or the labels are the same
+  /// Sets the surface tension between two labels: the energy of a unit of area of the interface. It
+  /// is 0 by default.
+  /// \throws Error if the tension is negative or not finite, or if the labels are the same
   void set_surface_tension(int a, int b, double tension) {
     if (!(tension >= 0) || !std::isfinite(tension))
       throw Error("the surface tension between labels " + std::to_string(a) + " and " +
@@ -81,7 +82,8 @@ public:
     m_tensions[std::minmax(a, b)] = tension;
   }
 
-  /// The acceleration that everything feels, such as gravity. \throws Error if it is not finite
+  /// Sets gravity, an acceleration, which is 0 by default.
+  /// \throws Error if the acceleration is not finite
   void set_gravity(const std::array<double, 3>& acceleration) {
     for (double a : acceleration)
       if (!std::isfinite(a))
@@ -89,26 +91,26 @@ public:
     m_gravity = acceleration;
   }
 
-  /// Null for void.
+  /// Returns the liquid of a label, or null if the label is not a liquid.
   const Liquid* liquid(int label) const {
     const auto found = m_liquids.find(label);
     return found == m_liquids.end() ? nullptr : &found->second;
   }
-  /// By label.
+  /// Returns the liquids by label.
   const std::map<int, Liquid>& liquids() const { return m_liquids; }
-  /// Null for liquids and void.
+  /// Returns the gas of a label, or null if the label is not a gas.
   const Gas* gas(int label) const {
     const auto found = m_gases.find(label);
     return found == m_gases.end() ? nullptr : &found->second;
   }
-  /// By label.
+  /// Returns the gases by label.
   const std::map<int, Gas>& gases() const { return m_gases; }
-  /// Between two labels.
+  /// Returns the surface tension between two labels.
   double surface_tension(int a, int b) const {
     const auto found = m_tensions.find(std::minmax(a, b));
     return found == m_tensions.end() ? 0 : found->second;
   }
-  /// What everything feels.
+  /// Returns the acceleration of gravity.
   const std::array<double, 3>& gravity() const { return m_gravity; }
 
 private:

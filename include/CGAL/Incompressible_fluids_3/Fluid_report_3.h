@@ -19,76 +19,91 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// What liquids have, all together.
+/// The volume, mass, energies and momenta of all liquids together.
 struct Fluid_balance_3
 {
-  using Vector = Simple_cartesian<double>::Vector_3; ///< of space
+  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
 
-  double volume = 0;                         ///< of all liquids
-  double mass = 0;                           ///< density times volume
-  double kinetic_energy = 0;                 ///< of motion
-  double potential_energy = 0;               ///< in gravity, 0 at the origin
-  double surface_energy = 0;                 ///< tension times area; of wet walls less than none
-  double gas_energy = 0;                     ///< what gases would give until they fill all space;
-                                             ///< for exponents up to 1 that or less by any constant
-  Vector momentum = Vector(0, 0, 0);         ///< mass times velocity
-  Vector angular_momentum = Vector(0, 0, 0); ///< about the origin
+  double volume = 0;           ///< volume of all liquids
+  double mass = 0;             ///< mass: density times volume
+  double kinetic_energy = 0;   ///< kinetic energy
+  double potential_energy = 0; ///< potential energy of gravity, 0 at the origin
+  /// Surface energy: surface tension times area; the term of a wetted wall can be negative.
+  double surface_energy = 0;
+  double gas_energy = 0; ///< the work of gases that expand without bound; for exponents up to 1, it
+                         ///< is defined up to a constant
+  Vector momentum = Vector(0, 0, 0);         ///< momentum: mass times velocity
+  Vector angular_momentum = Vector(0, 0, 0); ///< angular momentum about the origin
 
-  /// The sum of the four.
+  /// Returns the sum of the four energies.
   double energy() const { return kinetic_energy + potential_energy + surface_energy + gas_energy; }
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// A connected part of a gas.
+/// A connected component of a gas.
 struct Fluid_gas_3
 {
-  std::uint32_t component; ///< `Complex::component()`
-  int label;               ///< of the gas
-  double volume;           ///< now
-  double pressure;         ///< now
+  std::uint32_t component; ///< the number of the component, `Complex::component()`
+  int label;               ///< the label of the gas
+  double volume;           ///< the present volume
+  double pressure;         ///< the present pressure
 };
 
 /*!
 \ingroup PkgIncompressibleFluids3Ref
-What a step of `Incompressible_fluid_3` did.
+
+The report of a time step of `Incompressible_fluid_3`.
+
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 */
 template <class Complex> struct Fluid_report_3
 {
-  using Vector = Simple_cartesian<double>::Vector_3; ///< of space
+  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
 
-  double time = 0;              ///< after the step
-  double dt = 0;                ///< length of the step
-  Fluid_balance_3 before;       ///< at the beginning
-  Fluid_balance_3 moved;        ///< when all has moved, before the mesh was changed or its topology
-  Fluid_balance_3 after;        ///< in the end: what differs from `moved` is due to the mesh
-  double greatest_velocity = 0; ///< of a vertex, after the step
-  double greatest_change_of_velocity = 0; ///< of a vertex in the step, by forces
-  double greatest_correction = 0; ///< of the velocity of a vertex, by a rigid motion of its part,
-                                  ///< so that changes of the mesh keep momenta
-  double volume_correction =
-      0;                    ///< by which a part was off before its volume was restored, relative
-  double volume_error = 0;  ///< by which one still is, relative: what could not be restored yet
-  double lost_volume = 0;   ///< of parts that vanished
-  double gained_volume = 0; ///< by sources, less what drained
-  unsigned solutions = 0;   ///< linear systems solved
-  unsigned iterations = 0;  ///< of the solver, in all of them
-  double residual = 0;      ///< the true residual of the equations relative to their largest term,
-                            ///< in the norm of the diagonal
-  std::size_t flat_cells =
-      0;              ///< cells of liquids that were too flat to have a viscosity in the step
-  unsigned parts = 1; ///< time steps that the step was divided into
-  std::vector<Fluid_repetition_3> repetitions; ///< attempts at the step that were undone, in order
-  std::size_t contacts = 0;             ///< vertices held by solids, or off sides of the domain
-  bool contacts_settled = true;         ///< whether it was found which vertices are to be held
-  double depth_in_solids = 0;           ///< of the deepest vertex, after the step
-  std::vector<Vector> forces_on_solids; ///< by liquids, in the order in which solids were added
-  double seconds_of_solver = 0,
-         seconds_of_mesh = 0;    ///< elapsed: these vary, and those of the deformation
-  Improvement_report adaptation; ///< of the mesh, before the step
-  Deformation_report<Complex>
-      deformation; ///< of the mesh by the step, but for what restores volumes; of the last part if
-                   ///< there are several, with the events of all
+  double time = 0;        ///< the time after the step
+  double dt = 0;          ///< the length of the step
+  Fluid_balance_3 before; ///< the balance at the beginning
+  /// The balance after the motion, before changes of the mesh and of its topology.
+  Fluid_balance_3 moved;
+  /// The balance at the end; the difference to `moved` is due to the mesh.
+  Fluid_balance_3 after;
+  /// The greatest velocity of a vertex after the motion. If the step was divided, it is the
+  /// greatest value of all parts.
+  double greatest_velocity = 0;
+  /// The greatest change of a velocity by the equations of motion.
+  double greatest_change_of_velocity = 0;
+  /// The greatest change of a velocity by the rigid motion that restores the momenta of a connected
+  /// component after changes of the mesh.
+  double greatest_correction = 0;
+  /// The greatest relative error of a volume of a connected component, before the volumes were
+  /// restored.
+  double volume_correction = 0;
+  /// The greatest relative error of a volume of a connected component at the end.
+  double volume_error = 0;
+  double lost_volume = 0;   ///< the volume of connected components that vanished
+  double gained_volume = 0; ///< the volume that sources added, less the volume that they removed
+  unsigned solutions = 0;   ///< the number of solutions of linear systems, without failed attempts
+  unsigned iterations = 0;  ///< the number of iterations of the solver, in all these solutions
+  /// The true residual of the equations, divided by their largest term, in the norm weighted by the
+  /// inverse of the diagonal.
+  double residual = 0;
+  /// The number of liquid cells that were too flat to have a viscosity.
+  std::size_t flat_cells = 0;
+  unsigned parts = 1; ///< the number of time steps that the step was divided into
+  std::vector<Fluid_repetition_3> repetitions; ///< the attempts that were undone, in order
+  /// The number of vertices constrained by solids, or by the distance to sides of the domain.
+  std::size_t contacts = 0;
+  /// Whether the search for the vertices constrained by contacts converged.
+  bool contacts_settled = true;
+  double depth_in_solids = 0; ///< the depth of the deepest vertex in a solid, after the step
+  /// The mean force of liquids on each solid in the step, in the order of `add_solid()`.
+  std::vector<Vector> forces_on_solids;
+  double seconds_of_solver = 0,  ///< wall-clock time (s) of linear systems; not deterministic
+      seconds_of_mesh = 0;       ///< wall-clock time (s) of all other work; not deterministic
+  Improvement_report adaptation; ///< the adaptation of the mesh before the step
+  /// The deformation of the mesh by the step, without corrections of volumes. If the step was
+  /// divided, it is the deformation of the last part, but with the events of all parts.
+  Deformation_report<Complex> deformation;
 };
 
 } // namespace Deformable_simplicial_complexes

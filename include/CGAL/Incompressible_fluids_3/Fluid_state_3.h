@@ -14,32 +14,36 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// What a liquid does at a solid.
+/// The boundary conditions of liquids at a solid.
 struct Wall_behavior
 {
-  /// in the liquid, between solid and surface, in degrees, in [0, 180]
+  /// contact angle in degrees, in [0, 180]: the angle in the liquid between the solid and the
+  /// surface
   double contact_angle = 90;
-  /// whether the liquid goes with the wall where it touches it, instead of sliding
+  /// whether a liquid in contact moves with the wall (no-slip), instead of sliding along it (slip)
   bool sticks = false;
-  /// whether the liquid may leave the wall where it would have to be pulled; what surface tension
-  /// makes wet is left along the wall only, as the edge of the liquid recedes
+  /// whether the liquid may leave the wall where the normal force would be negative. With surface
+  /// tension, the vertices of wetted facets stay on the wall. They leave it only when the contact
+  /// line recedes along the wall.
   bool separates = true;
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// Everything that `Incompressible_fluid_3` adds to the state of its complex, as plain numbers.
+/// The state of `Incompressible_fluid_3`, in addition to the state of its complex, as plain
+/// numbers. It contains neither solids nor sources.
 struct Fluid_state_3
 {
-  double time = 0;                           ///< now
-  std::uint64_t steps = 0;                   ///< done
-  std::uint32_t damped_steps = 0;            ///< to come
-  bool knows_accelerations = false;          ///< whether there was a step
-  std::vector<std::array<double, 7>> motion; ///< velocities, accelerations and pressures of finite
-                                             ///< vertices, by time stamp
-  std::vector<std::pair<std::uint32_t, double>> volumes; ///< that components are to have
-  std::vector<std::pair<std::uint32_t, std::array<double, 2>>> gases; ///< of components of gas: a
-                                                                      ///< pressure, and the volume
-                                                                      ///< at that pressure
+  double time = 0;         ///< the present time
+  std::uint64_t steps = 0; ///< the number of steps done
+  /// The number of remaining steps with a larger `implicitness` after a change of topology.
+  std::uint32_t damped_steps = 0;
+  bool knows_accelerations = false; ///< whether accelerations of a previous step are known
+  /// Velocities, accelerations and pressures of finite vertices, by time stamp.
+  std::vector<std::array<double, 7>> motion;
+  /// The volumes to be preserved, by component.
+  std::vector<std::pair<std::uint32_t, double>> volumes;
+  /// For each component of a gas, a pressure and the volume at that pressure.
+  std::vector<std::pair<std::uint32_t, std::array<double, 2>>> gases;
 };
 
 } // namespace Deformable_simplicial_complexes

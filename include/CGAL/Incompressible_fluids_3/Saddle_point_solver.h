@@ -28,6 +28,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// Throws the error of a factorization that fails.
 [[noreturn]] inline void throw_singular_equations() {
   throw Convergence_error("the equations of the flow are singular: cells may be flat",
                           std::numeric_limits<double>::infinity(), largest_residual);
@@ -38,25 +39,28 @@ namespace internal {
 /*!
 \ingroup PkgIncompressibleFluids3Ref
 
-Solves saddle point systems by a sparse Cholesky factorization LDL^T, which exists for any order of
-the unknowns, as the matrix is quasi-definite (R. J. Vanderbei, "Symmetric quasidefinite matrices",
-SIAM J. Optim. 5, 1995). To be preferred up to about five hundred vertices.
+A direct solver of saddle point systems, by a sparse Cholesky factorization LDL^T. The factorization
+exists for any order of the unknowns, because the matrix is quasi-definite (R. J. Vanderbei,
+"Symmetric quasidefinite matrices", SIAM J. Optim. 5, 1995). It is fast for up to about five hundred
+vertices.
 
 \cgalModels `SaddlePointSolver`
 */
 class Direct_saddle_point_solver
 {
 public:
-  using System = Saddle_point_system; ///< what is solved
-  using Vector = System::Vector;      ///< unknowns
+  using System = Saddle_point_system; ///< the system to be solved
+  using Vector = System::Vector;      ///< a vector of unknowns
 
-  /// Takes a matrix. \throws Convergence_error if it is singular.
-  /// About n^2 for n unknowns in space, and memory of n^(4/3). Takes one thread.
+  /// Factorizes the matrix of a system. For n unknowns in space, it takes about O(n^2) time and
+  /// O(n^(4/3)) memory. It uses one thread.
+  /// \throws Convergence_error if the matrix is singular
   void factorize(System&& system, unsigned number_of_threads = 1) {
     static_cast<void>(number_of_threads);
     m_system = std::move(system);
-    // Velocities that are held make no difference to others, and have any equation of their own.
-    // The weighed mean of a closed set is an unknown more, by which the matrix stays sparse.
+    // Constrained velocities do not affect other unknowns, and have arbitrary equations of their
+    // own. The weighted mean of each closed set is an additional unknown, which keeps the matrix
+    // sparse.
     const Eigen::Index n = 3 * m_system.nodal.rows(), m = m_system.c.rows(),
                        all = n + m + Eigen::Index(m_system.closed.size());
     std::vector<Eigen::Triplet<double>> entries;
@@ -108,15 +112,20 @@ public:
       internal::throw_singular_equations();
   }
 
-  /// Takes one like that of before. As `factorize()`.
+  /// Replaces the system by a similar one, as `factorize()` does.
   void update(System&& system) { factorize(std::move(system)); }
 
-  /// Solves for v and p. Returns how often the solution was refined.
-  /// \param tolerance of the true residual, relative to its largest term; 1e-8 is the least
-  /// \throws Convergence_error if the solution is not finite, or the residual is above the tolerance
+  /// Solves for the velocities v and the pressures p. Returns the number of iterative refinements.
+  /// \param f,s the right side
+  /// \param v,p the solution; no initial guess is used
+  /// \param tolerance the tolerance of the true residual, relative to its largest term. Values
+  /// below 1e-8 are replaced by 1e-8.
+  /// \throws Convergence_error if the solution is not finite, or if the residual is above the
+  /// tolerance; then v and p are unchanged
   unsigned solve(const Vector& f, const Vector& s, Vector& v, Vector& p,
                  double tolerance = 0) const {
-    static constexpr unsigned refinements = 2; // each is nearer by what c was changed by
+    // Each refinement reduces the error by the relative change of c.
+    static constexpr unsigned refinements = 2;
     Vector right = Vector::Zero(m_whole.rows());
     right.head(f.size()) = f;
     right.segment(f.size(), s.size()) = -s;
@@ -139,6 +148,7 @@ public:
 private:
   using Symmetric = Eigen::SparseMatrix<double>;
 
+  // Calls `f(row, column, value)` for each entry of a matrix.
   template <class Function>
   static void for_each_entry(const System::Matrix& matrix, const Function& f) {
     for (Eigen::Index row = 0; row < matrix.rows(); ++row)
@@ -146,34 +156,40 @@ private:
         f(row, i.col(), i.value());
   }
 
-  // c is semidefinite only.
+  // The matrix c is only semidefinite, so its diagonal is multiplied by this factor.
   static constexpr double above_zero = 1 + 1e-8;
 
   System m_system;
   Eigen::SimplicialLDLT<Symmetric> m_solver;
-  Symmetric m_whole; // lower triangle
+  Symmetric m_whole; // the lower triangle
 };
 
 /*!
 \ingroup PkgIncompressibleFluids3Ref
 
-Solves saddle point systems by the method of minimal residuals (C. C. Paige and M. A. Saunders,
-"Solution of sparse indefinite systems of linear equations", SIAM J. Numer. Anal. 12, 1975), for
-velocities preconditioned by an incomplete Cholesky factorization of what treats coordinates alike,
-for pressures by that of what masses make of them, and by viscosity (J. Cahouet and J.-P. Chabard,
-"Some fast 3D finite element solvers for the generalized Stokes problem", Int. J. Numer. Methods
-Fluids 8, 1988). Memory is linear in the number of unknowns, time almost. The number of threads
-changes no bit.
+An iterative solver of saddle point systems, by the method of minimal residuals (C. C. Paige and
+M. A. Saunders, "Solution of sparse indefinite systems of linear equations", SIAM J. Numer. Anal.
+12, 1975). The preconditioner has two blocks (J. Cahouet and J.-P. Chabard, "Some fast 3D finite
+element solvers for the generalized Stokes problem", Int. J. Numer. Methods Fluids 8, 1988):
+
+- For velocities, it is an incomplete Cholesky factorization of the matrix `nodal`.
+- For pressures, it is an incomplete Cholesky factorization of the Schur complement of the masses,
+  plus a term of the viscosity.
+
+Memory is linear in the number of unknowns, and time is almost linear. The result is deterministic
+and does not depend on the number of threads.
 
 \cgalModels `SaddlePointSolver`
 */
 class Iterative_saddle_point_solver
 {
 public:
-  using System = Saddle_point_system; ///< what is solved
-  using Vector = System::Vector;      ///< unknowns
+  using System = Saddle_point_system; ///< the system to be solved
+  using Vector = System::Vector;      ///< a vector of unknowns
 
-  /// Takes a matrix. \throws Convergence_error if it is not definite where it should be.
+  /// Computes the incomplete factorizations of a system. Takes about linear time.
+  /// \throws Convergence_error if a factorization does not exist, because its matrix is not
+  /// positive definite
   void factorize(System&& system, unsigned number_of_threads = 1) {
     m_for_each.emplace(number_of_threads);
     update(std::move(system));
@@ -191,16 +207,18 @@ public:
       internal::throw_singular_equations();
   }
 
-  /// Takes one like that of before, whose factorizations stay. Linear.
+  /// Replaces the system by a similar one, and keeps the factorizations. Takes linear time.
   void update(System&& system) {
     m_system = std::move(system);
     m_bt = m_system.b.transpose();
   }
 
-  /// Solves for v and p, which hold a guess. Returns the number of iterations.
-  /// \param tolerance of the true residual, relative to the right side, as the preconditioner weighs
-  /// them; where rounding permits no better, 1e-9 is enough
-  /// \throws Convergence_error if they do not converge
+  /// Solves for the velocities v and the pressures p. Returns the number of iterations.
+  /// \param f,s the right side
+  /// \param v,p the initial guess, and then the solution
+  /// \param tolerance the tolerance of the true residual, relative to the right side, in the norm
+  /// of the preconditioner. If rounding prevents convergence to it, a residual of 1e-9 is accepted.
+  /// \throws Convergence_error if the iterations do not converge
   unsigned solve(const Vector& f, const Vector& s, Vector& v, Vector& p, double tolerance) {
     const Eigen::Index n = f.size(), m = s.size();
     Vector x(n + m), right(n + m);
@@ -217,6 +235,7 @@ public:
   }
 
 private:
+  // Computes the product of the matrix and a vector.
   void multiply(const Vector& x, Vector& y) const {
     const Eigen::Index n = m_system.nodal.rows(), m = m_system.c.rows();
     const bool has_coupling = m_system.coupling.rows() > 0;
@@ -239,6 +258,7 @@ private:
     m_system.project(y);
   }
 
+  // Applies the preconditioner to a vector.
   void precondition(const Vector& x, Vector& y) {
     const Eigen::Index n = 3 * m_system.nodal.rows(), m = m_system.c.rows();
     (*m_for_each)(
@@ -261,13 +281,13 @@ private:
     m_system.project(y);
   }
 
-  // The preconditioner treats the means of closed sets and what is left of pressures apart.
+  // Removes the means of closed sets. The preconditioner scales these means separately.
   void remove_means(Vector& pressures) const {
     for (const auto& set : m_system.closed)
       set.add(-set.mean(pressures), pressures);
   }
 
-  // Of a row, with entries of x from one on.
+  // Returns the product of a row and of the entries of x that begin at `from`.
   static double product(const System::Matrix& matrix, Eigen::Index row, const Vector& x,
                         Eigen::Index from) {
     double result = 0;
@@ -276,7 +296,8 @@ private:
     return result;
   }
 
-  // What treats coordinates alike, of velocities that are not held at all.
+  // Returns the lower triangle of the matrix `nodal`. Entries that couple a vertex without any free
+  // velocity to others are removed.
   static Eigen::SparseMatrix<double> free_part(const System& system) {
     std::vector<char> is_fixed(std::size_t(system.nodal.rows()), false);
     for (const auto& h : system.held)
@@ -291,7 +312,7 @@ private:
   using Row = System::Matrix::InnerIterator;
 
   System m_system;
-  System::Matrix m_bt; // of b
+  System::Matrix m_bt; // the transpose of b
   internal::Incomplete_factorization<3> m_of_velocities;
   internal::Incomplete_factorization<1> m_of_pressures;
   std::optional<For_each_index> m_for_each;
@@ -300,20 +321,22 @@ private:
 /*!
 \ingroup PkgIncompressibleFluids3Ref
 
-Solves small saddle point systems directly, others by iterations: whichever takes less time.
+The default solver of saddle point systems. It solves systems with at most 2000 unknowns directly,
+and larger systems iteratively.
 
 \cgalModels `SaddlePointSolver`
 */
 class Saddle_point_solver
 {
 public:
-  using System = Saddle_point_system; ///< what is solved
-  using Vector = System::Vector;      ///< unknowns
+  using System = Saddle_point_system; ///< the system to be solved
+  using Vector = System::Vector;      ///< a vector of unknowns
 
-  /// Takes a matrix. \throws Convergence_error if it is singular.
+  /// Factorizes the matrix of a system.
+  /// \throws Convergence_error if the matrix is singular
   void factorize(System&& system, unsigned number_of_threads = 1) {
-    static constexpr Eigen::Index small =
-        2000; // unknowns, of 500 vertices: where both take as long
+    // In unknowns, which are about 500 vertices. For this size, both solvers take the same time.
+    static constexpr Eigen::Index small = 2000;
     m_is_direct = 3 * system.nodal.rows() + system.c.rows() <= small;
     if (m_is_direct)
       m_direct.factorize(std::move(system), number_of_threads);
@@ -321,7 +344,8 @@ public:
       m_iterative.factorize(std::move(system), number_of_threads);
   }
 
-  /// Takes one like that of before, which may be made use of.
+  /// Replaces the system by a similar one. The iterative solver keeps its factorizations.
+  /// \throws Convergence_error if the matrix is singular and the solver is direct
   void update(System&& system) {
     if (m_is_direct)
       m_direct.update(std::move(system));
@@ -329,8 +353,11 @@ public:
       m_iterative.update(std::move(system));
   }
 
-  /// Solves for v and p, which hold a guess. Returns the number of iterations.
-  /// \throws Convergence_error if they do not converge
+  /// Solves for the velocities v and the pressures p. Returns the number of iterations.
+  /// \param f,s the right side
+  /// \param v,p the initial guess, and then the solution
+  /// \param tolerance the tolerance of the true residual, see the two solvers
+  /// \throws Convergence_error if the solver does not converge
   unsigned solve(const Vector& f, const Vector& s, Vector& v, Vector& p, double tolerance) {
     return m_is_direct ? m_direct.solve(f, s, v, p, tolerance)
                        : m_iterative.solve(f, s, v, p, tolerance);

@@ -16,68 +16,77 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgIncompressibleFluids3Ref
 
-A linear system of `Incompressible_fluid_3` for the velocities v of n vertices, three numbers each,
-and m pressures p,
+A linear system of `Incompressible_fluid_3`. The unknowns are the velocities v of n vertices, with
+three numbers each, and m pressures p:
 
     P (a v - b^T p)     = P f,    v = P v,
-      -b v - c p - d p  = -s,
+      -b v - c p - d p  = -s.
 
-symmetric, `a` positive definite and `c` positive semidefinite; and what tells about its nature. P
-are the projections of velocities that walls hold onto what is left to them, and d p is the mean of
-the pressures of a closed set times its weight, at each of those.
+The system is symmetric, `a` is positive definite, and `c` is positive semidefinite. P is an
+orthogonal projection of velocities onto the subspace that walls leave free. The term d p belongs to
+the closed sets: for each pressure of a closed set, it is the mean of the pressures of the set,
+times the weight of the set. It is zero for all other pressures.
 */
 struct Saddle_point_system
 {
-  using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>; ///< by rows
-  using Vector = Eigen::VectorXd;                              ///< dense
+  using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>; ///< a sparse matrix, by rows
+  using Vector = Eigen::VectorXd;                              ///< a dense vector
 
-  /// A velocity that is not free.
+  /// A constrained velocity.
   struct Held_velocity
   {
-    Eigen::Index vertex;        ///< whose it is
-    Eigen::Matrix3d projection; ///< an orthogonal one
+    Eigen::Index vertex; ///< the vertex
+    /// The orthogonal projection onto the free velocities of the vertex.
+    Eigen::Matrix3d projection;
   };
 
-  /// The pressures of liquids without a surface that could move. Where they are all the same, they
-  /// push nothing, but for the rounding of round walls: without their mean in the equations, these
-  /// were singular, or nearly so.
+  /// A closed set: the pressures of liquids without a free surface. A constant pressure in such a
+  /// set exerts no force on vertices, up to the rounding of curved walls. Without the mean of the
+  /// pressures, the system would be singular or almost singular.
   struct Closed_set
   {
-    std::vector<Eigen::Index> pressures; ///< increasing, each in one set at the most
-    double weight = 0;                   ///< of their mean, more than 0
+    std::vector<Eigen::Index> pressures; ///< increasing; no pressure is in two sets
+    double weight = 0;                   ///< the weight of the mean, greater than 0
 
-    /// The mean of those in a vector that begin there.
+    /// Returns the mean of the pressures of the set. The pressures begin at `begin` in the vector.
     double mean(const Vector& vector, Eigen::Index begin = 0) const {
       double sum = 0;
       for (Eigen::Index p : pressures)
         sum += vector(begin + p);
       return sum / double(pressures.size());
     }
-    /// Adds a value to each of those in a vector that begin there.
+    /// Adds a value to each pressure of the set. The pressures begin at `begin` in the vector.
     void add(double value, Vector& vector, Eigen::Index begin = 0) const {
       for (Eigen::Index p : pressures)
         vector(begin + p) += value;
     }
   };
 
-  Matrix nodal; ///< n x n, the part of `a` that treats coordinates alike: masses over time, surface
-                ///< tension, and half of viscosity; positive definite
-  Matrix coupling; ///< 3 n x 3 n, the rest of `a`; no rows where there is no viscosity
-  Matrix b;       ///< m x 3 n, the gradients of volumes; has all three entries of a vertex, or none
-  Matrix c;       ///< m x m; has an entry where two pressures share a cell
-  Vector inertia; ///< n, about the diagonal of `a` without the part of viscosity: of masses, sums
-                  ///< of rows
-  Vector viscosity; ///< for each pressure the viscosity over a quarter of the volume around
-  std::vector<Held_velocity> held; ///< by increasing numbers of vertices, each once
-  std::vector<Closed_set> closed;  ///< none where surfaces are free
+  /// n x n, the part of `a` that is the same for each coordinate: mass over time, surface tension,
+  /// and half of the viscosity; positive definite.
+  Matrix nodal;
+  /// 3 n x 3 n, the rest of `a`; it has no rows if no liquid is viscous.
+  Matrix coupling;
+  /// m x 3 n, the gradients of volumes; each row has all three entries of a vertex or none.
+  Matrix b;
+  /// m x m; it has an entry for each two pressures of a common cell.
+  Matrix c;
+  /// n, an approximation of the diagonal of `a` without viscosity, with lumped masses.
+  Vector inertia;
+  /// m, for each pressure the viscosity divided by a quarter of the volume of the cells around.
+  Vector viscosity;
+  /// Constrained velocities, by increasing vertex, each vertex once.
+  std::vector<Held_velocity> held;
+  /// Closed sets; there are none if all liquids have free surfaces.
+  std::vector<Closed_set> closed;
 
-  /// P v. Linear in the number of those that are held.
+  /// Replaces v by P v. Takes linear time in the number of constrained velocities.
   void project(Vector& v) const {
     for (const Held_velocity& h : held)
       v.segment<3>(3 * h.vertex) = (h.projection * v.segment<3>(3 * h.vertex)).eval();
   }
 
-  /// a v. Linear.
+  /// Returns a v. Takes linear time.
   Vector multiply_a(const Vector& v) const {
     Vector result(v.size());
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;

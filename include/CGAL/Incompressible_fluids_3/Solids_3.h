@@ -29,26 +29,29 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// A smooth part of the surface of a solid, as seen from a point: what liquids meet there.
+/// A wall: a smooth part of the surface of a solid, as seen from a point.
 struct Wall_3
 {
-  using Vector = Simple_cartesian<double>::Vector_3; ///< any
+  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
 
-  double distance; ///< of the point, negative inside the solid
-  Vector normal;   ///< of unit length, out of the solid: the gradient of the distance
-  Vector velocity = Vector(0, 0, 0); ///< of the wall
+  double distance; ///< signed distance of the point, negative inside the solid
+  Vector normal;   ///< outward normal of the solid, of unit length: the gradient of the distance
+  Vector velocity = Vector(0, 0, 0); ///< velocity of the wall
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// Which side of a surface is solid.
+/// The side of a surface on which the solid lies.
 enum class Solid_side {
-  inside, ///< liquids are around it
-  outside ///< liquids are in it
+  inside, ///< the solid is inside, liquids are outside
+  /// The solid is outside, liquids are inside.
+  outside
 };
 
 namespace internal {
 
-// Of any length, even if its square is no number. \throws Error if it is zero or not finite
+// Returns a vector scaled to unit length. Vectors whose squared length overflows or underflows are
+// accepted.
+// \throws Error if the vector is zero or not finite
 inline Wall_3::Vector unit_vector(const Wall_3::Vector& v, const char* name) {
   const double largest = (std::max)({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
   const Wall_3::Vector scaled = v / largest, result = scaled / std::sqrt(scaled.squared_length());
@@ -57,12 +60,14 @@ inline Wall_3::Vector unit_vector(const Wall_3::Vector& v, const char* name) {
   return result;
 }
 
+// Checks a point or vector.
+// \throws Error if a coordinate is not finite
 template <class Coordinates> void require_place(const Coordinates& c, const char* name) {
   if (!std::isfinite(c.x()) || !std::isfinite(c.y()) || !std::isfinite(c.z()))
     throw Error("the " + std::string(name) + " of a solid is not finite");
 }
 
-// What is nearer to a center or an axis than a radius, or farther.
+// The set of points nearer to a center or an axis than a radius, or the complement of this set.
 class Radius
 {
 public:
@@ -72,7 +77,8 @@ public:
       throw Error("the radius of a solid is not positive and finite");
   }
 
-  // As seen from the center or axis; none if the point is there.
+  // Appends the wall as seen from a point, given by its vector from the center or axis. Appends
+  // nothing if this vector is zero.
   void walls(const Wall_3::Vector& way, std::vector<Wall_3>& result) const {
     const double r = std::sqrt(way.squared_length());
     if (r > 0)
@@ -86,21 +92,23 @@ private:
 } // namespace internal
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// Everything behind a plane. \cgalModels `Solid_3`
+/// The half space behind a plane.
+/// \cgalModels `Solid_3`
 class Plane_solid_3
 {
 public:
-  using Point = Simple_cartesian<double>::Point_3;   ///< of space
-  using Vector = Simple_cartesian<double>::Vector_3; ///< of space
+  using Point = Simple_cartesian<double>::Point_3;   ///< a point in space
+  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
 
-  /// The plane through `point`; liquids are where `normal` points.
-  /// \throws Error if the normal is zero, or something not finite
+  /// Constructs the half space behind the plane through `point`. Liquids are on the side to which
+  /// `normal` points. The normal can have any length.
+  /// \throws Error if the normal is zero, or if an argument is not finite
   Plane_solid_3(const Point& point, const Vector& normal)
       : m_point(point), m_normal(internal::unit_vector(normal, "normal")) {
     internal::require_place(point, "point");
   }
 
-  /// Appends the wall. Constant time.
+  /// Appends the wall. Takes constant time.
   void walls(const Point& p, double /*t*/, std::vector<Wall_3>& result) const {
     result.push_back({(p - m_point) * m_normal, m_normal});
   }
@@ -111,15 +119,17 @@ private:
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// A tank: everything outside of a box, with six walls, or fewer. \cgalModels `Solid_3`
+/// A tank: the outside of a box, with six walls, or five if it is open.
+/// \cgalModels `Solid_3`
 class Tank_solid_3
 {
 public:
-  using Point = Simple_cartesian<double>::Point_3;   ///< of space
-  using Vector = Simple_cartesian<double>::Vector_3; ///< of space
+  using Point = Simple_cartesian<double>::Point_3;   ///< a point in space
+  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
 
-  /// \param box what liquids are in
-  /// \param is_open whether there is no wall above, at its largest z
+  /// Constructs a tank.
+  /// \param box the box that contains the liquids
+  /// \param is_open whether the wall at the largest z coordinate is missing
   /// \throws Error if the box is empty or not finite
   explicit Tank_solid_3(const Bbox_3& box, bool is_open = false) : m_box(box), m_is_open(is_open) {
     for (int axis = 0; axis < 3; ++axis)
@@ -128,7 +138,7 @@ public:
         throw Error("the box of a tank is empty or not finite");
   }
 
-  /// Appends the walls. Constant time.
+  /// Appends the walls. Takes constant time.
   void walls(const Point& p, double /*t*/, std::vector<Wall_3>& result) const {
     for (int axis = 0; axis < 3; ++axis) {
       const Vector along(axis == 0, axis == 1, axis == 2);
@@ -144,20 +154,22 @@ private:
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// A ball, or everything around one. \cgalModels `Solid_3`
+/// A ball, or the outside of a ball.
+/// \cgalModels `Solid_3`
 class Ball_solid_3
 {
 public:
-  using Point = Simple_cartesian<double>::Point_3;   ///< of space
-  using Vector = Simple_cartesian<double>::Vector_3; ///< of space
+  using Point = Simple_cartesian<double>::Point_3;   ///< a point in space
+  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
 
-  /// \throws Error if the radius is not positive, or something not finite
+  /// Constructs a ball, or its outside.
+  /// \throws Error if the radius is not positive, or if an argument is not finite
   Ball_solid_3(const Point& center, double radius, Solid_side side)
       : m_center(center), m_radius(radius, side) {
     internal::require_place(center, "center");
   }
 
-  /// Appends the wall; none at the center. Constant time.
+  /// Appends the wall, or nothing if the point is the center. Takes constant time.
   void walls(const Point& p, double /*t*/, std::vector<Wall_3>& result) const {
     m_radius.walls(p - m_center, result);
   }
@@ -168,20 +180,24 @@ private:
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// A cylinder without ends, or everything around one. \cgalModels `Solid_3`
+/// An infinite cylinder, or the outside of one.
+/// \cgalModels `Solid_3`
 class Cylinder_solid_3
 {
 public:
-  using Point = Simple_cartesian<double>::Point_3;   ///< of space
-  using Vector = Simple_cartesian<double>::Vector_3; ///< of space
+  using Point = Simple_cartesian<double>::Point_3;   ///< a point in space
+  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
 
-  /// \throws Error if the axis is zero, the radius not positive, or something not finite
+  /// Constructs a cylinder, or its outside. The axis goes through `point`, and its vector can have
+  /// any length.
+  /// \throws Error if the axis is zero, if the radius is not positive, or if an argument is not
+  /// finite
   Cylinder_solid_3(const Point& point, const Vector& axis, double radius, Solid_side side)
       : m_point(point), m_axis(internal::unit_vector(axis, "axis")), m_radius(radius, side) {
     internal::require_place(point, "point");
   }
 
-  /// Appends the wall; none on the axis. Constant time.
+  /// Appends the wall, or nothing if the point is on the axis. Takes constant time.
   void walls(const Point& p, double /*t*/, std::vector<Wall_3>& result) const {
     const Vector from = p - m_point;
     m_radius.walls(from - (from * m_axis) * m_axis, result);
@@ -194,29 +210,31 @@ private:
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// What a closed triangle mesh bounds, or everything around it. Copies share the mesh.
+/// The region bounded by a closed triangle mesh, or the outside of this region. Copies share the
+/// mesh.
 /// \cgalModels `Solid_3`
 class Mesh_solid_3
 {
 public:
-  using Point = Simple_cartesian<double>::Point_3;   ///< of space
-  using Vector = Simple_cartesian<double>::Vector_3; ///< of space
-  using Mesh = Surface_mesh<Point>;                  ///< of triangles
+  using Point = Simple_cartesian<double>::Point_3;   ///< a point in space
+  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
+  using Mesh = Surface_mesh<Point>;                  ///< a triangle mesh
 
-  /// Triangles may be oriented outwards or inwards. Where walls meet at an angle, a point sees the
-  /// nearest one. \throws Error if the mesh is not closed, has no triangles or others, or not
-  /// finite points. n log n.
+  /// Constructs a solid from a closed triangle mesh, oriented outwards or inwards. A point sees
+  /// only the nearest part of the surface as a wall. Takes O(n log n) time.
+  /// \throws Error if the mesh is empty or not closed, if a face is not a triangle, or if a point
+  /// is not finite
   Mesh_solid_3(Mesh mesh, Solid_side side)
       : m_data(std::make_shared<Data>(std::move(mesh))),
         m_sign(side == Solid_side::inside ? 1 : -1) {}
 
-  /// Appends the wall that is nearest. About log n.
+  /// Appends the wall at the nearest point of the mesh. Takes about O(log n) time.
   void walls(const Point& p, double /*t*/, std::vector<Wall_3>& result) const {
     const auto [nearest, face] = m_data->tree.closest_point_and_primitive(p);
     const bool is_inside = m_data->side(p) == ON_BOUNDED_SIDE;
     const Vector way = is_inside ? nearest - p : p - nearest;
     const double distance = std::sqrt(way.squared_length());
-    // On the surface, or up to rounding, that of the triangle.
+    // On the surface, up to rounding, the normal is the normal of the triangle.
     static constexpr double rounding = 1e-9;
     const Vector normal = distance > rounding * m_data->extent
                               ? way / distance
@@ -261,19 +279,22 @@ private:
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// A solid that turns and goes at constant rates. \cgalModels `Solid_3`
-/// \tparam Solid model of `Solid_3`: what it is at time 0
+/// A solid with a constant velocity and a constant angular velocity.
+/// \cgalModels `Solid_3`
+/// \tparam Solid a model of `Solid_3`
 template <class Solid> class Moving_solid_3
 {
 public:
-  using Point = Simple_cartesian<double>::Point_3;   ///< of space
-  using Vector = Simple_cartesian<double>::Vector_3; ///< of space
+  using Point = Simple_cartesian<double>::Point_3;   ///< a point in space
+  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
 
-  /// \param solid at time 0
-  /// \param velocity of `center`
-  /// \param center that it turns about, at time 0
-  /// \param angular_velocity along the axis, in radians in a unit of time; zero if it does not turn
-  /// \throws Error if something is not finite
+  /// Constructs a moving solid.
+  /// \param solid the solid at time 0
+  /// \param velocity the velocity of `center`
+  /// \param center the center of rotation at time 0
+  /// \param angular_velocity the direction of the axis times the angular velocity, in radians per
+  /// unit of time. Zero means no rotation.
+  /// \throws Error if an argument other than the solid is not finite
   Moving_solid_3(const Solid& solid, const Vector& velocity, const Point& center = Point(0, 0, 0),
                  const Vector& angular_velocity = Vector(0, 0, 0))
       : m_solid(solid), m_velocity(velocity), m_center(center), m_turn(angular_velocity) {
@@ -282,7 +303,7 @@ public:
     internal::require_place(angular_velocity, "angular velocity");
   }
 
-  /// Appends the walls at time t.
+  /// Appends the walls at time `t`.
   void walls(const Point& p, double t, std::vector<Wall_3>& result) const {
     const std::size_t first = result.size();
     const Vector from_center = p - (m_center + t * m_velocity);
@@ -296,7 +317,7 @@ public:
   }
 
 private:
-  // By Rodrigues' formula.
+  // Returns a vector rotated by the angle of a time, by Rodrigues' formula.
   Vector turned(const Vector& v, double t) const {
     const double rate = std::sqrt(m_turn.squared_length()), angle = rate * t;
     if (!(rate > 0))

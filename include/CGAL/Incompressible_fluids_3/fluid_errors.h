@@ -18,21 +18,22 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgIncompressibleFluids3Ref
 
-is thrown when a linear system has no solution, or when the residual of the solution found is above
-the bound.
+The exception that is thrown if a linear system has no solution, or if the residual of the solution
+is above its bound.
 */
 class Convergence_error : public Error
 {
 public:
-  /// constructs the error; the arguments are returned by the functions below.
+  /// Constructs the error. The member functions return the arguments.
   Convergence_error(const std::string& message, double residual, double bound)
       : Error(message), m_residual(residual), m_bound(bound) {}
 
-  /// returns the norm of the true residual divided by the norm of the right side. It is infinite if
-  /// there is no finite solution.
+  /// Returns the norm of the residual, relative to the norm of the right side or of the largest
+  /// term of the equations, as the solver defines it. It is infinite if there is no finite
+  /// solution.
   double residual() const { return m_residual; }
 
-  /// returns the largest residual that would have been accepted.
+  /// Returns the largest residual that would have been accepted.
   double bound() const { return m_bound; }
 
 private:
@@ -40,47 +41,54 @@ private:
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// The reasons for which a time step of `Incompressible_fluid_3` is undone.
+/// The reasons for which an attempt at a time step of `Incompressible_fluid_3` is undone.
 enum class Fluid_failure_3 {
   equations, ///< the linear equations have no solution, or the residual is above the bound
-  motion,    ///< the motion raises the energy by more than forces and sources explain
-  mesh       ///< changes of the mesh raise the energy by more than forces and sources explain
+  /// The energy rises by more than moving walls and sources supply, and the motion causes at least
+  /// half of the rise.
+  motion,
+  /// The energy rises by more than moving walls and sources supply, and changes of the mesh cause
+  /// the larger part.
+  mesh
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// A failed attempt at a time step, or at a part of one. The attempt has been undone.
+/// An attempt at a time step, or at a part of one, that failed and was undone.
 struct Fluid_repetition_3
 {
-  using Point = Simple_cartesian<double>::Point_3; ///< of space
+  using Point = Simple_cartesian<double>::Point_3; ///< a point in space
 
-  Fluid_failure_3 cause; ///< why it failed
-  double time;           ///< at the beginning of the attempt
-  double dt;             ///< length of the attempt
-  double amount;         ///< the residual divided by the right side, or the unexplained rise of the
-                         ///< energy divided by the energy, see `Incompressible_fluid::advance()`
-  Point place;           ///< the flattest cell, or the fastest vertex, of liquids
+  Fluid_failure_3 cause; ///< the reason of the failure
+  double time;           ///< the time at the beginning of the attempt
+  double dt;             ///< the length of the attempt
+  /// For `equations`, the relative residual; otherwise the unexplained rise of the energy, relative
+  /// to the amount of energy, see `Incompressible_fluid::advance()`.
+  double amount;
+  /// For `equations`, the barycenter of the liquid cell of lowest quality; otherwise the vertex of
+  /// greatest velocity.
+  Point place;
 };
 
 /*!
 \ingroup PkgIncompressibleFluids3Ref
 
-is thrown when a time step of `Incompressible_fluid_3` fails, and fails again after remeshing and
-with shorter time steps. The fluid and its complex are in their state before the step.
+The exception that is thrown if all attempts at a time step of `Incompressible_fluid_3` fail. The
+fluid and its complex are in their state before the step.
 */
 class Fluid_step_error : public Error
 {
 public:
-  using Point = Simple_cartesian<double>::Point_3; ///< of space
+  using Point = Simple_cartesian<double>::Point_3; ///< a point in space
 
-  /// constructs the error; the arguments are returned by the functions below.
+  /// Constructs the error. The member functions return the arguments.
   Fluid_step_error(const std::string& message, std::uint64_t step,
                    const Fluid_repetition_3& last_attempt)
       : Error(message), m_step(step), m_last_attempt(last_attempt) {}
 
-  /// returns the number of the step that failed; the first step has the number 1.
+  /// Returns the number of the step that failed. The first step has the number 1.
   std::uint64_t step() const { return m_step; }
 
-  /// returns the last attempt: the cause, the time, the length of the time step and the place.
+  /// Returns the last attempt: the cause, the time, the length of the time step and the place.
   const Fluid_repetition_3& last_attempt() const { return m_last_attempt; }
 
 private:

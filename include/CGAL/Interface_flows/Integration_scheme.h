@@ -9,12 +9,12 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /// \ingroup PkgInterfaceFlowsRef
-/// How `advect_interface()` gets destinations from velocities.
+/// The method by which `advect_interface()` integrates velocities over a time step.
 enum class Integration_scheme {
-  euler,   ///< first order, one evaluation of the velocity: the paper's Algorithm 1
-  rk2,     ///< second order, the midpoint rule, two evaluations
-  rk4,     ///< fourth order, the classical rule of Runge and Kutta, four evaluations
-  adaptive ///< fifth order, the rule of Dormand and Prince in as many steps as a tolerance asks for
+  euler,   ///< Euler method: order 1, one evaluation of the velocity (Algorithm 1 of the paper)
+  rk2,     ///< midpoint rule: order 2, two evaluations
+  rk4,     ///< classical Runge-Kutta method: order 4, four evaluations
+  adaptive ///< method of Dormand and Prince: order 5, substeps follow from a tolerance
 };
 
 } // namespace Deformable_simplicial_complexes

@@ -31,10 +31,11 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-How the facets of a snapshot contract: the forces along the edges of facets, and what they have to
-move. To a vertex belongs a share of the facets around it. Where two labels meet, all of it moves
-with the vertex. Where more meet, as in lines of 120 degrees, a facet takes part in motions along
-its normal only: it gives way to others in its own plane, where it just becomes shorter or longer
+The surface tension of the facets of a snapshot: forces along the edges of the facets, and the mass
+matrix of each vertex. Each vertex has a share of the area of its facets. At a vertex with two
+labels, the mass matrix is this share times the identity. At a junction of more labels, for example
+a line with angles of 120 degrees, a facet contributes to the mass along its normal only. A motion
+within the plane of a facet changes the size of the facet only, so the facet does not resist it
 (J. W. Barrett, H. Garcke, R. Nürnberg, *On the parametric finite element approximation of evolving
 hypersurfaces in R^3*, Journal of Computational Physics 227, 2008).
 */
@@ -46,8 +47,8 @@ public:
   using Matrix = Eigen::Matrix<double, d, d>;
   using Vector = Eigen::Matrix<double, d, 1>;
 
-  // weight times the way from a vertex to another: the force on that one, and its opposite on the
-  // other.
+  // The force of an edge. The force on the vertex `from` is `weight` times `way`, the vector from
+  // `from` to `to`. The force on `to` is the opposite.
   struct Pull
   {
     std::size_t from, to;
@@ -83,10 +84,10 @@ public:
   }
 
   const std::vector<Pull>& pulls() const { return m_pulls; }
-  // What a vertex has to move; not zero if `share()` is not.
+  // Returns the mass matrix of a vertex. It is not zero if `share()` is not zero.
   const Matrix& mass(std::size_t v) const { return m_masses[v]; }
   double share(std::size_t v) const { return m_shares[v]; }
-  // Whether more than two labels meet at a vertex, so that its mass ties the axes to each other.
+  // Returns whether more than two labels meet at a vertex. Its mass matrix then couples the axes.
   bool is_junction(std::size_t v) const { return m_are_junctions[v]; }
   bool has_junctions() const {
     return std::find(m_are_junctions.begin(), m_are_junctions.end(), true) != m_are_junctions.end();
@@ -97,9 +98,10 @@ private:
     return Vector(coordinates_of<d>(v).data());
   }
 
-  // Along a line where labels meet no facet moves by its normal: there the whole share does.
+  // Replaces eigenvalues that are near 0 by the share. They belong to directions in the planes of
+  // all facets, for example along a line where several labels meet.
   static void complete(Matrix& mass, double share) {
-    static constexpr double along = .1; // of the share; across it is a half, in points a third
+    static constexpr double along = .1; // of the share; the others are 1/2 at lines, 1/3 at points
     const Eigen::SelfAdjointEigenSolver<Matrix> solver(mass);
     Vector values = solver.eigenvalues();
     for (int i = 0; i < d; ++i)
@@ -119,25 +121,26 @@ private:
 /*!
 \ingroup PkgInterfaceFlowsRef
 
-Mean curvature flow, in the plane curve shortening flow, step by explicit step (section 4.1.2 of the
-paper): the velocity of a vertex is the negative gradient of the area of the whole interface, by the
-cotangent formula, divided by the mixed Voronoi area of the vertex; in the plane, of its length,
-divided by half of the edges there. Its length is that of the sum of the principal curvatures. Where
-several labels meet, all walls pull with the same force, so that they come to meet in angles of 120
-degrees.
+The explicit form of mean curvature flow (section 4.1.2 of the paper). In the plane, the flow is
+called curve shortening flow. The velocity of a vertex is the negative gradient of the area of the
+interface, by the cotangent formula, divided by the mixed Voronoi area of the vertex. In the plane,
+it is the negative gradient of the length, divided by half of the length of the edges at the vertex.
+The speed is the sum of the principal curvatures. The surface energy per area is the same between
+any two labels, so three labels that meet along a line form angles of 120 degrees.
 
-Stable only for steps of time below about half the area of the smallest triangles, or half the
-square of the shortest edges; `Mean_curvature_flow` is free of that.
+The explicit form is stable for short time steps only: about half of the area of the smallest
+triangle, in the plane half of the square of the shortest edge. `Mean_curvature_flow` has no such
+limit.
 
 \cgalModels `InterfaceVelocity`
 */
 struct Mean_curvature_velocity
 {
-  /// The flow decreases the measure of the interface: `advect_adaptively()` adapts in each step.
+  /// The flow decreases the measure of the interface: `advect_adaptively()` adapts it in each step.
   static constexpr bool contracts_interface = true;
 
-  /// computes the velocities of vertices at positions, as `InterfaceVelocity` says. Linear in the
-  /// size of the interface.
+  /// Computes the velocities of all vertices at the given positions, see `InterfaceVelocity`. The
+  /// time is linear in the size of the interface.
   template <class Complex>
   void operator()(const Interface_snapshot<Complex>& interface_,
                   const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
@@ -164,37 +167,39 @@ struct Mean_curvature_velocity
 /*!
 \ingroup PkgInterfaceFlowsRef
 
-Mean curvature flow, in the plane curve shortening flow, semi-implicitly: the same forces as of
-`Mean_curvature_velocity`, but taken where a step ends, with the weights of where it begins
+The semi-implicit form of mean curvature flow, in the plane called curve shortening flow
 (M. Desbrun, M. Meyer, P. Schröder, A. H. Barr, *Implicit fairing of irregular meshes using
-diffusion and curvature flow*, SIGGRAPH 1999). One such step and two of half the length are
-extrapolated. Stable for steps of any length, of the second order in it.
+diffusion and curvature flow*, SIGGRAPH 1999). The forces are those of `Mean_curvature_velocity`, at
+the positions at the end of the step, with the weights of its beginning. One step and two steps of
+half the length are computed, and both results are extrapolated. The method is stable for any time
+step and of second order in time.
 
 \cgalModels `InterfaceStep`
 */
 class Mean_curvature_flow
 {
 public:
-  /// The flow decreases the measure of the interface: `advect_adaptively()` adapts in each step.
+  /// The flow decreases the measure of the interface: `advect_adaptively()` adapts it in each step.
   static constexpr bool contracts_interface = true;
 
-  /// \param preserves_volumes whether every label keeps its volume, in the plane its area, up to
-  /// rounding for labels that do not reach the boundary of the domain. Each label then has the
-  /// pressure that it takes, so that what is in equilibrium, such as a cluster of soap bubbles,
-  /// stays where it is. Steps must then be shorter than the time in which a label would vanish
-  /// without it.
+  /// \param preserves_volumes whether each label keeps its volume, in the plane its area. Each
+  ///        label then has a pressure, so a cluster of soap bubbles in equilibrium stays at rest.
+  ///        Volumes are preserved up to rounding for labels that do not touch the boundary of the
+  ///        domain. The time step must be shorter than the time in which a label would vanish
+  ///        without its pressure.
   explicit Mean_curvature_flow(bool preserves_volumes = false)
       : m_preserves_volumes(preserves_volumes) {}
 
-  /// Returns whether every label keeps its volume: `advect_adaptively()` then restores the volumes
-  /// that an adaptation changes.
+  /// Returns whether each label keeps its volume. `advect_adaptively()` then restores the volumes
+  /// after each adaptation.
   bool preserves_volumes() const { return m_preserves_volumes; }
 
-  /// computes where vertices go, as `InterfaceStep` says. Three sparse Cholesky factorizations,
-  /// more where the interface ends on sides of the domain: about n log n in the size of the
-  /// interface. Volumes take time in proportion to its size times the number of labels, and memory
-  /// for each vertex and each label on the connected part of the interface that the vertex is on.
-  /// \throws Error if dt is negative, or all facets of a vertex are without area.
+  /// Computes the destinations of all vertices, see `InterfaceStep`. The flow solves three linear
+  /// systems by sparse Cholesky factorizations, more if the interface ends on sides of the domain.
+  /// The time is about n log n in the size n of the interface. The preservation of volumes takes
+  /// additional time proportional to n times the number of labels. It takes memory for each pair of
+  /// a vertex and a label on the same connected component of the interface.
+  /// \throws Error if dt is negative, or if all facets of a vertex have area 0.
   template <class Complex>
   void operator()(const Interface_snapshot<Complex>& interface_,
                   const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
@@ -219,8 +224,8 @@ public:
 private:
   template <class Complex> class System;
 
-  // One step of backward Euler with the weights of its beginning. Vertices on sides of the domain
-  // stay on them.
+  // Returns the positions after one backward Euler step with the weights of its beginning. Vertices
+  // on sides of the domain stay on these sides.
   template <class Complex>
   std::vector<typename Complex::Approximate_point>
   implicit_step(System<Complex>& system, const Interface_snapshot<Complex>& interface_,
@@ -228,8 +233,8 @@ private:
                 double dt) const {
     static constexpr int d = Complex::dimension;
     const internal::Tensions<Complex> tensions(interface_, positions);
-    // The forces of a pressure in each label, and where they take the vertices: nowhere on parts of
-    // the interface that are not connected with the label.
+    // The forces of a unit pressure in each label, and the responses of the vertices. A response is
+    // zero on components of the interface that do not touch the label.
     const Volume_changer<Complex> changer(interface_);
     const auto labels = m_preserves_volumes ? changer.changes(positions, positions)
                                             : std::map<typename Complex::Label, double>();
@@ -237,7 +242,7 @@ private:
     if (m_preserves_volumes)
       forces = changer.gradients(labels, positions);
 
-    // Junctions tie the axes to each other; without them, they are solved for one by one.
+    // Junctions couple the axes. Without junctions, the axes are solved one by one.
     const int together = tensions.has_junctions() ? d : 1;
     std::vector<std::array<double, d>> ways(positions.size());
     system.set(tensions, dt);
@@ -264,9 +269,9 @@ private:
     return result;
   }
 
-  // The linear systems of the steps of an interface: each of some axes, with a row for each of them
-  // and each vertex. Steps differ in their numbers only, so that rows need to be ordered again only
-  // where others are fixed.
+  // The linear systems of the steps of an interface. A system has one row for each vertex and each
+  // of some axes. All steps have the same pattern of entries. The pattern is analyzed again only if
+  // other vertices are fixed.
   template <class Complex> class System
   {
   public:
@@ -275,7 +280,7 @@ private:
     explicit System(const Interface_snapshot<Complex>& interface_)
         : m_interface(interface_), m_size(interface_.vertices.size()) {}
 
-    // Another step, whose tensions stay as long as it is worked on.
+    // Begins a new step. `tensions` must live until the step is solved.
     void set(const Tensions& tensions, double dt) {
       m_tensions = &tensions;
       m_dt = dt;
@@ -316,7 +321,8 @@ private:
       return right;
     }
 
-    // Calls f(vertex, axis, x) for each part of the solution; fixed ones are 0.
+    // Solves for a right-hand side, and calls f(vertex, axis, x) for each component of the
+    // solution. Fixed components are 0.
     template <class Function> void for_each_solved(Eigen::VectorXd right, const Function& f) const {
       for (Eigen::Index i = 0; i < right.size(); ++i)
         if (m_is_fixed[std::size_t(i)])
@@ -333,7 +339,7 @@ private:
       return Eigen::Index(std::size_t(axis - m_first_axis) * m_size + v);
     }
 
-    // Rows of fixed vertices are those of the identity.
+    // Factorizes the matrix. The rows of fixed vertices are rows of the identity.
     void factorize(bool has_other_rows) {
       std::vector<Eigen::Triplet<double>> entries; // of the lower triangle
       const auto add = [&](Eigen::Index i, Eigen::Index j, double x) {
@@ -372,7 +378,7 @@ private:
     const Tensions* m_tensions = nullptr;
     double m_dt = 0;
     int m_first_axis = 0, m_last_axis = 0;
-    std::vector<char> m_is_fixed; // by row
+    std::vector<char> m_is_fixed; // one for each row
     bool m_is_factorized = false;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_solver;
   };

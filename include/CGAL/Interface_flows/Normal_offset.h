@@ -19,9 +19,10 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgInterfaceFlowsRef
 
-Motion along the normals of the interface: labelled phases grow into the outside, label 0, or shrink
-if the speed is negative. The normal of a vertex is the mean of the normals of its facets that face
-label 0, weighted by what they measure; vertices without such a facet stay.
+A motion along the normals of the interface. Labelled phases grow into the outside, label 0. With a
+negative speed they shrink. The normal of a vertex is the mean of the normals of its facets that
+face label 0, weighted by their areas, in the plane by their lengths. Vertices without such a facet
+stay.
 
 \cgalModels `InterfaceVelocity`
 */
@@ -29,8 +30,8 @@ struct Normal_offset
 {
   double speed; ///< length per unit of time, in the coordinates of the complex
 
-  /// computes the velocities of vertices at positions, as `InterfaceVelocity` says. Linear in the
-  /// size of the interface.
+  /// Computes the velocities of all vertices at the given positions, see `InterfaceVelocity`. The
+  /// time is linear in the size of the interface.
   template <class Complex>
   void operator()(const Interface_snapshot<Complex>& interface_,
                   const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,

@@ -27,7 +27,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The volumes of all labels but the least one, which takes what is left.
+// Returns the volumes of all labels except the smallest label. The smallest label takes the
+// remaining volume.
 template <class Complex>
 std::map<typename Complex::Label, double> volumes_but_one(const Complex& dsc) {
   std::map<typename Complex::Label, double> result;
@@ -43,53 +44,61 @@ std::map<typename Complex::Label, double> volumes_but_one(const Complex& dsc) {
 /*!
 \ingroup PkgInterfaceFlowsRef
 
-Moves the interface with a velocity for one step of time, as `advect_interface()` does, in long runs
-of flows that stretch and fold it: thin sheets and threads find room, and the interface gets facets
-as fine as its curvature asks for.
+Moves the interface with a velocity for one time step, as `advect_interface()` does, and adapts the
+interface and the mesh. The function is meant for long runs of flows that stretch and fold the
+interface. The interface gets facets as small as its curvature requires, and the mesh gets enough
+cells for thin sheets and threads.
 
-A step whose number, `t / dt` rounded, is a multiple of the interval begins with what adapts the
-mesh:
-- If the interface is *worn*, and the step stretches it, then long edges are split on the smooth
-  surface that their neighbors suggest, and short ones are collapsed, see `improve_interface()` and
-  `Curvature_sizing_field`. It is worn if more than a few edges are too long for their curvature, or
-  too short. What moves rigidly, and what is stretched only a little, is not touched.
-- A flow that contracts the interface, such as `Mean_curvature_flow`, splits and collapses these
-  edges in each step. In the plane, vertices where more than three phases meet are split, too, see
-  `propose_junction_split()`, unless there is a parameter `topology_control`.
-- If the flow preserves volumes, `restore_volumes()` corrects what this changed.
-- Edges between parts of the interface are split, and short ones away from it collapsed:
+The number of a step is `t / dt`, rounded. If this number is a multiple of `adaptation_interval`,
+the mesh is adapted at the beginning of the step:
+- The interface is adapted if it is worn and the step stretches it. It is worn if more than a few
+  edges are too long for their curvature, or too short. Long edges are then split, and the new
+  vertices are placed on the smooth surface that the neighboring facets suggest. Short edges are
+  collapsed. See `improve_interface()` and `Curvature_sizing_field`. A rigid motion therefore keeps
+  all facets, and a flow that stretches the interface only a little keeps them, too.
+- For a flow that contracts the interface, such as `Mean_curvature_flow`, these edges are always
+  split and collapsed. In the plane, vertices where more than three phases meet are split as well,
+  see `propose_junction_split()`, unless the parameter `topology_control` is given.
+- If the flow preserves volumes, `restore_volumes()` restores the volumes from before the
+  adaptation.
+- Edges between two parts of the interface are split, and short edges away from it are collapsed:
   `control_detail()` with a `collapse_length` of 2.
 
-Cells may get flatter than with `advect_interface()`, and triangles of the interface as long as the
-flow draws them, as it may bring them back: the defaults of some parameters differ. Flows that
-contract the interface bring nothing back, and have the defaults of `advect_interface()`.
+The defaults of some parameters differ from those of `advect_interface()`. Cells may become flatter,
+and facets of the interface may become longer, because the flow may bring the interface back. A flow
+that contracts the interface does not bring it back. It has the defaults of `advect_interface()` for
+the last three parameters below.
 
 \param dsc the complex
-\param velocity as for `advect_interface()`; asked once more where the interface is worn. It contracts
-       the interface if its type has a `static constexpr bool contracts_interface` that is `true`.
-\param t time at the beginning of the step.
-\param dt its length, the same for each step; if it is not, use an `adaptation_interval` of 1.
+\param velocity as for `advect_interface()`. If the interface is worn, the step is integrated once
+       more. The velocity contracts the interface if its type has a member
+       `static constexpr bool contracts_interface` that is `true`. It preserves volumes if its
+       member function `preserves_volumes()` returns `true`.
+\param t the time at the beginning of the step
+\param dt the length of the step. It must be the same in each step; otherwise use an
+       `adaptation_interval` of 1.
 \param np named parameters: those of `advect_interface()` and
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{interface_tolerance}
-    \cgalParamDescription{how far edges of an adapted interface may lie from the smooth surface, in
-                          units of `dsc.mean_interface_edge()`, not negative; with 0, the interface
-                          is changed only where it must}
+    \cgalParamDescription{the largest distance of an edge of an adapted interface from the smooth
+                          surface, in units of `dsc.mean_interface_edge()`, not negative; with 0,
+                          the interface is not adapted}
     \cgalParamType{`double`}
     \cgalParamDefault{0.04 in space, 0.005 in the plane}
   \cgalParamNEnd
   \cgalParamNBegin{adaptation_interval}
-    \cgalParamDescription{number of steps from one that adapts to the next, positive}
+    \cgalParamDescription{the number of steps from one adaptation to the next, positive}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{4; 1 if the velocity contracts the interface}
   \cgalParamNEnd
   \cgalParamNBegin{feature_angle}
-    \cgalParamDescription{edges where the normals of the facets differ by more are sharp, in
-                          degrees, in [0, 180]: they stay when the interface is adapted}
+    \cgalParamDescription{edges with a larger angle between the normals of their facets are sharp
+                          and stay when the interface is adapted, in degrees, in [0, 180]}
     \cgalParamType{`double`}
-    \cgalParamDefault{85: below a cube, above the rims of thin sheets. 180 for curvature flow in the
-                       plane, which rounds corners at once}
+    \cgalParamDefault{85: the edges of a cube are sharp, the rims of thin sheets are not. 180 for a
+                      velocity that contracts the interface in the plane, where corners become round
+                      at once}
   \cgalParamNEnd
   \cgalParamNBegin{scheme}
     \cgalParamDefault{`Integration_scheme::rk4`}
@@ -105,13 +114,14 @@ contract the interface bring nothing back, and have the defaults of `advect_inte
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the report of `advect_interface()`; its numbers of operations count those that adapted, too.
-\throws Error if a parameter of the first three is out of its range, or
-        there is an interface, but no `dsc.mean_interface_edge()`; the complex is then unchanged.
-        What `advect_interface()` throws leaves the interface as it was or adapted.
+\return the report of `advect_interface()`. Its numbers of operations include the adaptation.
+\throws Error if one of the first three parameters is out of its range, or if there is an interface
+        and `dsc.mean_interface_edge()` is 0. The complex is then unchanged.
+\throws Invalid_destination_error, Error as `advect_interface()`. The interface has then not moved,
+        but it may have been adapted.
 
-As `advect_interface()`; where a step adapts, n log n in the size of the interface more, and a pass
-over the cells.
+The time is that of `advect_interface()`. A step that adapts takes additional time: n log n in the
+size of the interface, and one pass over the cells.
 */
 template <class Complex, class Velocity,
           class NamedParameters = parameters::Default_named_parameters>

@@ -19,7 +19,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Where the vertices of an interface go in a step, by the named parameters of advect_interface().
+// Returns the destinations of the vertices of an interface for a time step, with the named
+// parameters of `advect_interface()`.
 template <class Complex, class Interface, class Velocity, class NamedParameters>
 std::vector<typename Complex::Approximate_point>
 destinations_of_step(const Complex& dsc, const Interface& interface_, const Velocity& velocity,
@@ -46,49 +47,54 @@ destinations_of_step(const Complex& dsc, const Interface& interface_, const Velo
 /*!
 \ingroup PkgInterfaceFlowsRef
 
-Moves the interface with a velocity for one step of time: integrates the path of each vertex, then
-calls `deform_interface()`. The path within the step is not followed, only its end. Where the
-velocity is known in all of space, as a field or an invertible flow map, free vertices around the
-interface go with it, too, unless the parameter `flow` is given.
+Moves the interface with a velocity for one time step. The function integrates the path of each
+vertex, then calls `deform_interface()` with the end points of the paths. The interface does not
+follow the paths within the step. If the velocity is a field or an invertible flow map, free
+vertices near the interface also move with it, unless the parameter `flow` is given.
 
 \param dsc the complex
-\param velocity one of
-  - a velocity field (model of `VelocityField`), called as `velocity(p, t)` with a position and a
-    time: returns a vector;
-  - a flow map (model of `InterfaceFlowMap`), called as `velocity(p, t, dt)`: returns the position
-    at t + dt of what is at p at t; the scheme does not matter then;
-  - a function of the whole interface (model of `InterfaceVelocity`), called once for each
-    evaluation as `velocity(interface, positions, t, velocities)`, which fills `velocities`;
-  - a motion of the whole interface (model of `InterfaceStep`), called once for the step as
-    `velocity(interface, positions, t, dt, destinations)`, which fills `destinations`; the scheme
-    does not matter then.
+\param velocity one of the following forms. If a type has several of these operators, the order is:
+       flow map, interface step, velocity field, interface velocity.
+  - A velocity field (model of `VelocityField`), called as `velocity(p, t)`. It returns the velocity
+    at the position `p` at the time `t`.
+  - A flow map (model of `InterfaceFlowMap`), called as `velocity(p, t, dt)`. It returns the
+    position at `t + dt` of the point that is at `p` at `t`. The scheme is not used.
+  - An interface velocity (model of `InterfaceVelocity`), called as
+    `velocity(snapshot, positions, t, velocities)` once for each evaluation. It fills `velocities`.
+  - An interface step (model of `InterfaceStep`), called as
+    `velocity(snapshot, positions, t, dt, destinations)` once for the time step. It fills
+    `destinations`. The scheme is not used.
   .
-  Positions and vectors are of `Complex::Approximate_point` and `Approximate_vector`, in the
-  coordinates of the complex.
-\param t time at the beginning of the step.
-\param dt its length; negative to go back.
+  Positions have the type `Complex::Approximate_point` and vectors `Complex::Approximate_vector`, in
+  the coordinates of the complex.
+\param t the time at the beginning of the step
+\param dt the length of the step. A negative value moves backwards in time.
 \param np named parameters: those of `deform_interface()` and
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{scheme}
-    \cgalParamDescription{how destinations follow from velocities}
+    \cgalParamDescription{the method that integrates velocities}
     \cgalParamType{`Integration_scheme`}
     \cgalParamDefault{`Integration_scheme::rk2`}
   \cgalParamNEnd
   \cgalParamNBegin{integration_tolerance}
-    \cgalParamDescription{how far the error of a destination is estimated to be at the most with
-                          `Integration_scheme::adaptive`, for each of the steps that it takes within
-                          `dt`, in units of `dsc.mean_interface_edge()`, positive}
+    \cgalParamDescription{the largest estimated error of a destination in each substep of
+                          `Integration_scheme::adaptive`, in units of `dsc.mean_interface_edge()`,
+                          positive}
     \cgalParamType{`double`}
     \cgalParamDefault{1e-4}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the report of `deform_interface()`.
-\throws Invalid_destination_error if a velocity is not finite; the
-        complex is then unchanged.
-\throws Error if the tolerance is not positive or cannot be kept;
-        the complex is then unchanged.
+\throws Invalid_destination_error if a velocity is not finite, or an interface velocity or an
+        interface step returns another number of vectors or points than there are vertices.
+\throws Error if the tolerance is not positive. With `Integration_scheme::adaptive`, also if the
+        tolerance needs substeps shorter than a millionth of the time step, if a step vanishes
+        beside the time `t` by rounding, or if there is an interface and `dsc.mean_interface_edge()`
+        is 0.
+
+The complex is unchanged if one of these errors is thrown.
 */
 template <class Complex, class Velocity,
           class NamedParameters = parameters::Default_named_parameters>

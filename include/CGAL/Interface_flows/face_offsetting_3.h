@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Adds the sides of the domain that a vertex is on: planes that do not move. Returns whether it is
-// on one.
+// Adds the planes of the sides of the domain that contain a vertex. These planes do not move.
+// Returns whether there is such a side.
 template <class Quadric> bool hold_in_sides(Boundary_class::Bits sides, Quadric& quadric) {
   const double weight = quadric.sum_of_weights();
   for (int axis = 0; axis < 3; ++axis)
@@ -37,31 +37,37 @@ template <class Quadric> bool hold_in_sides(Boundary_class::Bits sides, Quadric&
 \ingroup PkgInterfaceFlowsRef
 
 Wavefrontal motion by face offsetting (X. Jiao, *Face offsetting: A unified approach for explicit
-moving interfaces*, Journal of Computational Physics 220, 2007): the planes of the facets move along
-their normals, and vertices go where their planes meet, each facet weighted by its angle at the
-vertex. Labelled phases grow into the outside, label 0, or shrink if the speed is negative; facets
-between other labels, and the sides of the domain, hold their vertices in their planes.
+moving interfaces*, Journal of Computational Physics 220, 2007). The planes of the facets move along
+their normals. A vertex moves to the intersection of the planes of its facets, where each facet is
+weighted by its angle at the vertex. Labelled phases grow into the outside, label 0. With a negative
+speed they shrink. Some planes do not move: the sides of the domain, and facets between two labels
+other than 0. Their vertices stay in these planes.
 
-Edges and corners that the front runs away from become round, as in Huygens' principle: their
-vertices keep the distance of the offset. Those that it runs into stay sharp. `Normal_offset` is
-simpler, and smooths both. Call `improve_interface()` before each step: where a front grows round or
-shrinks, facets become too large or vanish, and steps of a quarter of an edge or less leave it the
-time to see to that before a deformation has to, which does not know about sharp edges.
+As in Huygens' principle, edges and corners become round where the front moves away from them. Their
+vertices move by the distance of the offset. Edges and corners stay sharp where the front moves
+towards them. `Normal_offset` is simpler and rounds all of them.
+
+Call `improve_interface()` before each step, and choose steps of at most a quarter of an edge
+length. Facets become too large where the front grows, and degenerate where it shrinks.
+`improve_interface()` preserves sharp edges when it changes such facets. A deformation removes
+degenerate facets without regard to sharp edges.
 
 \cgalModels `InterfaceStep`
 */
 class Face_offset_3
 {
 public:
-  /// \param speed length per unit of time, in the coordinates of the complex.
-  /// \param eigenvalue_threshold what is an edge, see `improve_interface()`; in [0, 1).
-  /// \throws Error if the threshold is out of its range.
+  /// \param speed length per unit of time, in the coordinates of the complex
+  /// \param eigenvalue_threshold eigenvalues of the quadric of a vertex up to this part of the
+  ///        largest one count as zero. Sharper edges and corners stay sharp. The range is [0, 1).
+  /// \throws Error if `eigenvalue_threshold` is out of its range.
   explicit Face_offset_3(double speed, double eigenvalue_threshold = .025)
       : m_speed(speed), m_threshold(eigenvalue_threshold) {
     check_eigenvalue_threshold(m_threshold);
   }
 
-  /// computes where vertices go, as `InterfaceStep` says. Linear in the size of the interface.
+  /// Computes the destinations of all vertices, see `InterfaceStep`. The time is linear in the size
+  /// of the interface.
   template <class Complex>
   void operator()(const Interface_snapshot<Complex>& interface_,
                   const std::vector<typename Complex::Approximate_point_3>& positions, double /*t*/,
@@ -72,7 +78,7 @@ public:
     struct Vertex
     {
       Vertex_quadric_3<Vector> quadric;
-      bool is_held = false; // by a facet that does not move
+      bool is_held = false; // by a facet or a side of the domain that does not move
       Vector displacement = Vector(0, 0, 0), direction = Vector(0, 0, 0);
       double weight = 0, weighted_length = 0;
     };
@@ -86,7 +92,7 @@ public:
         v.is_held = v.is_held || sign == 0;
       }
     }
-    static constexpr double short_part = .1; // of the offset, where its facets cancel each other
+    static constexpr double short_part = .1; // of the offset; below it, offsets cancel each other
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       Vertex& v = vertices[i];
       v.is_held =
@@ -97,8 +103,9 @@ public:
       v.direction = length > short_part * std::abs(offset) ? v.displacement / length
                                                            : v.quadric.mean_direction();
     }
-    // How far along its direction the facets take a vertex: where it moves away from a facet, that
-    // is the offset, else as far as it takes to have the offset from the plane.
+    // Computes the length of the displacement of each vertex along its direction, as a weighted
+    // mean over its facets. Where the vertex moves away from a facet, the length is the offset.
+    // Otherwise it is the length for which the vertex has the offset from the plane of the facet.
     for (const auto& triangle : triangles) {
       const auto& corner = interface_.triangles[triangle.index].vertices;
       for (int i = 0; i < 3; ++i) {
@@ -130,10 +137,11 @@ private:
 /*!
 \ingroup PkgInterfaceFlowsRef
 
-Advective motion by face offsetting: facets go where a velocity field takes their corners, and
-vertices to where the planes of these facets meet, but only as far as these planes define it. The
-interface goes the same way as with the field itself, but its vertices do not slide along it, so
-that they stay as evenly distributed as they are. See `Face_offset_3` for the source.
+Advective motion by face offsetting. A velocity field moves the corners of each facet. A vertex
+moves to the intersection of the planes of the moved facets, within the directions that these planes
+determine. The interface moves as with the field itself, but its vertices do not slide along the
+interface. Their distribution therefore stays as uniform as it is. The source is the paper that
+`Face_offset_3` names.
 
 \tparam Field model of `VelocityField`
 \cgalModels `InterfaceStep`
@@ -141,16 +149,17 @@ that they stay as evenly distributed as they are. See `Face_offset_3` for the so
 template <class Field> class Advective_face_offset_3
 {
 public:
-  /// \param field the velocities.
-  /// \param eigenvalue_threshold what is an edge, see `improve_interface()`; in [0, 1).
-  /// \throws Error if the threshold is out of its range.
+  /// \param field the velocity field
+  /// \param eigenvalue_threshold eigenvalues of the quadric of a vertex up to this part of the
+  ///        largest one count as zero. The range is [0, 1).
+  /// \throws Error if `eigenvalue_threshold` is out of its range.
   explicit Advective_face_offset_3(Field field, double eigenvalue_threshold = .025)
       : m_field(std::move(field)), m_threshold(eigenvalue_threshold) {
     check_eigenvalue_threshold(m_threshold);
   }
 
-  /// computes where vertices go, as `InterfaceStep` says. Paths are integrated by
-  /// `Integration_scheme::rk4`. Linear in the size of the interface.
+  /// Computes the destinations of all vertices, see `InterfaceStep`. Paths are integrated by
+  /// `Integration_scheme::rk4`. The time is linear in the size of the interface.
   template <class Complex>
   void operator()(const Interface_snapshot<Complex>& interface_,
                   const std::vector<typename Complex::Approximate_point_3>& positions, double t,

@@ -18,24 +18,24 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgInterfaceFlowsRef
 
-Rotation about a point with constant angular velocity. It gives positions and not velocities, so
-that it is integrated exactly, whatever the scheme: the twin of `Rigid_rotation_3`.
+A rotation about a point with constant angular velocity. It returns positions, so the rotation is
+exact up to rounding for any integration scheme. `Rigid_rotation_3` is the version in space.
 
 \cgalModels `InterfaceFlowMap`
 */
 class Rigid_rotation_2
 {
 public:
-  using Point_2 = Simple_cartesian<double>::Point_2;   ///< in the coordinates of the complex
-  using Vector_2 = Simple_cartesian<double>::Vector_2; ///< in the coordinates of the complex
-  using Is_invertible = Tag_true;                      ///< space goes with it
+  using Point_2 = Simple_cartesian<double>::Point_2;   ///< a point of the complex
+  using Vector_2 = Simple_cartesian<double>::Vector_2; ///< a vector in the same coordinates
+  using Is_invertible = Tag_true;                      ///< also moves free vertices
 
-  /// \param center the point that stays
+  /// \param center the center of the rotation
   /// \param angular_velocity radians per unit of time, counterclockwise
   Rigid_rotation_2(const Point_2& center, double angular_velocity)
       : m_center(center), m_angular_velocity(angular_velocity) {}
 
-  /// Where a point at p at the time t is at t + dt.
+  /// Returns the position at the time t + dt of the point that is at p at the time t.
   Point_2 operator()(const Point_2& p, double /*t*/, double dt) const {
     const double angle = m_angular_velocity * dt;
     const Vector_2 r = p - m_center, across(-r.y(), r.x());

@@ -17,25 +17,28 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgInterfaceFlowsRef
 
-Rotation about an axis with constant angular velocity (section 4.1.1 of the paper). It gives
-positions and not velocities, so that it is integrated exactly, whatever the scheme.
+A rotation about an axis with constant angular velocity (section 4.1.1 of the paper). It returns
+positions, so the rotation is exact up to rounding for any integration scheme.
 
 \cgalModels `InterfaceFlowMap`
 */
 class Rigid_rotation_3
 {
 public:
-  using Point_3 = Simple_cartesian<double>::Point_3;   ///< in the coordinates of the complex
-  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< in the coordinates of the complex
-  using Is_invertible = Tag_true;                      ///< space goes with it
+  using Point_3 = Simple_cartesian<double>::Point_3;   ///< a point of the complex
+  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< a vector in the same coordinates
+  using Is_invertible = Tag_true;                      ///< also moves free vertices
 
-  /// \param center a point of the axis. \param axis its direction, not zero, of any length.
-  /// \param angular_velocity radians per unit of time, counterclockwise seen against the axis.
+  /// \param center a point of the axis
+  /// \param axis the direction of the axis, of any length
+  /// \param angular_velocity radians per unit of time. The rotation is counterclockwise for an
+  ///        observer towards whom the axis points.
+  /// \pre `axis` is not zero.
   Rigid_rotation_3(const Point_3& center, const Vector_3& axis, double angular_velocity)
       : m_center(center), m_axis(axis / std::hypot(axis.x(), axis.y(), axis.z())),
         m_angular_velocity(angular_velocity) {}
 
-  /// Where a point at p at the time t is at t + dt.
+  /// Returns the position at the time t + dt of the point that is at p at the time t.
   Point_3 operator()(const Point_3& p, double /*t*/, double dt) const {
     const double angle = m_angular_velocity * dt;
     const Vector_3 r = p - m_center, along = (m_axis * r) * m_axis, across = r - along;

@@ -16,23 +16,25 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgInterfaceFlowsRef
 
-The single vortex of Bell, Colella and Glaz, that is the curl of
-\f$\psi = -\sin^2(\pi x) \sin^2(\pi y) / \pi\f$, with time running backwards in every second half of
-the period. It keeps areas and the unit square. The twin of `Single_vortex_velocity_3`.
+The single vortex of Bell, Colella and Glaz: the curl of
+\f$\psi = -\sin^2(\pi x) \sin^2(\pi y) / \pi\f$, multiplied by \f$\cos(\pi t / T)\f$ with the period
+T. The velocity changes its direction at t = T / 2, and at t = T each point is back at its start.
+The field preserves areas and maps the unit square to itself. `Single_vortex_velocity_3` is the
+version in space.
 
 \cgalModels `VelocityField`
 */
 class Single_vortex_velocity_2
 {
 public:
-  using Point_2 = Simple_cartesian<double>::Point_2;   ///< in the coordinates of the unit square
-  using Vector_2 = Simple_cartesian<double>::Vector_2; ///< in the coordinates of the unit square
+  using Point_2 = Simple_cartesian<double>::Point_2;   ///< a point of the unit square
+  using Vector_2 = Simple_cartesian<double>::Vector_2; ///< a vector in the same coordinates
 
-  /// \param period velocities are multiplied by \f$\cos(\pi t / T)\f$ with this T.
-  /// \pre it is positive
+  /// \param period the period T.
+  /// \pre `period` is positive.
   explicit Single_vortex_velocity_2(double period = 8) : m_period(period) {}
 
-  /// The velocity at p at the time t.
+  /// Returns the velocity at the point p at the time t.
   Vector_2 operator()(const Point_2& p, double t) const {
     const double sx = std::sin(CGAL_PI * p.x()), cx = std::cos(CGAL_PI * p.x());
     const double sy = std::sin(CGAL_PI * p.y()), cy = std::cos(CGAL_PI * p.y());

@@ -22,23 +22,26 @@ namespace Deformable_simplicial_complexes {
 \ingroup PkgInterfaceFlowsRef
 
 The deformation flow of LeVeque (*High-resolution conservative algorithms for advection in
-incompressible flow*, SIAM Journal on Numerical Analysis 33, 1996) that Enright and others made a
-test of interface tracking. It keeps volumes, stretches a ball into a thin sheet and, as time runs
-backwards in every second half of the period, back. It stays in the unit cube \f$[0, 1]^3\f$.
+incompressible flow*, SIAM Journal on Numerical Analysis 33, 1996). Enright and others use it as a
+test of interface tracking. The velocity has the factor \f$\cos(\pi t / T)\f$ with the period T. The
+flow stretches a ball to a thin sheet until t = T / 2. Then the velocity changes its direction, and
+at t = T each point is back at its start. The field preserves volumes and maps the unit cube
+\f$[0, 1]^3\f$ to itself.
 
 \cgalModels `VelocityField`
 */
 class Enright_velocity_3
 {
 public:
-  using Point_3 = Simple_cartesian<double>::Point_3;   ///< in the coordinates of the unit cube
-  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< in the coordinates of the unit cube
+  using Point_3 = Simple_cartesian<double>::Point_3;   ///< a point of the unit cube
+  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< a vector in the same coordinates
 
-  /// \param period velocities are multiplied by \f$\cos(\pi t / T)\f$ with this T, positive, so
-  /// that everything is back at t = T. 3 is customary; 1 is the flow of section 4.1.4 of the paper.
+  /// \param period the period T. The value 3 is common; 1 is the flow of section 4.1.4 of the
+  ///        paper.
+  /// \pre `period` is positive.
   explicit Enright_velocity_3(double period = 3) : m_period(period) {}
 
-  /// The velocity at p at the time t.
+  /// Returns the velocity at the point p at the time t.
   Vector_3 operator()(const Point_3& p, double t) const {
     const double sx = std::sin(CGAL_PI * p.x()), cx = std::cos(CGAL_PI * p.x());
     const double sy = std::sin(CGAL_PI * p.y()), cy = std::cos(CGAL_PI * p.y());
@@ -54,22 +57,24 @@ private:
 /*!
 \ingroup PkgInterfaceFlowsRef
 
-The single vortex of Bell, Colella and Glaz in each plane of constant z, that is the curl of
-\f$\psi = -\sin^2(\pi x) \sin^2(\pi y) / \pi\f$, with time running backwards in every second half of
-the period. It keeps volumes and the unit square.
+The single vortex of Bell, Colella and Glaz in each plane of constant z: the curl of
+\f$\psi = -\sin^2(\pi x) \sin^2(\pi y) / \pi\f$, multiplied by \f$\cos(\pi t / T)\f$ with the period
+T. The velocity changes its direction at t = T / 2, and at t = T each point is back at its start.
+The field preserves volumes and maps the unit square of each plane to itself.
 
 \cgalModels `VelocityField`
 */
 class Single_vortex_velocity_3
 {
 public:
-  using Point_3 = Simple_cartesian<double>::Point_3;   ///< in the coordinates of the unit cube
-  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< in the coordinates of the unit cube
+  using Point_3 = Simple_cartesian<double>::Point_3;   ///< a point of the unit cube
+  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< a vector in the same coordinates
 
-  /// \param period velocities are multiplied by \f$\cos(\pi t / T)\f$ with this T, positive.
+  /// \param period the period T.
+  /// \pre `period` is positive.
   explicit Single_vortex_velocity_3(double period = 8) : m_in_plane(period) {}
 
-  /// The velocity at p at the time t.
+  /// Returns the velocity at the point p at the time t.
   Vector_3 operator()(const Point_3& p, double t) const {
     const auto in_plane = m_in_plane({p.x(), p.y()}, t);
     return {in_plane.x(), in_plane.y(), 0};
@@ -82,21 +87,24 @@ private:
 /*!
 \ingroup PkgInterfaceFlowsRef
 
-A turbulent looking flow that keeps volumes: the curl of a random potential, here a sum of waves of
-one length in random directions (after R. Bridson, J. Houriham and M. Nordenstam, *Curl-noise for
-procedural fluid flow*, SIGGRAPH 2007). It is the same for the same seed, on every machine up to the
-rounding of sine and cosine.
+A velocity field that resembles turbulence and preserves volumes. It is the curl of a random
+potential: a sum of waves of the same length in random directions (after R. Bridson, J. Houriham and
+M. Nordenstam, *Curl-noise for procedural fluid flow*, SIGGRAPH 2007). The field depends on the
+arguments of the constructor only. Between machines, it differs by the rounding of sine and cosine.
 
 \cgalModels `VelocityField`
 */
 class Curl_noise_velocity_3
 {
 public:
-  using Point_3 = Simple_cartesian<double>::Point_3;   ///< in the coordinates of the complex
-  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< in the coordinates of the complex
+  using Point_3 = Simple_cartesian<double>::Point_3;   ///< a point of the complex
+  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< a vector in the same coordinates
 
-  /// \param wave_length distance over which the flow varies, positive. \param speed root of its
-  /// mean square. \param seed of the random numbers. \param number_of_waves that are summed up.
+  /// \param wave_length the length of each wave, in the coordinates of the complex
+  /// \param speed the root mean square of the speed
+  /// \param seed the seed of the random numbers
+  /// \param number_of_waves the number of waves in the sum
+  /// \pre `wave_length` and `number_of_waves` are positive.
   Curl_noise_velocity_3(double wave_length, double speed, std::uint64_t seed = 0,
                         unsigned number_of_waves = 16) {
     std::mt19937_64 random(seed);
@@ -111,13 +119,13 @@ public:
       const Vector_3 along = direction(), potential = direction();
       m_waves.push_back({2 * CGAL_PI / wave_length * along, cross_product(along, potential),
                          2 * CGAL_PI * uniform()});
-      mean_square += m_waves.back().velocity.squared_length() / 2; // of a cosine: 1/2
+      mean_square += m_waves.back().velocity.squared_length() / 2; // mean cosine²: 1/2
     }
     for (Wave& wave : m_waves)
       wave.velocity = speed / std::sqrt(mean_square) * wave.velocity;
   }
 
-  /// The velocity at p, which does not depend on the time.
+  /// Returns the velocity at the point p. It does not depend on the time.
   Vector_3 operator()(const Point_3& p, double /*t*/) const {
     Vector_3 result(0, 0, 0);
     for (const Wave& wave : m_waves)
@@ -128,8 +136,8 @@ public:
 private:
   struct Wave
   {
-    Vector_3 number;   // radians per length
-    Vector_3 velocity; // across it
+    Vector_3 number;   // wave vector, in radians per length
+    Vector_3 velocity; // perpendicular to the wave vector
     double phase;
   };
 
@@ -139,22 +147,25 @@ private:
 /*!
 \ingroup PkgInterfaceFlowsRef
 
-A velocity field given in the coordinates of the user, for a complex that was normalized.
+A velocity field for a complex that was normalized. It converts a field from the coordinates of the
+user to the coordinates of the complex.
 
+\tparam Complex the type of the complex
 \tparam Field model of `VelocityField`
 \cgalModels `VelocityField`
 */
 template <class Complex, class Field> class Velocity_in_user_coordinates_3
 {
 public:
-  using Point_3 = typename Complex::Approximate_point_3;   ///< in the coordinates of the complex
-  using Vector_3 = typename Complex::Approximate_vector_3; ///< in the coordinates of the complex
+  using Point_3 = typename Complex::Approximate_point_3;   ///< a point of the complex
+  using Vector_3 = typename Complex::Approximate_vector_3; ///< a vector in the same coordinates
 
-  /// \param complex whose normalization is taken over. \param field in the user's coordinates.
+  /// \param complex the complex. Its normalization is copied.
+  /// \param field the velocity field in the coordinates of the user
   Velocity_in_user_coordinates_3(const Complex& complex, Field field)
       : m_normalization(complex.normalization()), m_field(std::move(field)) {}
 
-  /// The velocity at p at the time t.
+  /// Returns the velocity at the point p at the time t.
   Vector_3 operator()(const Point_3& p, double t) const {
     const Point_3 q = ORIGIN + (m_normalization.translation + m_normalization.scale * (p - ORIGIN));
     return m_field(q, t) / m_normalization.scale;

@@ -16,39 +16,39 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgSolidReconstruction3Ref
 
-What `reconstruct_point_set_3()` found and how well it fits. Distances are in the unit of length of
-the points.
+The report of `reconstruct_point_set_3()`. Lengths are in the unit of the points.
 
 \tparam Complex a deformable simplicial complex in space
 */
 template <class Complex> struct Reconstruction_report_3
 {
-  std::size_t number_of_points = 0;     ///< without duplicates and outliers
-  std::size_t number_of_duplicates = 0; ///< points equal to others, which were left out
-  std::size_t number_of_outliers =
-      0; ///< points far from all others, in clusters that are no surfaces, or on neither side of
-         ///< the surface, which were left out
-  double spacing = 0; ///< the mean distance of points from their 6 nearest ones
-  double noise = 0;   ///< how far points are from quadrics of their neighbors
+  std::size_t number_of_points = 0;     ///< number of points without duplicates and outliers
+  std::size_t number_of_duplicates = 0; ///< number of unused points, equal to others
+  /// Number of outliers, which are not used: isolated points, points of clusters that are not
+  /// surfaces, points without a side, and points off the planes of all neighbors.
+  std::size_t number_of_outliers = 0;
+  double spacing = 0; ///< mean distance of points from their 6 nearest neighbors
+  double noise = 0;   ///< median of the residuals of quadrics at the points
 
-  std::size_t number_of_steps = 0;       ///< of the interface
-  bool is_complete = false;              ///< whether it came to rest and there are no
-                                         ///< `doubtful_places`; if it did not come to rest, it was
-                                         ///< interrupted or there were not enough steps
-  Improvement_report changes;            ///< of the mesh, in all steps together
-  std::size_t relabeled = 0;             ///< cells that changed their side, in all steps
-  std::size_t topology_changes = 0;      ///< of the interface, in all steps
-  std::size_t held_back = 0;             ///< how often a vertex did not arrive where a step sent it
-  double root_mean_square = 0;           ///< of the distances of points from the interface
-  double maximum_distance = 0;           ///< of a point from the interface
-  std::vector<std::size_t> unfit_points; ///< those farther than a spacing and four times the noise,
-                                         ///< by their places among the points that were given
-  /// Where the interface contradicts the sides of the points: the centers of large empty balls that
-  /// lie on the wrong side of it, and a vertex of each handle that is smaller than these balls.
-  /// None if it did not come to rest.
+  std::size_t number_of_steps = 0; ///< number of steps of the interface
+  /// Whether the interface came to rest and there are no `doubtful_places`. If it did not come to
+  /// rest, the observer ended the reconstruction or there were too few steps.
+  bool is_complete = false;
+  Improvement_report changes;       ///< changes of the mesh in all steps
+  std::size_t relabeled = 0;        ///< number of cells whose label changed in all steps
+  std::size_t topology_changes = 0; ///< number of changes of topology in all steps
+  std::size_t held_back = 0;        ///< how often a vertex missed its destination in a step
+  double root_mean_square = 0;      ///< of the distances of points to the interface
+  double maximum_distance = 0;      ///< of a point to the interface
+  /// Points whose distance to the interface exceeds both a spacing and four times the noise, as
+  /// indices in the input.
+  std::vector<std::size_t> unfit_points;
+  /// Places where the interface contradicts the sides of the points: the centers of large empty
+  /// balls on the wrong side of the interface, and one vertex of each handle that is smaller than
+  /// such balls. It is empty if the interface did not come to rest.
   std::vector<typename Complex::Approximate_point> doubtful_places;
-  std::vector<typename Complex::Facet> facets_without_points; ///< that no point is
-                                                              ///< near to: they close holes
+  /// Facets that close holes. No point is near them.
+  std::vector<typename Complex::Facet> facets_without_points;
 };
 
 } // namespace Deformable_simplicial_complexes

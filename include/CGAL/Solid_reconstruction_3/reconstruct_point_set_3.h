@@ -24,11 +24,13 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /// \ingroup PkgSolidReconstruction3Ref
-/// The observer of a reconstruction that does nothing.
+///
+/// An observer of a reconstruction that does nothing.
+///
 /// \cgalModels `ReconstructionObserver_3`
 struct Reconstruction_observer_3
 {
-  /// Asked before the first step and after each one; false ends the reconstruction.
+  /// Returns `true`, so that the reconstruction continues.
   template <class Complex> bool operator()(const Complex& /*complex*/, std::size_t /*step*/) const {
     return true;
   }
@@ -37,85 +39,98 @@ struct Reconstruction_observer_3
 /*!
 \ingroup PkgSolidReconstruction3Ref
 
-Reconstructs the solid whose surface points sample (section 4.3 of the paper): the interface begins
-in an octree, around the points and the solid, and moves inwards, to the planes of the points that
-its facets touch; then all of its vertices go to where the facets are nearest to all points, by
-least squares, and facets that do not fit are divided. Parts separate, tunnels open, and the result
-is closed, with label 1 inside. Sharp edges stay sharp.
+Reconstructs a solid from points on its surface (section 4.3 of the paper). The result is closed and
+has label 1 inside the solid. Its interface is a manifold. Sharp edges and corners stay sharp.
 
 The sides are determined first: the largest empty Delaunay balls at the points are labelled inside
 or outside (R. Kolluri, J. R. Shewchuk and J. F. O'Brien, "Spectral surface reconstruction from
-noisy point clouds", SGP 2004). The interface does not leak through holes of the cloud that are
-narrow compared with the solid behind them, and voids are found. A hole is closed by facets without
-points, which the report lists.
+noisy point clouds", SGP 2004). The interface therefore does not leak through holes of the points
+that are narrow compared with the solid behind them, and cavities are found. A hole is closed by
+facets without points. The report lists these facets.
+
+The interface begins in an octree around the points and the solid. In each step, it moves inwards to
+the planes of the points near its facets. When most facets have points, all vertices move to
+positions that minimize the squared distances of all points to their nearest facets. Facets with
+large distances are divided. The topology of the interface changes during this motion.
+
+Two lengths are used as units. The *spacing* is the mean distance of the points from their six
+nearest neighbors. The *noise* is the median of the residuals of quadrics that are fitted to the
+neighbors of each point.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
-\tparam PointRange a range whose value type is the key type of the point map, or a `Point_set_3`, of
-        which its points and normals are taken
+\tparam PointRange a range whose value type is the key type of the point map, or a `Point_set_3`. By
+        default, the points and normals of a `Point_set_3` are used.
 
 \param points the points, in any order
 \param np named parameters:
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{point_map}
-    \cgalParamDescription{where the points are}
+    \cgalParamDescription{the position of a point}
     \cgalParamType{a model of `ReadablePropertyMap` whose value type has `x()`, `y()` and `z()`}
     \cgalParamDefault{`Identity_property_map`}
   \cgalParamNEnd
   \cgalParamNBegin{normal_map}
-    \cgalParamDescription{normals of the surface, of any length and sign; those that are 0 or not
-                          finite are estimated}
+    \cgalParamDescription{the normal of the surface at a point, of any length and sign. A normal
+                          that is 0 or not finite is estimated}
     \cgalParamType{a model of `ReadablePropertyMap` whose value type has `x()`, `y()` and `z()`}
-    \cgalParamDefault{estimated from the 16 nearest points}
+    \cgalParamDefault{normals are estimated from the 16 nearest points}
   \cgalParamNEnd
   \cgalParamNBegin{fit_tolerance}
-    \cgalParamDescription{facets are divided where the root of the mean square of the distances of
-                          their points is more, in units of the mean distance of points from their
-                          six nearest ones, or twice the noise; positive, finite. No edges are asked
-                          for that are shorter than two of these distances and 12 times the noise.}
-    \cgalParamType{`double`} \cgalParamDefault{0.03}
+    \cgalParamDescription{the tolerance of the fit, in spacings, positive and finite. A facet is
+                          divided if the root mean square of the distances of its points exceeds the
+                          tolerance. The tolerance is at least 1.3 times the noise. The target edge
+                          length is at least 2 spacings plus 14 times the noise, at sharp edges at
+                          least 3 spacings plus 24 times the noise.}
+    \cgalParamType{`double`}
+    \cgalParamDefault{0.03}
   \cgalParamNEnd
   \cgalParamNBegin{keep_open}
-    \cgalParamDescription{whether points that sample an open sheet are accepted. The result is closed
-                          all the same; the sheet is its interface without
+    \cgalParamDescription{whether points that sample an open sheet are accepted. The result is still
+                          closed. The sheet is its interface without
                           `Reconstruction_report_3::facets_without_points`.}
-    \cgalParamType{`bool`} \cgalParamDefault{`false`}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{how many steps the interface makes at the most; 1 or more}
-    \cgalParamType{`unsigned int`} \cgalParamDefault{80}
+    \cgalParamDescription{the largest number of steps, positive}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{80}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_threads}
-    \cgalParamDescription{threads to use where linked with TBB; the result does not depend on it}
-    \cgalParamType{`unsigned int`} \cgalParamDefault{1}
+    \cgalParamDescription{the number of threads if TBB is linked. The result does not depend on it.}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{1}
   \cgalParamNEnd
   \cgalParamNBegin{observer}
-    \cgalParamDescription{`observer(complex, step)` is asked before the first step and after each one;
-                          if it returns false, the reconstruction ends with what there is}
-    \cgalParamType{model of `ReconstructionObserver_3`, by value or `std::reference_wrapper`}
+    \cgalParamDescription{called as `observer(complex, step)` before the first step and after each
+                          step. If it returns `false`, the reconstruction ends with the present
+                          result.}
+    \cgalParamType{a model of `ReconstructionObserver_3`, by value or `std::reference_wrapper`}
     \cgalParamDefault{`Reconstruction_observer_3`}
   \cgalParamNEnd
   \cgalParamNBegin{report}
-    \cgalParamDescription{filled with what was found; handles in it are those of the result}
+    \cgalParamDescription{a report that is filled. Handles in it belong to the result.}
     \cgalParamType{`std::reference_wrapper` of a `Reconstruction_report_3<Complex>`}
     \cgalParamDefault{none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the complex: label 1 inside, 0 between that and a box around it. Its interface is manifold.
-\throws Invalid_points_error if coordinates are not finite, the extent
-        of the points is not between 1e-30 and 1e30, there are fewer than four different points, all
-        lie in a plane, what they enclose is nothing or too thin, or they sample an open sheet: more
-        than a quarter of the boundary of what they enclose has no points, and `keep_open` is
-`false`
-\throws Error if a parameter is out of its range. The report stays
-        what it was if anything is thrown, by the observer or a map, too.
-\throws Interrupted_error if the callback of a
-        `Progress_scope` returns `false`
+\return the complex. It has label 1 inside the solid, and label 0 between the solid and a box around
+        it.
+\throws Invalid_points_error if coordinates are not finite, the extent of the points is not between
+        1e-30 and 1e30, there are fewer than four different points, all points lie in a plane, or
+        the points enclose no volume or a volume that is too thin. Unless `keep_open` is `true`,
+        also if the points sample an open sheet: more than a quarter of the boundary of the enclosed
+        volume has no points.
+\throws Error if a named parameter is out of its range.
+\throws Interrupted_error if the callback of a `Progress_scope` returns `false`.
 
-n log n in the number of points, if their Delaunay triangulation is linear, and for each of some
-tens of steps a query for each point and the deformation of the interface. A cloud of 20 000 points
-takes 3 to 5 seconds, and of an open scan about half a millisecond a point.
+If an exception is thrown, also by the observer or a map, the report is unchanged.
+
+If the Delaunay triangulation of the points has linear size, its construction takes n log n time in
+the number n of points. Each step takes one query for each point and one deformation of the
+interface.
 */
 template <class Complex, class PointRange, class NP = parameters::Default_named_parameters>
 Complex reconstruct_point_set_3(const PointRange& points,

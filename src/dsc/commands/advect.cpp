@@ -18,7 +18,7 @@ constexpr double no_period = 0;
 struct Advect_options
 {
   Run_command_options run;
-  std::string velocity; ///< as it is written
+  std::string velocity; ///< as written
   Flow_options flow;
 };
 

@@ -11,9 +11,10 @@ class App;
 
 namespace dsc {
 
-/// Each function adds a command to the program, with its options. The command runs while the
-/// command line is parsed and stores the exit code. It throws Usage_error if its options make no
-/// sense, and std::runtime_error with a message of one line that says what is wrong and what to do.
+/// Each function adds a command with its options to the program. The command runs during the
+/// parsing of the command line and stores the exit code. The command throws Usage_error if its
+/// options are invalid. Other errors are std::runtime_error, with a message of one line that states
+/// the cause and what to do.
 void add_info(CLI::App& app, int& exit_code);
 void add_rotate(CLI::App& app, int& exit_code);
 void add_offset(CLI::App& app, int& exit_code);

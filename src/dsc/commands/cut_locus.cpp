@@ -39,7 +39,7 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 namespace dsc {
 namespace {
 
-/// The numbers of the command line, as they are written.
+/// The numbers of the command line, as written.
 struct Written_numbers
 {
   std::string point, periods = "6.283185307179586,6.283185307179586", spacing, step, radius;
@@ -48,14 +48,14 @@ struct Written_numbers
 struct Cut_locus_options
 {
   Written_numbers written;
-  std::string surface = "torus"; ///< that, ellipsoid, or three expressions in u and v, or x, y, z
-  std::vector<double> point;     ///< u and v, or the x, y and z of a direction
+  std::string surface = "torus"; ///< name, or three expressions in u and v, or in x, y, z
+  std::vector<double> point;     ///< u and v, or the direction x, y, z
   std::array<double, 2> periods;
   double spacing =
-      0; ///< in the chart; a fortieth of the shorter period, or of half a chart's width, if 0
-  double step = 0;    ///< of the front; half the spacing, measured on the surface, if 0
-  double radius = 0;  ///< of a ball, instead of the cut locus
-  std::string output; ///< picture; empty for none
+      0; ///< in the chart; if 0, 1/40 of the shorter period, or of half the width of the chart
+  double step = 0;    ///< of the front; if 0, half the spacing, measured on the surface
+  double radius = 0;  ///< radius of a ball, which is computed instead of the cut locus
+  std::string output; ///< picture file; empty for none
   std::string report; ///< file; empty for none
   bool quiet = false;
 };
@@ -80,7 +80,7 @@ struct Ellipsoid
   }
 };
 
-// A surface whose chart is a torus.
+// A surface with a periodic chart.
 template <class Metric> class On_torus
 {
 public:
@@ -112,7 +112,7 @@ private:
   Point m_source;
 };
 
-// A surface that is the image of a sphere: the source is not in the chart.
+// A surface that is the image of a sphere. The source is not in the chart.
 template <class Surface> class Like_sphere
 {
 public:
@@ -122,7 +122,8 @@ public:
     const double middle = Surface::half_width;
     return On_torus<Surface>::scale_of(m_surface(middle, middle));
   }
-  // The cut locus may be short: it is near the middle.
+  // Returns the default spacing, which also resolves a short cut locus near the center of the
+  // chart.
   double default_spacing() const { return Surface::half_width / 40; }
 
   DSC::Cut_locus_2 cut_locus(double spacing, double step) const {
@@ -205,7 +206,7 @@ double step_of(const Cut_locus_options& options, double spacing, double scale) {
 template <class Surface>
 int find_cut_locus(const Cut_locus_options& options, const Surface& surface, double spacing) {
   static constexpr int attempts = 3;
-  static constexpr double finer = .5; // spacing of the next attempt
+  static constexpr double finer = .5; // relative spacing of the next attempt
   std::optional<Interruptible> interruptible(std::in_place, options.quiet);
   DSC::Cut_locus_2 locus = surface.cut_locus(spacing, step_of(options, spacing, surface.scale()));
   for (int i = 1; i < attempts && !locus.is_complete && options.spacing == 0; ++i) {
@@ -278,7 +279,8 @@ int execute(const Cut_locus_options& options) {
                       Surface_by_differences<Surface_expressions>(expressions, options.periods));
 }
 
-/// A ball may be all on a surface that does not repeat itself.
+/// Checks the option `--periods`. A surface in u and v must be periodic, except for a ball of a
+/// given radius. Other surfaces must not have the option.
 void require_periods(const Cut_locus_options& options, bool are_given) {
   if (options.surface == "torus")
     return;
@@ -294,7 +296,8 @@ void require_periods(const Cut_locus_options& options, bool are_given) {
                       "' does not repeat itself after the periods; choose others by --periods");
 }
 
-/// Reads the numbers that are written as text. \throws Usage_error
+/// Reads the numbers that are given as text.
+/// \throws Usage_error
 void read(const CLI::App& command, Cut_locus_options& options) {
   const Written_numbers& written = options.written;
   options.point = parse_point(written.point);

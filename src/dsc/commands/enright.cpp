@@ -13,7 +13,7 @@
 namespace dsc {
 namespace {
 
-// Where this flow is usually started.
+// The usual start of this flow.
 const Ball ball_of_enright = {{.35, .35, .35}, .15};
 constexpr std::array<double, 6> unit_cube = {0, 0, 0, 1, 1, 1};
 constexpr double default_period = 1;

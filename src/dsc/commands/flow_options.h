@@ -15,16 +15,16 @@
 
 namespace dsc {
 
-/// The option that adapts an interface to its curvature.
+/// The option for the adaptation of an interface to its curvature.
 struct Tolerance_option
 {
-  std::string tolerance; ///< as it is written
+  std::string tolerance; ///< as written
 };
 
-/// The options of a flow in a field of velocities.
+/// The options of a flow by a velocity field.
 struct Flow_options
 {
-  std::string period, dt; ///< as they are written
+  std::string period, dt; ///< as written
   std::string scheme = "rk4";
   Tolerance_option tolerance;
 };
@@ -32,13 +32,14 @@ struct Flow_options
 void add_tolerance_option(CLI::App& command, Tolerance_option& option);
 void add_flow_options(CLI::App& command, Flow_options& options);
 
-/// Returns the tolerance, or nothing if it is not given.
-/// \param given the names of the options in the command line
+/// Returns the tolerance; `nullopt` if it is not given.
+/// \param given names of the options in the command line
 /// \throws Usage_error
 std::optional<double> read_tolerance(const Tolerance_option& option,
                                      const std::set<std::string>& given);
 
-/// Returns the flow that the options describe. \throws Usage_error
+/// Returns the flow described by the options.
+/// \throws Usage_error
 Advection read_flow(const Flow_options& options, Advection::Field field,
                     const std::string& expressions, double default_period,
                     const std::set<std::string>& given);

@@ -36,18 +36,18 @@ namespace {
 
 struct Fluid_options
 {
-  std::string scene;       ///< file, or name of one that the program has; empty if `resume` is set
-  std::string data;        ///< folder of the files that a scene names; empty for the present one
-  bool lists = false;      ///< all that the program has
-  bool prints = false;     ///< the scene
-  std::string written_end; ///< as in the command line
-  double end = 0;          ///< time; that of the scene if 0
-  unsigned steps = 0;      ///< at the most; 0 for any number
-  unsigned threads = std::max(1U, std::thread::hardware_concurrency()); ///< to use
-  std::string output; ///< folder; empty for no files
+  std::string scene;       ///< file, or name of an installed scene; empty if `resume` is set
+  std::string data;        ///< folder of the files named by a scene; empty for the current folder
+  bool lists = false;      ///< whether the installed scenes are listed
+  bool prints = false;     ///< whether the scene is printed
+  std::string written_end; ///< as written
+  double end = 0;          ///< final time; if 0, the end of the scene
+  unsigned steps = 0;      ///< maximum number; 0 for no limit
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency()); ///< number of threads
+  std::string output; ///< output folder; empty for no files
   unsigned every = 1;
-  int subdivisions = 0; ///< for smooth surfaces there, by Loop's scheme; none if 0
-  std::string resume;   ///< a checkpoint
+  int subdivisions = 0; ///< of the smooth surfaces in the output, by Loop's scheme; 0 for none
+  std::string resume;   ///< checkpoint file
   std::string report;   ///< file; empty for none
   std::string picture;  ///< file; empty for none
   bool quiet = false;
@@ -83,7 +83,7 @@ std::string metadata(const Fluid_scene& scene, const Fluid& fluid) {
       -1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// A run of a scene: its complex, and the fluid in it.
+/// A run of a scene: its complex and its fluid.
 struct Run
 {
   Fluid_scene scene;
@@ -131,7 +131,7 @@ double next_step(const Run& run, double end) {
   double dt = run.scene.time_step;
   if (run.scene.cfl > 0)
     dt = std::min(dt, run.fluid->largest_step(run.scene.cfl));
-  // No tiny step in the end.
+  // Avoids a tiny last step.
   static constexpr double almost = 1e-9;
   return dt * (1 + almost) >= left ? left : dt * 2 <= left ? dt : left / 2;
 }
@@ -146,22 +146,23 @@ void print_summary(const Run& run, unsigned steps, const Repetitions& repetition
       repetitions.text().c_str(), seconds);
 }
 
-/// A run that is written and printed.
+/// A run with its output files and messages.
 class Reported_run
 {
 public:
   explicit Reported_run(const Fluid_options& options) : m_options(options) {}
 
-  /// Checks the files that will be written. \throws Usage_error, Input_error
+  /// Checks whether the output files can be written.
+  /// \throws Usage_error, Input_error
   void check_places();
 
-  /// Builds or reads the complex, and writes its state.
+  /// Builds or reads the complex, and writes the initial state.
   void begin();
 
-  /// Does the steps, or those before an interrupt.
+  /// Does the steps until the end or an interrupt.
   void do_steps();
 
-  /// Writes and prints the result, and returns the exit code.
+  /// Writes and prints the result. Returns the exit code.
   int finish();
 
 private:
@@ -179,7 +180,7 @@ private:
   double m_end = 0; // time
   Json m_steps = Json::array();
   Repetitions m_repetitions;
-  unsigned m_first = 0, m_done = 0; // steps
+  unsigned m_first = 0, m_done = 0; // numbers of steps
 };
 
 void Reported_run::check_places() {
@@ -216,7 +217,8 @@ void Reported_run::write_files() {
   }
 }
 
-/// The name of the last checkpoint, which is written if there is no folder with one.
+/// Returns the name of the last checkpoint in the output folder. Without such a folder, writes a
+/// checkpoint first.
 std::string Reported_run::checkpoint(const char* name) {
   if (m_folder)
     return m_folder->checkpoint();
@@ -243,7 +245,7 @@ void Reported_run::advance() {
                       .implicitness(m_run.scene.implicitness)
                       .interface_tolerance(m_run.scene.interface_tolerance)
                       .adaptation_interval(unsigned(m_run.scene.adaptation_interval));
-  const Fluid::Report report = fluid.advance(next_step(m_run, m_end), np); // whole or not at all
+  const Fluid::Report report = fluid.advance(next_step(m_run, m_end), np); // all or nothing
   ++m_done;
   m_steps.push_back(step_json(fluid, m_run.scene, step(), report));
   m_repetitions.add(report);
@@ -253,7 +255,7 @@ void Reported_run::advance() {
 }
 
 void Reported_run::do_steps() {
-  static constexpr unsigned parts = 100; // of the time
+  static constexpr unsigned parts = 100; // of the simulated time
   Progress_line progress(parts, m_options.quiet, "percent");
   const Fluid& fluid = *m_run.fluid;
   const double start_time = fluid.time();
@@ -306,13 +308,13 @@ int execute(const Fluid_options& options) {
     return 0;
   }
   Reported_run run(options);
-  run.check_places(); // before anything is computed
+  run.check_places(); // fails before the computation starts
   run.begin();
   run.do_steps();
   return run.finish();
 }
 
-/// Scenes are named or printed without anything else.
+/// Throws if other options are given: scenes are listed or printed without any.
 void require_alone(const CLI::App& command, const std::vector<std::string>& names) {
   for (const CLI::Option* option : command.get_options())
     if (option->count() > 0 &&

@@ -27,10 +27,10 @@ namespace {
 struct Improve_options
 {
   std::string input;  ///< labelled tetrahedra
-  std::string output; ///< may be the input
+  std::string output; ///< may equal the input
   std::string labels; ///< as in `Run_start`
   Improvement_options improvement;
-  std::string threshold; ///< as it is written
+  std::string threshold; ///< as written
   std::string report;    ///< file; empty for none
   bool quiet = false;
 };
@@ -60,8 +60,8 @@ void print_summary(const Statistics& before, const Statistics& after, double sec
               after.max_angle, seconds);
 }
 
-/// What OUT can hold of the content of the input. The rest is told, or refused where OUT replaces
-/// the input.
+/// Returns the content of the input that the output can store. The rest is reported; it is an error
+/// if the output replaces the input.
 Mesh_content content_to_carry(const Improve_options& options, Labelled_tetrahedra mesh,
                               const Tracked_complex_3::Complex& complex) {
   if (extension(options.output) == "vtu")
@@ -80,7 +80,7 @@ Mesh_content content_to_carry(const Improve_options& options, Labelled_tetrahedr
 int execute(const Improve_options& options) {
   if (options.quiet)
     keep_silent_about_unused();
-  // What cannot work is refused before anything is computed.
+  // Fails before the computation starts if the output cannot be written.
   require_place("--report", options.report, {options.input, options.output});
   require_writable(options.output);
 

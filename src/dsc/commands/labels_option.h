@@ -11,10 +11,10 @@
 
 namespace dsc {
 
-/// Adds the option that tells which array of a .vtu file holds the labels.
+/// Adds the option for the array of a .vtu file that contains the labels.
 CLI::Option* add_labels_option(CLI::App& command, std::string& labels);
 
-/// Lets `--labels` be given for files that have arrays only.
+/// Checks that `--labels` is given only for files with arrays.
 /// \throws Usage_error
 void require_file_with_arrays(const std::string& path, const std::string& labels);
 

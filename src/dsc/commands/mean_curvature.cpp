@@ -16,7 +16,7 @@ namespace {
 struct Mean_curvature_options
 {
   Run_command_options run;
-  std::string dt; ///< as it is written
+  std::string dt; ///< as written
   bool keeps_volumes = false;
   Tolerance_option tolerance;
 };

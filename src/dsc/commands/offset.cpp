@@ -15,7 +15,7 @@ namespace {
 struct Offset_options
 {
   Run_command_options run;
-  std::string distance; ///< as it is written
+  std::string distance; ///< as written
   bool moves_faces = false;
 };
 

@@ -41,14 +41,14 @@ namespace {
 
 struct Reconstruct_options
 {
-  std::string input;                      ///< points
-  std::string output;                     ///< surface or tetrahedra
-  std::string written_tolerance = "0.03"; ///< as in the command line
-  double tolerance = 0;                   ///< in spacings of the points
-  bool keeps_open = false; ///< writes the sheet that the points sample, and not the closed surface
-  unsigned steps = 80;     ///< at the most
+  std::string input;                      ///< point file
+  std::string output;                     ///< file of a surface or of tetrahedra
+  std::string written_tolerance = "0.03"; ///< as written
+  double tolerance = 0;                   ///< in units of the point spacing
+  bool keeps_open = false;                ///< writes the sampled sheet, not the closed surface
+  unsigned steps = 80;                    ///< maximum number
   unsigned threads = 1;
-  std::string folder;  ///< for the steps; empty for none
+  std::string folder;  ///< output folder of the steps; empty for none
   std::string report;  ///< file; empty for none
   std::string picture; ///< file; empty for none
   bool quiet = false;
@@ -61,11 +61,12 @@ using Complex = Tracked_complex_3::Complex;
 using Reconstruction_report =
     CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Complex>;
 
-/// Writes each step of a reconstruction.
+/// An output folder with a file for each step of a reconstruction.
 class Step_folder
 {
 public:
-  /// Creates the folder if need be. \throws Input_error if that fails, or it holds other steps
+  /// Creates the folder if necessary.
+  /// \throws Input_error if the folder cannot be created, or contains other steps
   explicit Step_folder(const std::string& path)
       : m_path(path), m_volume(file("volume.pvd")), m_interface(file("interface.pvd")) {
     std::error_code error;
@@ -137,7 +138,7 @@ std::size_t number_of_normals(const std::vector<Point_and_normal_3>& points) {
                                    [](const auto& p) { return p.second != CGAL::NULL_VECTOR; }));
 }
 
-/// Tells where the surface is not known from points.
+/// Prints a warning if parts of the surface are not sampled by points.
 void warn_of_openness(const Reconstruction_report& report, std::size_t triangles) {
   static constexpr double many = .1; // of the triangles
   const std::size_t n = report.facets_without_points.size();
@@ -148,7 +149,7 @@ void warn_of_openness(const Reconstruction_report& report, std::size_t triangles
                  n, triangles);
 }
 
-/// Tells where the surface contradicts the points.
+/// Prints a warning if the surface contradicts the points.
 void warn_of_doubts(const Reconstruction_report& report) {
   if (report.doubtful_places.empty())
     return;
@@ -160,18 +161,19 @@ void warn_of_doubts(const Reconstruction_report& report) {
                report.doubtful_places.size() == 1 ? "place" : "places", p.x(), p.y(), p.z());
 }
 
-/// Why a result is not complete; nothing if it is.
+/// Returns why the result is not complete, as the end of a message; an empty string if it is
+/// complete.
 const char* what_is_incomplete(const Reconstruction_report& report) {
   if (report.is_complete)
     return "";
   return report.doubtful_places.empty() ? "; did not come to rest" : "; not complete";
 }
 
-/// Writes the triangles that have points.
+/// Writes the triangles that are sampled by points.
 void write_sheet(const std::string& path, const Complex& complex,
                  const Reconstruction_report& report) {
   std::vector<Complex::Facet> facets = complex.interface_facets();
-  auto without = report.facets_without_points.begin(); // in the same order
+  auto without = report.facets_without_points.begin(); // both lists have the same order
   facets.erase(std::remove_if(facets.begin(), facets.end(),
                               [&](const Complex::Facet& f) {
                                 const bool has_none =
@@ -212,9 +214,9 @@ void write_report(const Reconstruct_options& options, const Reconstruction_repor
 int execute(const Reconstruct_options& options) {
   if (options.quiet)
     keep_silent_about_unused();
-  // Ends before anything is written: the result appears whole or not at all.
+  // An interrupt ends the command before anything is written: the result is complete or missing.
   std::optional<Interruptible> interruptible(std::in_place, options.quiet);
-  // What cannot work is refused before anything is computed.
+  // Fails before the computation starts if an output file cannot be written.
   require_place("-o", options.output, {options.input});
   require_place("--report", options.report, {options.input, options.output});
   require_place("--picture", options.picture, {options.input, options.output, options.report});

@@ -17,10 +17,10 @@ namespace {
 struct Rotate_options
 {
   Run_command_options run;
-  std::string axis, angle; ///< as they are written
+  std::string axis, angle; ///< as written
 };
 
-/// A rotation in space needs an axis, and a rotation in the plane has none.
+/// Checks the axis: a rotation in space needs an axis, a rotation in the plane has none.
 void check_axis(const Run_options& run, bool is_planar) {
   require_space(run, is_planar, {"--axis"});
   if (run.resume.empty() && !is_planar && run.given.count("--axis") == 0)

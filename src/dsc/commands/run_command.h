@@ -14,20 +14,20 @@
 
 namespace dsc {
 
-/// The options that improve the interface before each step.
+/// The options for the improvement of the interface before each step.
 struct Interface_improvement_options
 {
   bool improves_interface = false;
-  std::string aggressiveness; ///< as it is written
+  std::string aggressiveness; ///< as written
 };
 
-/// Returns the number of cores, within the range of the option `--threads`.
+/// Returns the number of cores, clamped to the range of the option `--threads`.
 unsigned default_number_of_threads();
 
 /// The options of all commands that move an interface.
 struct Run_command_options
 {
-  std::string resume; ///< a checkpoint
+  std::string resume; ///< checkpoint file
   unsigned steps = 10;
   Start_options start;
   Interface_improvement_options improvement;
@@ -38,15 +38,15 @@ struct Run_command_options
 void add_improvement_options(CLI::App& command, Interface_improvement_options& options);
 void add_output_options(CLI::App& command, Output_options& options);
 
-/// Adds a command that moves an interface, with the options that all these commands have.
+/// Adds a command that moves an interface, with the common options of these commands.
 CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::string& description,
                           Run_command_options& options);
 
-/// Returns the options that need no reading, and the names of those that are given.
+/// Returns the options that need no parsing, and the names of the given options.
 Run_options begin_run_options(const CLI::App& command, const Run_command_options& options);
 
 /// Reads and checks the options of a run whose motion is set.
-/// \param check the conditions of the command itself
+/// \param check checks the conditions of the command
 /// \throws Usage_error
 void complete_run_options(const Run_command_options& options, const Default_start& defaults,
                           const Start_check& check, Run_options& run);

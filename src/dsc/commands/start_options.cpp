@@ -29,7 +29,7 @@ void require_inputs(const Run_options& run, const Default_start& defaults, bool 
                                 "poly", "pgm", "png"});
 }
 
-/// What has a meaning in one dimension only is refused in the other.
+/// Throws if an option is given that has no meaning in this dimension.
 void require_dimension(const Run_options& run, bool is_planar) {
   require_space(run, is_planar, {"--triangles", "--repair", "--largest-hole"});
   if (run.given.count("--segments") == 0)
@@ -57,7 +57,7 @@ void require_inequalities(const Run_options& run, const Default_start& defaults)
                       "coordinates by --domain");
 }
 
-/// What has a meaning for some kinds of inputs only is refused for the others.
+/// Throws if an option is given that has no meaning for this kind of input.
 void require_kind(const Run_options& run, const Default_start& defaults, bool is_planar) {
   const Input_kind kind = input_kind(run.start);
   const auto is_given = [&](const char* name) { return run.given.count(name) > 0; };

@@ -17,43 +17,44 @@
 
 namespace dsc {
 
-/// The options that say where a run starts.
+/// The options for the start of a run.
 struct Start_options
 {
   Run_start start;
-  std::string domain, edge, largest_hole; ///< as they are written
+  std::string domain, edge, largest_hole; ///< as written
 };
 
-/// Where a command starts if the command line does not say it.
+/// The start of a command without start options.
 struct Default_start
 {
-  std::optional<Ball> ball;     ///< the surface without INPUT
-  bool fits_inputs = false;     ///< into that ball
-  Figure figure = Figure::none; ///< in the plane, without INPUT
+  std::optional<Ball> ball;     ///< surface used without INPUT
+  bool fits_inputs = false;     ///< whether inputs are fitted into the ball
+  Figure figure = Figure::none; ///< figure used in the plane without INPUT
   std::optional<std::array<double, 6>> domain_in_space, domain_in_plane;
 };
 
-/// Throws Usage_error if a command cannot start from what its options say.
+/// A function that throws Usage_error if a command cannot start from its options.
 using Start_check = std::function<void(const Run_options& options, bool is_planar)>;
 
-/// Throws Usage_error if a run in the plane is given one of the options that need a surface.
+/// Throws Usage_error if options that need a surface are given for a run in the plane.
 void require_space(const Run_options& run, bool is_planar,
                    std::initializer_list<const char*> options);
 
 /// Adds the positional option for the inputs.
 CLI::Option* add_inputs(CLI::App& command, Start_options& options);
 
-/// Adds the options of a new run; `resume` excludes them.
+/// Adds the options of a new run. The option `resume` excludes them.
 void add_start_options(CLI::App& command, Start_options& options, CLI::Option* resume);
 
-/// Sets the default figure, and returns whether a new run starts in the plane.
+/// Sets the default figure. Returns whether a new run starts in the plane.
 bool set_default_figure(Run_options& run, const Default_start& defaults);
 
-/// Reads the option `--domain`. \throws Usage_error
+/// Reads the option `--domain`.
+/// \throws Usage_error
 void read_domain(const Start_options& options, bool is_planar, Run_options& run);
 
 /// Checks the start of a run, reads the remaining options, and sets the defaults.
-/// \param check the conditions of the command itself
+/// \param check checks the conditions of the command
 /// \throws Usage_error
 void complete_start(const Start_options& options, const Default_start& defaults, bool is_planar,
                     const Start_check& check, Run_options& run);

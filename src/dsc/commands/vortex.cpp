@@ -13,7 +13,7 @@
 namespace dsc {
 namespace {
 
-// Where this flow is usually started.
+// The usual start of this flow.
 const Ball ball_of_vortex = {{.5, .75, .5}, .15};
 constexpr std::array<double, 6> unit_cube = {0, 0, 0, 1, 1, 1}, unit_square = {0, 0, 0, 1, 1, 0};
 constexpr double default_period = 8;

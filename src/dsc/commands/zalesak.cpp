@@ -20,7 +20,7 @@ constexpr double default_dt = 1;
 struct Zalesak_options
 {
   Run_command_options run;
-  std::string dt; ///< as it is written
+  std::string dt; ///< as written
 };
 
 Default_start default_start() {

@@ -147,7 +147,7 @@ TEST(Improve_interface_2, smoothing_keeps_areas_and_evens_lengths) {
 }
 
 // At the ends of its axes, an ellipse bends by a / b^2 and b / a^2.
-TEST(Curvature_sizing_field<2>, tells_the_lengths_of_an_ellipse) {
+TEST(Curvature_sizing_field_2, tells_the_lengths_of_an_ellipse) {
   const double a = 2, b = 1, tolerance = 1e-3;
   const Complex dsc = make(ellipse(a, b, 400, evenly));
   const DSC::Curvature_sizing_field<2> size(dsc, tolerance, 1e-3, 10, 100);
@@ -159,7 +159,7 @@ TEST(Curvature_sizing_field<2>, tells_the_lengths_of_an_ellipse) {
                CGAL::Deformable_simplicial_complexes::Error);
 }
 
-TEST(Curvature_sizing_field<2>, sees_across_the_seam_of_a_torus) {
+TEST(Curvature_sizing_field_2, sees_across_the_seam_of_a_torus) {
   const auto disk_at = [](double x, double y) {
     return DSC::make_deformable_simplicial_complex_2<torus::Complex>(
         torus::Domain({1, 1}), .04, [=](const auto& p) {

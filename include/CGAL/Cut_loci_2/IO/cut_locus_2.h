@@ -25,18 +25,18 @@ namespace IO {
 /*!
 \ingroup PkgCutLoci2Ref
 
-draws a cut locus in the box of its chart as a picture: scalable vector graphics (`.svg`), with the
-cut locus in black and the point in red.
+Writes a picture of a cut locus in the box of its chart, in the format SVG (`.svg`). The cut locus
+is black and the source is red.
 
-\param path is the name of the file; its folder must exist.
-\param locus is what `cut_locus_2()` returned.
-\param domain is the torus of the chart.
-\param point is the point whose cut locus it is.
-\param options tell the width of the picture and of lines, and what is seen.
+\param path the name of the file. Its folder must exist.
+\param locus the result of `cut_locus_2()`
+\param domain the torus of the chart
+\param point the source of the cut locus
+\param options the width of the picture, the width of lines and the visible window
 
-\throws Deformable_simplicial_complexes::Error if the width or the window are out of range.
-\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file
-of that name is unchanged then.
+\throws Deformable_simplicial_complexes::Error if the width or the window is out of range.
+\throws Deformable_simplicial_complexes::File_error if the file cannot be written. An older file of
+        that name is then unchanged.
 */
 inline void write_SVG(const std::string& path,
                       const Deformable_simplicial_complexes::Cut_locus_2& locus,
@@ -52,7 +52,7 @@ inline void write_SVG(const std::string& path,
   for (const auto& polyline : locus.polylines) {
     Point p = locus.vertices[polyline.front()].point;
     for (std::size_t k = 1; k < polyline.size(); ++k) {
-      // On the seam of the chart, points may be on either side of it.
+      // Points at the seam of the chart may be on either side of it.
       const Point q = domain.near(p, locus.vertices[polyline[k]].point);
       canvas.add(std::array<Point, 2>{p, q}, arcs);
       p = q;
@@ -71,17 +71,20 @@ inline void write_SVG(const std::string& path,
 /*!
 \ingroup PkgCutLoci2Ref
 
-draws a cut locus on the surface, as seen in parallel rays from opposite to the source: in black,
-with the meridians and parallels of the sphere on that side in grey.
+Writes a picture of a cut locus on its surface, in the format SVG (`.svg`). It is a parallel
+projection, seen from the side opposite to the source. The cut locus is black. The meridians and
+parallels of the sphere on this side are grey.
 
-\param path is the name of the file; its folder must exist.
-\param locus is what `cut_locus_2()` returned for the surface.
-\param surface is a surface, best a convex one: what hides parts of it is not known.
-\param options tell the width of the picture and of lines; the window is not used.
+\param path the name of the file. Its folder must exist.
+\param locus the result of `cut_locus_2()` for the surface
+\param surface the surface. Hidden parts are drawn, too, so the picture is correct for convex
+       surfaces only.
+\param options the width of the picture and the width of lines. The window is not used.
 
-\throws Deformable_simplicial_complexes::Error if the width or the window are out of range.
-\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file
-of that name is unchanged then.
+\throws Deformable_simplicial_complexes::Error if the width or the extent of the surface is out of
+        range.
+\throws Deformable_simplicial_complexes::File_error if the file cannot be written. An older file of
+        that name is then unchanged.
 */
 template <class Embedding, template <class> class Differentiated>
 void write_SVG(
@@ -92,9 +95,10 @@ void write_SVG(
   namespace internal = Deformable_simplicial_complexes::internal;
   using Surface = Deformable_simplicial_complexes::Sphere_like_surface_2<Embedding, Differentiated>;
   using Point = Simple_cartesian<double>::Point_2;
-  static constexpr int meridians = 24, parallels = 6, finer = 4; // 15 degrees
+  static constexpr int meridians = 24, parallels = 6, finer = 4; // every 15 degrees
   const double pi = std::acos(-1.), middle = Surface::half_width;
-  // By the direction along u, and the one across it that is to the left of the way out.
+  // The axes of the picture: the direction along u, and the perpendicular direction to its left for
+  // an observer opposite to the source.
   const auto right = surface.direction(Point(middle + 1, middle));
   auto up = surface.direction(Point(middle, middle - 1));
   // The axes of the chart may be oblique on the unit sphere.
@@ -106,7 +110,7 @@ void write_SVG(
     return Point(q[0] * right[0] + q[1] * right[1] + q[2] * right[2],
                  q[0] * up[0] + q[1] * up[1] + q[2] * up[2]);
   };
-  const auto on_grid = [&](int meridian, int parallel) { // in parts of their distances
+  const auto on_grid = [&](int meridian, int parallel) { // indices on the refined grid
     const double radius = std::tan(pi / 4 * parallel / (parallels * finer)),
                  angle = 2 * pi * meridian / (meridians * finer);
     return seen(Point(middle + radius * std::cos(angle), middle + radius * std::sin(angle)));

@@ -35,24 +35,23 @@ namespace IO {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-writes a complex in the MEDIT text format (`.mesh`).
+Writes a complex in the MEDIT text format (`.mesh`). n log n in the number of cells; the text is
+buffered in memory.
 
-The reference of a tetrahedron is its label. The triangles are those of `entities`, then those of
-the interface that are not among them, with normals out of the larger label. Their reference is a
-number for each pair of labels that meet, from 1 or above the references of `entities`; comments at
-the head of the file tell the pairs. Coordinates are user coordinates with 17 significant digits,
-from which they can be read back exactly.
+The reference of a tetrahedron is its label. The triangles are those of `entities`, followed by the
+other triangles of the interface, with normals out of the larger label. The reference of the latter
+is a number for each pair of labels that meet; the numbers begin at 1 or above the references of
+`entities`. Comments at the head of the file list the pairs. Coordinates are user coordinates with
+17 significant digits, from which they can be read back exactly.
 
-\param out is the stream; failures are left in its state. Its format flags do not matter.
-\param dsc is the complex.
-\param entities are edges, triangles and references that are written, too. Indices of points are those
-of `dsc.vertices()`.
+\param out the stream; errors are reported by its state. Its format flags have no effect.
+\param dsc the complex
+\param entities edges, triangles and references that are written, too; indices of points refer to
+       `dsc.vertices()`
 
 \pre `entities.vertex_references` is empty or has one element for each vertex. All indices in
-     `entities` refer to vertices, edges and triangles that exist. The largest reference is small
-     enough that the references of further pairs of labels are values of type `int`.
-
-n log n in the number of cells; takes memory for the text.
+     `entities` refer to vertices, edges and triangles that exist. The largest reference is so small
+     that the references of the additional pairs of labels are values of type `int`.
 */
 template <class Traits, class Tds, class QualityMeasure>
 void write_MEDIT(std::ostream& out,
@@ -107,14 +106,14 @@ void write_MEDIT(std::ostream& out,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-writes a complex to a file in the MEDIT text format. The file is written beside its final place and
-renamed when complete.
+Writes a complex to a file in the MEDIT text format. A temporary file in the same folder is written
+and renamed when complete.
 
-\param path is the name of the file; its folder must exist.
-\param dsc, entities are as above.
+\param path name of the file; its folder must exist
+\param dsc, entities as above
 
-\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file
-of that name is unchanged then.
+\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file of
+        that name is then unchanged
 */
 template <class Traits, class Tds, class QualityMeasure>
 void write_MEDIT(const std::string& path,
@@ -128,27 +127,27 @@ void write_MEDIT(const std::string& path,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-reads labelled tetrahedra in the MEDIT text format, as
-`make_deformable_simplicial_complex_3()` and `Deformable_simplicial_complex_3::assign()` take them.
+Reads labelled tetrahedra in the MEDIT text format. The result is valid input of
+`make_deformable_simplicial_complex_3()` and `Labelled_complex::assign()`. Linear in the size of the
+text. Memory is allocated only for simplices that the text contains.
 
-The sections `Vertices` and `Tetrahedra` are read, and those that `Mesh_entities` holds. Others are
-skipped, and so are comments. The references of tetrahedra become labels. What the tetrahedra look
-like is not checked.
+The sections `Vertices` and `Tetrahedra` and the sections stored in `Mesh_entities` are read. Other
+sections and comments are skipped. The references of tetrahedra become labels. The geometry of the
+tetrahedra is not checked.
 
-\tparam Point is a point type that can be constructed from three coordinates.
+\tparam Point a point type that can be constructed from three coordinates
 
-\param in is the stream.
-\param points, tetrahedra, labels are replaced by what was read; indices start from 0.
-\param path is named in messages.
-\param entities is replaced by edges, triangles and references that were read, unless it is null.
-\param unused is told of the sections that were skipped, unless it is null.
+\param in the stream
+\param points, tetrahedra, labels replaced by the input; indices start from 0
+\param path name of the input in messages
+\param entities replaced by the edges, triangles and references of the input, unless it is null
+\param unused the skipped sections are added to it, unless it is null
 
-\throws Deformable_simplicial_complexes::File_error with the number of the line if the text is not
-a mesh of dimension 3, a number is missing or wrong, a coordinate is not finite, a reference is no
-integer of 32 bits, an index refers to nothing, there are no tetrahedra, or there are other cells
-that fill space, such as hexahedra or curved tetrahedra. The arguments are unchanged then.
-
-Linear in the size of the text. Memory is never taken for more simplices than there are.
+\throws Deformable_simplicial_complexes::File_error with the number of the line if the text is not a
+        mesh of dimension 3, contains no tetrahedra, or contains other three-dimensional cells, such
+        as hexahedra or curved tetrahedra. Also if a number is missing or wrong, a coordinate is not
+        finite, a reference is not an integer of 32 bits, or an index is out of range. The arguments
+        are then unchanged.
 */
 template <class Point>
 void read_MEDIT(std::istream& in, std::vector<Point>& points,
@@ -175,13 +174,12 @@ void read_MEDIT(std::istream& in, std::vector<Point>& points,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-reads labelled tetrahedra from a file in the MEDIT text format.
+Reads labelled tetrahedra from a file in the MEDIT text format.
 
-\param path is the name of the file.
-\param points, tetrahedra, labels, entities, unused are as above.
+\param path name of the file
+\param points, tetrahedra, labels, entities, unused as above
 
-\throws Deformable_simplicial_complexes::File_error if the file cannot be opened, and as for
-streams.
+\throws Deformable_simplicial_complexes::File_error if the file cannot be opened, and as above
 */
 template <class Point>
 void read_MEDIT(const std::string& path, std::vector<Point>& points,

@@ -22,8 +22,7 @@ namespace IO {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-is a ParaView collection: a file that says which data file shows which moment, to be opened as one
-animation.
+A ParaView collection: a file that lists data files with their times, to be opened as one animation.
 
 \sa `write_VTU()`
 \sa `write_interface_VTU()`
@@ -31,27 +30,26 @@ animation.
 class PVD_series
 {
 public:
-  /// starts an empty series. Nothing is written yet.
+  /// Constructs an empty series. Nothing is written yet.
   ///
-  /// \param path is the name of the collection, usually with the extension `.pvd`.
+  /// \param path name of the collection, usually with the extension `.pvd`
   explicit PVD_series(std::string path) : m_path(std::move(path)) {}
 
-  /// \brief adds a data file and writes the collection, which is complete and valid after each
+  /// \brief Adds a data file and writes the collection, which is complete and valid after each
   /// call.
   ///
-  /// \param time should be larger than those added before.
-  /// \param file is the name of the data file, as a program in the same working directory would
-  /// open it. The collection refers to it relative to its own folder, so that both can move
-  /// together.
+  /// \param time time of the data file; it should be larger than all times added before
+  /// \param file name of the data file, relative to the working directory. The collection stores it
+  ///        relative to its own folder, so that both can be moved together.
   ///
-  /// \throws Deformable_simplicial_complexes::File_error if the time is not finite or the collection
-  /// cannot be written; an older one, as well as the series itself, is unchanged then.
+  /// \throws Deformable_simplicial_complexes::File_error if the time is not finite or the
+  ///         collection cannot be written; an older collection and the series are then unchanged
   ///
   /// Linear in the number of data files.
   void append(double time, const std::string& file) { append({{time, file}}); }
 
-  /// adds several data files, each a time and a name, and writes the collection once; otherwise the
-  /// same.
+  /// Adds several data files, each with its time, and writes the collection once. Otherwise the
+  /// function is the same as the overload above.
   void append(const std::vector<std::pair<double, std::string>>& files) {
     std::vector<Entry> entries = m_entries;
     for (const auto& [time, file] : files) {
@@ -67,7 +65,7 @@ public:
     m_entries.swap(entries);
   }
 
-  /// returns the name of the collection.
+  /// Returns the name of the collection.
   const std::string& path() const { return m_path; }
 
 private:

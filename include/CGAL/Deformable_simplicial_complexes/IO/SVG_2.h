@@ -30,14 +30,15 @@ namespace IO {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-is how `write_SVG()` draws.
+Options of `write_SVG()`.
 */
 struct SVG_options
 {
-  double width = 800;       ///< of the picture in pixels; its height follows from the domain
+  /// width of the picture in pixels, positive; the height follows from the window
+  double width = 800;
   bool draws_edges = false; ///< whether the edges of all triangles are drawn
-  double line_width = 1.5;  ///< of the interface in pixels; 0 leaves it out
-  Bbox_2 window; ///< what is seen, in user coordinates; the whole domain if it is `Bbox_2()`
+  double line_width = 1.5;  ///< width of the interface lines in pixels; with 0, no lines are drawn
+  Bbox_2 window; ///< visible part, in user coordinates; the whole domain if it is `Bbox_2()`
 };
 
 } // namespace IO
@@ -45,7 +46,8 @@ struct SVG_options
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Colors for labels: white for 0, then hues by the golden angle, light enough for black lines.
+// Returns a color for a label: white for 0, otherwise hues by the golden angle. All colors are
+// light enough for black lines.
 inline std::string color_of_label(int label) {
   if (label == 0)
     return "#ffffff";
@@ -63,12 +65,13 @@ inline std::string color_of_label(int label) {
   return text;
 }
 
-// Draws triangles and segments of the plane, each at all images of a period that are in sight.
+// Canvas for triangles and segments of the plane. It draws each of them at all images of a period
+// that are visible.
 class Svg_canvas
 {
 public:
-  // Sees a window, or all if that is empty. Throws Error if the window or the width, in pixels, are
-  // no sizes of a picture.
+  // Constructs a canvas of a window, or of `all` if the window is empty. Throws Error if the window
+  // or the width, in pixels, is out of range.
   Svg_canvas(const Bbox_2& window, const Bbox_2& all, double width,
              const std::array<double, 2>& periods)
       : m_window(window == Bbox_2() ? all : window), m_width(width), m_periods(periods) {
@@ -103,7 +106,7 @@ public:
       const double begin = axis == 0 ? m_window.xmin() : m_window.ymin(),
                    end = axis == 0 ? m_window.xmax() : m_window.ymax(), period = m_periods[axis];
       if (period <= 0 && ((*high)[axis] < begin || (*low)[axis] > end))
-        return; // out of sight
+        return; // not visible
       first[axis] = period > 0 ? int(std::ceil((begin - (*high)[axis]) / period)) : 0;
       last[axis] = period > 0 ? int(std::floor((end - (*low)[axis]) / period)) : 0;
     }
@@ -125,7 +128,8 @@ private:
     append(m_scale * (m_window.ymax() - y), path);
   }
 
-  // In hundredths of a pixel, in the same way in every locale; far out of sight, anything will do.
+  // Appends a number with hundredths of a pixel, independent of the locale. Numbers far outside the
+  // picture are clamped.
   static void append(double x, std::string& path) {
     static constexpr double farthest = 1e7;
     char text[32];
@@ -148,20 +152,18 @@ namespace IO {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-draws a planar complex as a picture: scalable vector graphics (`.svg`), with a color for each label,
-white for 0, and the interface as black lines. A torus is shown as its box, with what is across its
-seam on both sides.
+Draws a complex in 2D as scalable vector graphics (`.svg`). Each label has a color, which is white
+for 0; the interface is drawn as black lines. A torus is drawn as its box; triangles across the seam
+are drawn on both sides. n log n in the number of triangles.
 
-\param path is the name of the file; its folder must exist.
-\param dsc is the complex.
-\param options tell how.
+\param path name of the file; its folder must exist
+\param dsc the complex
+\param options options of the drawing
 
-\throws Deformable_simplicial_complexes::Error if the width or the window are out of range, or the
-complex is empty.
-\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file
-of that name is unchanged then.
-
-n log n in the number of triangles.
+\throws Deformable_simplicial_complexes::Error if the width or the window is out of range, or the
+        complex is empty
+\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file of
+        that name is then unchanged
 */
 template <class Traits, class Tds, class Domain>
 void write_SVG(const std::string& path,
@@ -203,7 +205,7 @@ void write_SVG(const std::string& path,
   }
   internal::replace_file_by_stream(path, [&](std::ostream& out) {
     canvas.begin(out);
-    // The thin lines around triangles close what smoothing leaves between them.
+    // The thin lines around triangles close the gaps that antialiasing would leave between them.
     for (const auto& [label, region] : regions) {
       const std::string color = internal::color_of_label(label);
       out << "<path id=\"label_" << label << "\" fill=\"" << color << "\" stroke=\"" << color

@@ -16,16 +16,15 @@ namespace IO {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-writes all triangles of a planar complex as a VTK unstructured grid (`.vtu`), at height 0: otherwise
-as `write_VTU()` does in space.
+Writes all triangles of a complex in 2D as a VTK unstructured grid (`.vtu`), with z = 0. Otherwise
+the function is the same as `write_VTU()` in 3D. n log n in the number of cells; memory for a second
+copy of the file.
 
-\param path is the name of the file; its folder must exist.
-\param dsc is the complex.
+\param path name of the file; its folder must exist
+\param dsc the complex
 
-\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file
-of that name is unchanged then.
-
-n log n in the number of cells; takes memory for a second copy of the file.
+\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file of
+        that name is then unchanged
 */
 template <class Traits, class Tds, class Domain>
 void write_VTU(const std::string& path,
@@ -36,16 +35,15 @@ void write_VTU(const std::string& path,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-writes the segments of the interface of a planar complex as a VTK unstructured grid (`.vtu`), at
-height 0, the larger label on the left: otherwise as `write_interface_VTU()` does in space.
+Writes the segments of the interface of a complex in 2D as a VTK unstructured grid (`.vtu`), with z
+= 0 and the larger label on the left. Otherwise the function is the same as `write_interface_VTU()`
+in 3D. Linear in the number of cells, and n log n in the size of the interface.
 
-\param path is the name of the file; its folder must exist.
-\param dsc is the complex; without an interface the file has no cells.
+\param path name of the file; its folder must exist
+\param dsc the complex; without an interface, the file has no cells
 
-\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file
-of that name is unchanged then.
-
-Linear in the number of cells, and n log n in the size of the interface.
+\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file of
+        that name is then unchanged
 
 \sa `extract_interface()`
 */

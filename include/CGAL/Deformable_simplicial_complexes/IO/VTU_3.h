@@ -23,21 +23,20 @@ namespace IO {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-writes all tetrahedra of a complex as a VTK unstructured grid (`.vtu`), for ParaView and the like.
+Writes all tetrahedra of a complex as a VTK unstructured grid (`.vtu`), for example for ParaView. n
+log n in the number of cells; memory for a second copy of the file.
 
-Points are in user coordinates and come by increasing time stamp, as do the cells; on a torus,
-further images of the vertices of cells across its seam follow. Cell data are
-`label` and `quality`; point data are `boundary_class`, zero inside the domain, and `interface`, one
-on the interface and zero elsewhere. Numbers are appended in binary form and exact. The file is
-written beside its final place and renamed when complete.
+Points are in user coordinates. Points and cells are ordered by increasing time stamp. On a torus,
+additional images of the vertices of cells across the seam follow. Cell data are `label` and
+`quality`. Point data are `boundary_class`, which is 0 inside the domain, and `interface`, which is
+1 on the interface and 0 elsewhere. Numbers are exact, and appended in binary form. A temporary file
+in the same folder is written and renamed when complete.
 
-\param path is the name of the file; its folder must exist.
-\param dsc is the complex.
+\param path name of the file; its folder must exist
+\param dsc the complex
 
-\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file
-of that name is unchanged then.
-
-n log n in the number of cells; takes memory for a second copy of the file.
+\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file of
+        that name is then unchanged
 */
 template <class Traits, class Tds, class QualityMeasure, class Domain>
 void write_VTU(const std::string& path,
@@ -48,16 +47,16 @@ void write_VTU(const std::string& path,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-writes all tetrahedra as above, with a vector for each point: velocities of a fluid, for example.
+Writes all tetrahedra as above, with a vector at each point, such as the velocity of a fluid.
 
-\tparam VectorAt is a function from `Vertex_handle` to a vector with coordinates 0 to 2 by `[]`.
+\tparam VectorAt a function from `Vertex_handle` to a vector with coordinates 0 to 2 by `[]`
 
-\param path, dsc are as above.
-\param name is that of the vectors among the point data; it contains none of the characters `"`, `&`
-and `<`.
-\param vector_at tells them.
+\param path, dsc as above
+\param name name of the vectors in the point data; it must not contain the characters `"`, `&` and
+       `<`
+\param vector_at returns the vector at a vertex
 
-\throws Deformable_simplicial_complexes::File_error as above.
+\throws Deformable_simplicial_complexes::File_error as above
 */
 template <class Traits, class Tds, class QualityMeasure, class Domain, class VectorAt>
 void write_VTU(const std::string& path,
@@ -80,18 +79,19 @@ void write_VTU(const std::string& path,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-writes all tetrahedra as above, with further arrays.
+Writes all tetrahedra as above, with additional arrays.
 
-\param path, dsc are as above.
-\param arrays have a row for each vertex, in the order of `dsc.vertices()`, or for each cell, in the
-order of `dsc.cells()`. Labels are also written under the name of `arrays.labels`, if it has one.
-Arrays named as those that are written anyway are left out.
+\param path, dsc as above
+\param arrays arrays with a row for each vertex, in the order of `dsc.vertices()`, or for each cell,
+       in the order of `dsc.cells()`. Labels are also written under the name of `arrays.labels`, if
+       it has one. Arrays with the name of an array that is always written are ignored.
 
-\throws Deformable_simplicial_complexes::File_error as above.
+\throws Deformable_simplicial_complexes::File_error as above
 
-\pre the types of the arrays are names of VTK: `Int8` to `Int64`, `UInt8` to `UInt64`, `Float32`,
-`Float64`. Each array has as many rows as there are vertices or cells. Names contain none of the
-characters `"`, `&` and `<`, or they are written as in XML, as `read_VTU()` leaves them.
+\pre The types of the arrays are VTK names: `Int8` to `Int64`, `UInt8` to `UInt64`, `Float32`,
+     `Float64`. The number of rows of each array is the number of vertices or of cells. Names do not
+     contain the characters `"`, `&` and `<`, or they are escaped as in XML, as in the result of
+     `read_VTU()`.
 */
 template <class Traits, class Tds, class QualityMeasure, class Domain>
 void write_VTU(const std::string& path,
@@ -103,19 +103,18 @@ void write_VTU(const std::string& path,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-writes the triangles of the interface as a VTK unstructured grid (`.vtu`).
+Writes the triangles of the interface as a VTK unstructured grid (`.vtu`). Linear in the number of
+cells, and n log n in the size of the interface.
 
-Points are in user coordinates, and normals point out of the larger label. Cell data is
-`label_pair`: the larger and the smaller label. The file is written beside its final place and
+Points are in user coordinates, and normals point out of the larger label. The cell data is
+`label_pair`: the larger and the smaller label. A temporary file in the same folder is written and
 renamed when complete.
 
-\param path is the name of the file; its folder must exist.
-\param dsc is the complex; without an interface the file has no cells.
+\param path name of the file; its folder must exist
+\param dsc the complex; without an interface, the file has no cells
 
-\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file
-of that name is unchanged then.
-
-Linear in the number of cells, and n log n in the size of the interface.
+\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file of
+        that name is then unchanged
 
 \sa `extract_interface()`
 */
@@ -129,35 +128,36 @@ void write_interface_VTU(
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-reads labelled tetrahedra from a VTK unstructured grid (`.vtu`), as
-`make_deformable_simplicial_complex_3()` and `Deformable_simplicial_complex_3::assign()` take them.
+Reads labelled tetrahedra from a VTK unstructured grid (`.vtu`). The result is valid input of
+`make_deformable_simplicial_complex_3()` and `Labelled_complex::assign()`. Linear in the size of the
+file; memory for a few copies of the file.
 
-The grid is a single piece of tetrahedra (cells of type 10); cells of lower dimensions are left out.
-Numbers may be text, base64 or appended, in base64 or in binary form, but not compressed. What the
-tetrahedra look like is not checked.
+The grid is a single piece of tetrahedra (cells of type 10); cells of lower dimension are ignored.
+Numbers may be text, base64, or appended in base64 or binary form; they must not be compressed. The
+geometry of the tetrahedra is not checked.
 
-Labels are those of the cell array `label_array`. If no array is named, they are those of the first
-of the arrays `label`, `medit:ref`, `gmsh:physical` and `MaterialIDs` that there is. If there is
-none of these, and no other cell array of whole numbers that could be meant, all labels are 1.
+Labels are read from the cell array `label_array`. If no name is given, they are read from the first
+existing array of `label`, `medit:ref`, `gmsh:physical` and `MaterialIDs`. If none of these exists
+and no other cell array contains integers that may be labels, all labels are 1.
 
-\tparam Point is a point type that can be constructed from three coordinates.
+\tparam Point a point type that can be constructed from three coordinates
 
-\param path is the name of the file.
-\param points, tetrahedra, labels are replaced by what was read; indices start from 0.
-\param label_array is the name of the cell array that holds the labels; `"none"` for label 1
-everywhere; empty for the array with one of the names above.
-\param arrays is replaced by all other arrays of numbers on points and tetrahedra, and the name of
-the array of labels, unless it is null.
-\param unused is told of cells and arrays that are left out, and of a second array with one of the
-names above that differs, unless it is null. Other arrays of numbers are not listed there.
+\param path name of the file
+\param points, tetrahedra, labels replaced by the input; indices start from 0
+\param label_array name of the cell array of the labels; `"none"` for label 1 everywhere; empty for
+       the array with one of the names above
+\param arrays replaced by all other arrays of numbers on points and tetrahedra, and the name of the
+       array of labels, unless it is null
+\param unused ignored cells and arrays are added to it, unless it is null. A second array with one
+       of the names above is added if its values are different. Other arrays of numbers are not
+       added.
 
-\throws Deformable_simplicial_complexes::File_error if the file cannot be opened or is no such grid,
-arrays are missing or do not have as many numbers as there are points or cells, there are no
-tetrahedra, or other cells that fill space, a coordinate is not finite, an index refers to no point,
-a label is not an integer of 32 bits, or it is not clear which array holds the labels: the message
-lists all cell arrays then. The arguments are unchanged then.
-
-Linear in the size of the file; takes memory for a few copies of it.
+\throws Deformable_simplicial_complexes::File_error if the file cannot be opened, is not such a
+        grid, contains no tetrahedra, or contains other three-dimensional cells. Also if arrays are
+        missing or their sizes do not match the number of points or cells. Also if a coordinate is
+        not finite, an index is out of range, or a label is not an integer of 32 bits. Also if the
+        array of the labels is ambiguous; the message then lists all cell arrays. The arguments are
+        then unchanged.
 */
 template <class Point>
 void read_VTU(const std::string& path, std::vector<Point>& points,

@@ -16,29 +16,28 @@ namespace IO {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-is what a checkpoint file in the plane holds: the members `state`, of a complex, and `metadata`, a
-string that the program added, e.g. time and settings.
+The content of a checkpoint file of a complex in 2D. The members are `state`, the state of the
+complex, and `metadata`, a string of the program, such as time and settings.
 */
 using Checkpoint_2 = Deformable_simplicial_complexes::internal::Checkpoint<2>;
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-writes the state of a complex to a file from which a run continues to the same bits.
+Writes the state of a complex to a file. A run that continues from the file has bitwise equal
+results. Linear in the size of the state; memory for a second copy of it.
 
 The file is binary and the same on all machines: numbers are little-endian, and a checksum covers
-all of them. It is written beside its final place and renamed when complete, so that a program that
-is stopped while writing leaves the previous checkpoint as it was.
+all of them. A temporary file in the same folder is written and renamed when complete. If the
+program is stopped while writing, the previous checkpoint is thus unchanged.
 
-\param path is the name of the file; its folder must exist.
-\param state is what `Deformable_simplicial_complex_2::state()` returned.
-\param metadata is any sequence of bytes, given back by `read_checkpoint()`.
+\param path name of the file; its folder must exist
+\param state a result of `Labelled_complex::state()`
+\param metadata any sequence of bytes, returned by `read_checkpoint_2()`
 
-\pre the arrays of `state` that run parallel have the same size.
-\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file
-of that name is unchanged then.
-
-Linear in the size of the state; takes memory for a second copy of it.
+\pre parallel arrays of `state` have the same size
+\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file of
+        that name is then unchanged
 */
 inline void write_checkpoint(const std::string& path,
                              const Deformable_simplicial_complexes::State<2>& state,
@@ -49,17 +48,16 @@ inline void write_checkpoint(const std::string& path,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-reads a file written by `write_checkpoint()` for a planar complex.
+Reads a file that `write_checkpoint()` wrote for a complex in 2D. Linear in the size of the file.
+Memory is at most a small multiple of the size of the file.
 
-\param path is the name of the file.
-\return the state, to be handed to `Deformable_simplicial_complex_2::restore()`, and the metadata,
-both bit for bit as they were written.
+\param path name of the file
+\return the state, for `Labelled_complex::restore()`, and the metadata, both bitwise equal to the
+        written ones
 
-\throws Deformable_simplicial_complexes::File_error if the file cannot be read, is not a
-checkpoint, was written by another version, is truncated, or was changed since. Nothing is read
-from such a file, and never is more memory asked for than a small multiple of the file's size.
-
-Linear in the size of the file.
+\throws Deformable_simplicial_complexes::File_error if the file cannot be read, is not a checkpoint,
+        was written by another version, is truncated, or was changed since. Nothing is read from
+        such a file.
 */
 inline Checkpoint_2 read_checkpoint_2(const std::string& path) {
   return Deformable_simplicial_complexes::internal::read_checkpoint_file<2>(path);
@@ -68,10 +66,10 @@ inline Checkpoint_2 read_checkpoint_2(const std::string& path) {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-returns the dimension of the complex in a checkpoint file, and 0 if it is none: whether
-`read_checkpoint_2()` or `read_checkpoint()` is to read it. Constant time.
+Returns the dimension of the complex in a checkpoint file; 0 if the file is not a checkpoint. The
+dimension tells whether to read it with `read_checkpoint_2()` or `read_checkpoint()`. Constant time.
 
-\throws Deformable_simplicial_complexes::File_error if the file cannot be opened.
+\throws Deformable_simplicial_complexes::File_error if the file cannot be opened
 */
 inline int checkpoint_dimension(const std::string& path) {
   return Deformable_simplicial_complexes::internal::checkpoint_file_dimension(path);

@@ -30,7 +30,7 @@ struct Png_error : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-// Reads a picture that is in memory. What libpng finds wrong is thrown across it.
+// Reader of a picture in memory. Errors of libpng are thrown as exceptions through libpng.
 class Png_labels
 {
 public:
@@ -47,9 +47,9 @@ public:
   Png_labels(const Png_labels&) = delete;
   Png_labels& operator=(const Png_labels&) = delete;
 
-  // Throws Png_error.
+  // Returns the image. Throws Png_error.
   Labelled_image_2 image() {
-    static constexpr png_uint_32 largest_side = 1 << 20; // as of other images
+    static constexpr png_uint_32 largest_side = 1 << 20; // as for other images
     png_set_user_limits(m_png, largest_side, largest_side);
     png_read_info(m_png, m_info);
     const png_byte colors = png_get_color_type(m_png, m_info);
@@ -69,7 +69,8 @@ public:
     result.width = png_get_image_width(m_png, m_info);
     result.height = png_get_image_height(m_png, m_info);
     const std::size_t row = png_get_rowbytes(m_png, m_info);
-    // A row is read before those after it get memory, as the file may promise what it has not.
+    // Memory for the next row is allocated only after a row was read, since the file may announce
+    // more rows than it contains.
     std::vector<std::vector<png_byte>> rows(passes > 1 ? result.height : 1);
     for (int pass = 0; pass < passes; ++pass)
       for (std::size_t y = 0; y < result.height; ++y) {
@@ -89,7 +90,7 @@ public:
 
 private:
   std::size_t number_of_transparent() {
-    png_bytep opacities = nullptr; // of colors of the palette
+    png_bytep opacities = nullptr; // of the colors of the palette
     int number = 0;
     png_get_tRNS(m_png, m_info, &opacities, &number, nullptr);
     if (png_get_color_type(m_png, m_info) == PNG_COLOR_TYPE_GRAY)
@@ -125,15 +126,15 @@ namespace IO {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-reads an image of labels from portable network graphics (`.png`): the gray values, or the indices of
-colors in the palette, are the labels. Whoever includes this header links libpng.
-
-\param path is the name of the file.
-\param unused if not null, the content of the file that is not used is added to it: the transparency of gray values or colors in the
-palette, and bytes after the image.
-\throws Deformable_simplicial_complexes::File_error if the file cannot be read, or is no such image.
-
+Reads an image of labels from portable network graphics (`.png`). The labels are the gray values, or
+the indices of colors in the palette. Programs that include this header must link with libpng.
 Linear in the number of pixels.
+
+\param path name of the file
+\param unused the unused content of the file is added to it, unless it is null: the transparency of
+       gray values or of colors in the palette, and bytes after the image
+\throws Deformable_simplicial_complexes::File_error if the file cannot be read, or is not such an
+        image
 
 \sa `read_labelled_image()`
 */

@@ -31,17 +31,16 @@ namespace IO {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-reads closed curves from a file of well-known text (`.wkt`), for
-`make_deformable_simplicial_complex_2()`: each `POLYGON`, `MULTIPOLYGON`, closed `LINESTRING` and
-`MULTILINESTRING` is a curve, those in a `GEOMETRYCOLLECTION`, too; their labels are 1, 2 and so on.
+Reads closed curves from a file of well-known text (`.wkt`), for
+`make_deformable_simplicial_complex_2()`. Each `POLYGON`, `MULTIPOLYGON`, closed `LINESTRING` and
+`MULTILINESTRING` is a curve, also in a `GEOMETRYCOLLECTION`. The labels are 1, 2 and so on. Linear
+in the size of the file.
 
-\param path is the name of the file.
-\param unused gets what is in the file and not used: points, empty geometries, spatial reference
-systems.
-\throws Deformable_simplicial_complexes::File_error if the file cannot be read, or is not what is
-described above.
-
-Linear in the size of the file.
+\param path name of the file
+\param unused the unused content of the file is added to it, unless it is null: points, empty
+       geometries, spatial reference systems
+\throws Deformable_simplicial_complexes::File_error if the file cannot be read, or its content is
+        not as described above
 */
 template <class Point = Exact_predicates_inexact_constructions_kernel::Point_2>
 std::vector<Deformable_simplicial_complexes::Labelled_curve_2<Point>>
@@ -57,19 +56,18 @@ read_labelled_curves(const std::string& path,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-reads segments from a file in the format of Triangle (`.poly`), for
-`make_deformable_simplicial_complex_2()`. Regions with an attribute get it as their label, which
-must be an integer; holes get 0. In a file without regions, all that segments enclose gets label 1,
-but for holes.
+Reads segments from a file in the format of Triangle (`.poly`), for
+`make_deformable_simplicial_complex_2()`. The attribute of a region, which must be an integer, is
+its label. Holes have label 0. If the file has no regions, everything enclosed by segments except
+holes has label 1. Linear in the size of the file.
 
-\param path is the name of the file. If it has no points, they are read from the file beside it whose
-name ends with `.node`.
-\param unused if not null, the content of the file that is not used is added to it: attributes and boundary markers of points and
-segments, points that are no ends of segments, area constraints.
-\throws Deformable_simplicial_complexes::File_error if the file cannot be read, or is not what is
-described above.
-
-Linear in the size of the file.
+\param path name of the file. If it has no points, they are read from the file of the same name with
+       the extension `.node`.
+\param unused the unused content of the file is added to it, unless it is null: attributes and
+       boundary markers of points and segments, points that are not ends of segments, and area
+       constraints
+\throws Deformable_simplicial_complexes::File_error if the file cannot be read, or its content is
+        not as described above
 */
 template <class Point = Exact_predicates_inexact_constructions_kernel::Point_2>
 Deformable_simplicial_complexes::Seeded_segments_2<Point>
@@ -85,16 +83,15 @@ read_seeded_segments(const std::string& path,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-writes the regions of a planar complex as well-known text: a `MULTIPOLYGON` for each label but 0, by
-increasing label, in user coordinates. All digits that tell coordinates apart are written; the
-labels are not: what is read again has labels 1, 2 and so on.
+Writes the regions of a complex in 2D as well-known text: a `MULTIPOLYGON` for each label except 0,
+by increasing label, in user coordinates. Coordinates are written with all significant digits.
+Labels are not written; regions that are read again have the labels 1, 2 and so on. n log n in the
+number of triangles.
 
-\param path is the name of the file; its folder must exist.
-\param dsc is the complex, whose domain is no torus.
-\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file
-of that name is unchanged then.
-
-n log n in the number of triangles.
+\param path name of the file; its folder must exist
+\param dsc the complex; its domain is not a torus
+\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file of
+        that name is then unchanged
 */
 template <class Traits, class Tds>
 void write_WKT(const std::string& path, const Deformable_simplicial_complex_2<Traits, Tds>& dsc) {
@@ -129,17 +126,15 @@ void write_WKT(const std::string& path, const Deformable_simplicial_complex_2<Tr
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-writes the interface of a planar complex in the format of Triangle (`.poly`), in user coordinates,
-with the boundary of the domain at labels but 0, and with a region for each connected component of
-each label but 0. All digits that tell coordinates
-apart are written.
+Writes the interface of a complex in 2D in the format of Triangle (`.poly`), in user coordinates.
+The file also contains the boundary of the domain at labels other than 0, and a region for each
+connected component of these labels. Coordinates are written with all significant digits. n log n in
+the number of triangles.
 
-\param path is the name of the file; its folder must exist.
-\param dsc is the complex, whose domain is no torus.
-\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file
-of that name is unchanged then.
-
-n log n in the number of triangles.
+\param path name of the file; its folder must exist
+\param dsc the complex; its domain is not a torus
+\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file of
+        that name is then unchanged
 */
 template <class Traits, class Tds>
 void write_poly(const std::string& path, const Deformable_simplicial_complex_2<Traits, Tds>& dsc) {
@@ -152,7 +147,7 @@ void write_poly(const std::string& path, const Deformable_simplicial_complex_2<T
       if (dsc.label(c) != 0 && dsc.is_infinite(c->neighbor(i)))
         walls.emplace_back(c, i);
   const internal::Extracted_facets<Complex> extracted(dsc, walls, false);
-  std::vector<Cell_handle> largest; // of each component
+  std::vector<Cell_handle> largest; // largest triangle of each component
   std::set<Cell_handle> found;
   for (const Cell_handle first : dsc.cells()) {
     if (dsc.label(first) == 0 || found.count(first) > 0)

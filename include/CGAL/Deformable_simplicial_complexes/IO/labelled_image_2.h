@@ -22,13 +22,14 @@ namespace IO {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-reads an image of labels from a portable gray map (`.pgm`): the gray values are the labels.
+Reads an image of labels from a portable gray map (`.pgm`). The gray values are the labels. Linear
+in the size of the file.
 
-\param path is the name of the file.
-\param unused gets what is in the file and not used: bytes after the pixels, such as other images.
-\throws Deformable_simplicial_complexes::File_error if the file cannot be read, or is no such image.
-
-Linear in the size of the file.
+\param path name of the file
+\param unused the unused content of the file is added to it, unless it is null: bytes after the
+       pixels, such as other images
+\throws Deformable_simplicial_complexes::File_error if the file cannot be read, or is not such an
+        image
 */
 inline Deformable_simplicial_complexes::Labelled_image_2
 read_labelled_image(const std::string& path,

@@ -41,7 +41,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// By the extension of the file.
+// Returns the format by the extension of the file.
 inline Surface_format surface_format(const std::string& path) {
   const std::string extension = lower_case_extension(path);
   return extension == ".off"   ? Surface_format::off
@@ -51,11 +51,12 @@ inline Surface_format surface_format(const std::string& path) {
                                : Surface_format::none;
 }
 
-// Takes the points of a file, counts what its polygons become, and notes what is not used.
+// Receiver of the contents of a file that stores the points, counts polygons and their triangles,
+// and records unused content.
 template <class Point> struct Point_sink
 {
   const File_scanner& file;
-  std::size_t most_points; // that the file has space for
+  std::size_t most_points; // upper bound by the size of the file
   Unused_content* not_used;
   std::vector<Point> points;
   std::size_t number_of_polygons = 0, number_of_triangles = 0, number_of_normals = 0;
@@ -88,7 +89,8 @@ template <class Point> struct Point_sink
   }
 };
 
-// Takes the triangles of polygons, whose points are known.
+// Receiver of the contents of a file that stores the triangles of the polygons. The points are
+// known.
 template <class Point> struct Triangle_sink
 {
   const File_scanner& file;
@@ -123,7 +125,7 @@ template <class Point> struct Triangle_sink
   }
 };
 
-// Returns the number of points that are corners of no triangle.
+// Returns the number of points that are not corners of any triangle.
 template <class Point>
 std::size_t number_of_unused_points(const Labelled_surface_3<Point>& surface) {
   std::vector<bool> is_used(surface.points.size());
@@ -133,7 +135,7 @@ std::size_t number_of_unused_points(const Labelled_surface_3<Point>& surface) {
   return static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), false));
 }
 
-// Makes points with the same coordinates one, in the order in which they come first.
+// Merges points with the same coordinates. The order is that of the first points.
 template <class Point> void merge_equal_points(Labelled_surface_3<Point>& surface) {
   std::vector<Point>& points = surface.points;
   std::vector<std::size_t> order(points.size()), place(points.size());
@@ -186,31 +188,30 @@ namespace IO {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-reads a surface from a file in one of the formats OFF, OBJ, PLY and STL, chosen by the extension.
+Reads a surface from a file in one of the formats OFF, OBJ, PLY and STL, chosen by the extension.
+Linear in the size of the file; n log n for STL. Memory is allocated only for points and triangles
+that the file contains, for any number that it announces.
 
 Polygons with more than three vertices are triangulated one by one. Polygons with more than four
 vertices are projected along their normals, and their constrained Delaunay triangulations are used.
-In STL files, where triangles share no points, points with the same coordinates become one. What the
-surface looks like is not checked: `make_deformable_simplicial_complex_3()` does that.
+In STL files, triangles share no points; points with the same coordinates are merged. The geometry
+of the surface is not checked here, but by `make_deformable_simplicial_complex_3()`.
 
-Everything else in a file is noted in `unused`: colors, normals, texture coordinates, materials,
-groups, names of solids if there are several, lines, other elements, points that no polygon has,
-polygons with fewer than three corners. Facet normals of STL files are redundant and not noted.
+All other content of the file is added to `unused`: colors, normals, texture coordinates, materials,
+groups, names of several solids, lines, other elements, points without polygons, and polygons with
+fewer than three corners. Facet normals of STL files are redundant and not added.
 
-\tparam Point is a point type of a \cgal kernel.
+\tparam Point a point type of a \cgal kernel
 
-\param path is the name of the file.
-\param label is the label of the solid that the surface bounds.
-\param unused if not null, the content of the file that is not used is added to it. If an exception is
-thrown, it may hold a part of that.
+\param path name of the file
+\param label label of the solid that the surface bounds
+\param unused the unused content of the file is added to it, unless it is null. After an exception,
+       a part of the unused content may have been added.
 
 \throws Deformable_simplicial_complexes::File_error if the file cannot be opened or understood, has
-no polygons or more elements than it announces, describes a part of the surface without polygons,
-has a coordinate that is not finite, or has a polygon that refers to a point that is not there or
-cannot be triangulated, as it meets itself.
-
-Linear in the size of the file, for STL n log n. Memory is never taken for more points and triangles
-than there are, however many the file announces.
+        no polygons or more elements than it announces, or describes a part of the surface without
+        polygons. Also if a coordinate is not finite, a polygon refers to a point that does not
+        exist, or a polygon intersects itself and cannot be triangulated.
 */
 template <class Point = Exact_predicates_inexact_constructions_kernel::Point_3>
 Deformable_simplicial_complexes::Labelled_surface_3<Point>
@@ -230,7 +231,8 @@ read_labelled_surface(const std::string& path, int label = 1,
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   require(!error, "cannot read the file; check that it may be read");
 
-  // Polygons may come before their points: first all of these, then all of those.
+  // Polygons may precede their points in a file. The file is therefore read twice: first the
+  // points, then the polygons.
   constexpr std::size_t least_bytes_of_point = 3;
   internal::File_scanner first_scanner(in, path), second_scanner(in, path);
   internal::Point_sink<Point> points{
@@ -256,18 +258,18 @@ read_labelled_surface(const std::string& path, int label = 1,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-writes an interface that was extracted, and may have been subdivided, to a file in one of the
-formats OFF, OBJ, PLY and STL, chosen by the extension.
+Writes an extracted and possibly subdivided interface to a file in one of the formats OFF, OBJ, PLY
+and STL, chosen by the extension.
 
-All of them are written as text in user coordinates with 17 significant digits; triangles come in
-their order and keep their orientation. The file is written beside its final place and renamed when
+All formats are written as text, in user coordinates with 17 significant digits. Triangles keep
+their order and their orientation. A temporary file in the same folder is written and renamed when
 complete.
 
-\param path is the name of the file; its folder must exist.
-\param surface is what `extract_interface()` or `subdivide_interface()` returned.
+\param path name of the file; its folder must exist
+\param surface a result of `extract_interface()` or `subdivide_interface()`
 
-\throws Deformable_simplicial_complexes::File_error if the extension is none of these or the file
-cannot be written; an older file of that name is unchanged then.
+\throws Deformable_simplicial_complexes::File_error if the extension is not one of these or the file
+        cannot be written; an older file of that name is then unchanged
 */
 template <class Complex>
 void write_interface(const std::string& path,
@@ -287,17 +289,17 @@ void write_interface(const std::string& path,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-writes the whole interface to a file in one of the formats OFF, OBJ, PLY and STL, chosen by the
+Writes the whole interface to a file in one of the formats OFF, OBJ, PLY and STL, chosen by the
 extension.
 
-All of them are written as text in user coordinates with 17 significant digits; normals point out of
-the larger label. The file is written beside its final place and renamed when complete.
+All formats are written as text, in user coordinates with 17 significant digits. Normals point out
+of the larger label. A temporary file in the same folder is written and renamed when complete.
 
-\param path is the name of the file; its folder must exist.
-\param dsc is the complex.
+\param path name of the file; its folder must exist
+\param dsc the complex
 
-\throws Deformable_simplicial_complexes::File_error if the extension is none of these or the file
-cannot be written; an older file of that name is unchanged then.
+\throws Deformable_simplicial_complexes::File_error if the extension is not one of these or the file
+        cannot be written; an older file of that name is then unchanged
 
 \sa `extract_interface()`
 */
@@ -310,14 +312,14 @@ void write_interface(const std::string& path,
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-writes the interface between two labels, with normals out of `a` into `b`; otherwise does as the
-function for the whole interface.
+Writes the interface between two labels, with normals out of `a` into `b`. Otherwise the function is
+the same as the overload for the whole interface.
 
-\param path is the name of the file; its folder must exist.
-\param dsc is the complex.
-\param a, b are different labels.
+\param path name of the file; its folder must exist
+\param dsc the complex
+\param a, b different labels
 
-\throws Deformable_simplicial_complexes::File_error as for the whole interface.
+\throws Deformable_simplicial_complexes::File_error as above
 */
 template <class Traits, class Tds, class QualityMeasure>
 void write_interface(

@@ -31,7 +31,7 @@ namespace CGAL {
 namespace IO {
 
 /// \ingroup PkgDeformableSimplicialComplexesRef
-/// A point and the normal of a surface there, of any length; null where it is not known.
+/// Point of a surface and its normal, of any length; the normal is null if it is not known.
 using Point_and_normal_3 = std::pair<Exact_predicates_inexact_constructions_kernel::Point_3,
                                      Exact_predicates_inexact_constructions_kernel::Vector_3>;
 
@@ -40,7 +40,8 @@ using Point_and_normal_3 = std::pair<Exact_predicates_inexact_constructions_kern
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Takes the points of a file and their normals, and notes what is not used.
+// Receiver of the contents of a file that stores points and their normals, and records unused
+// content.
 struct Point_set_sink
 {
   const File_scanner& file;
@@ -48,7 +49,7 @@ struct Point_set_sink
   std::vector<IO::Point_and_normal_3> points;
   std::size_t number_of_polygons = 0;
 
-  void expect_points(std::size_t) {} // a file may lie
+  void expect_points(std::size_t) {} // the announced number may be wrong
 
   void point(double x, double y, double z) {
     Progress_scope::check();
@@ -67,7 +68,8 @@ struct Point_set_sink
   }
 };
 
-// Returns the number of points in the first line if it holds a single number that may be one.
+// Returns the number of points in the first line if the line contains a single word that is such a
+// number.
 inline std::optional<std::size_t> read_number_of_points(File_scanner& scanner) {
   std::optional<std::size_t> result;
   if (scanner.next() && scanner.words_left() == 0)
@@ -77,8 +79,8 @@ inline std::optional<std::size_t> read_number_of_points(File_scanner& scanner) {
   return result;
 }
 
-// Returns whether the second three numbers of all points are colors: integers from 0 to 255, some
-// of which are too large for components of unit normals.
+// Returns whether the fourth to sixth numbers of all points are colors: integers from 0 to 255,
+// some of which are too large for components of unit normals.
 inline bool are_colors(const std::vector<IO::Point_and_normal_3>& points) {
   constexpr double largest_color = 255;
   double largest = 0;
@@ -91,7 +93,7 @@ inline bool are_colors(const std::vector<IO::Point_and_normal_3>& points) {
   return largest > 1;
 }
 
-// Makes the second half of the points normals of the first half.
+// Uses the second half of the points as normals of the first half.
 inline void take_second_half_as_normals(std::vector<IO::Point_and_normal_3>& points) {
   const std::size_t n = points.size() / 2;
   for (std::size_t i = 0; i < n; ++i)
@@ -99,8 +101,9 @@ inline void take_second_half_as_normals(std::vector<IO::Point_and_normal_3>& poi
   points.resize(n);
 }
 
-// Reads a point from each line, by three numbers, and its normal, if there are three more. The
-// first line may hold the number of points; then all normals may also come after all points.
+// Reads a point from each line: three coordinates, and a normal if there are three more numbers.
+// The first line may contain the number of points; then the normals may also follow after all
+// points.
 inline void read_xyz(File_scanner& scanner, Point_set_sink& sink) {
   const std::optional<std::size_t> announced = read_number_of_points(scanner);
   std::size_t normals = 0, lines_with_more = 0;
@@ -145,22 +148,22 @@ namespace IO {
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Reads points, and their normals if the file has them, from a PLY file, an OFF file, or a text file
-(any other extension, such as `.xyz` or `.pwn`). Polygons are not used. A line of a text file holds
-the three coordinates of a point, and may hold its normal. Further numbers on a line are not used.
-If the second three numbers of all points are integers from 0 to 255 and some are larger than 1,
-they are colors and not used. The first line may hold the number of points; then all normals may
-also follow all points.
+(any other extension, such as `.xyz` or `.pwn`). Polygons are not used. Linear in the size of the
+file.
 
-\param path is the name of the file; upper and lower case of its extension are equivalent
-\param unused if not null, the content of the file that is not used is added to it: polygons, colors
-and other values of points. If an exception is thrown, it may hold a part of that.
-\return the points in the order of the file
+A line of a text file contains the three coordinates of a point, and optionally its normal. Other
+numbers on a line are not used. If the fourth to sixth numbers of all points are integers from 0 to
+255 and some are larger than 1, they are colors and not used. The first line may contain the number
+of points; then the normals may also follow after all points.
+
+\param path name of the file; the case of its extension does not matter
+\param unused the unused content of the file is added to it, unless it is null: polygons, colors and
+       other values of points. After an exception, a part of the unused content may have been added.
+\return the points, in the order of the file
 
 \throws Deformable_simplicial_complexes::File_error with the line if the file cannot be read, is
         malformed, has a coordinate that is not finite, has another number of points than announced,
         or has no points
-
-Linear in the size of the file.
 */
 inline std::vector<Point_and_normal_3>
 read_point_set(const std::string& path,

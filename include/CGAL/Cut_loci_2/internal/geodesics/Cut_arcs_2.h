@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The cut locus as a graph: the circle of directions, glued. Intervals of directions that are
-// partners are one arc, and breaks that lead to the same point one vertex.
+// The cut locus as a graph. Two intervals of directions that are partners form one arc. Breaks at
+// the same point form one vertex.
 template <class Metric> class Cut_arcs_2
 {
 public:
@@ -50,16 +50,17 @@ public:
   const std::vector<Cut_claim_2>& vertices() const { return m_vertices; }
   const std::vector<std::vector<std::size_t>>& arcs() const { return m_arcs; }
 
-  // Returns whether each interval has its partner, and the complement of the graph is a disk.
+  // Returns whether each interval has a partner, each junction is complete, and the complement of
+  // the graph is a disk.
   bool is_complete() const { return m_is_complete; }
 
 private:
   static constexpr std::size_t none = std::size_t(-1);
   using Point = typename Circle::Point;
 
-  // Breaks that lead to one point.
+  // Returns the vertex of a break. Breaks at the same point have the same vertex.
   std::size_t vertex(const typename Circle::Break& end) {
-    static constexpr double same = 1e-3; // spacings
+    static constexpr double same = 1e-3; // in spacings
     for (std::size_t i = 0; i < m_vertices.size(); ++i) {
       const Point p = m_vertices[i].point, q = m_equations.domain().near(p, end.point);
       if ((q - p).squared_length() < std::pow(same * m_equations.spacing(), 2) &&
@@ -75,7 +76,7 @@ private:
 
   double angle_at_end(std::size_t i) const { return m_circle.intervals()[i].end->angle; }
 
-  // The interval that the partners of an interval are in.
+  // Returns the interval that contains the partners of an interval.
   std::size_t partner(std::size_t i) const {
     const auto& intervals = m_circle.intervals();
     const std::size_t n = intervals.size();
@@ -104,7 +105,7 @@ private:
     m_arcs.push_back(arc);
   }
 
-  // Each of the geodesics to a junction ends an interval.
+  // Returns whether each geodesic to a junction ends an interval.
   bool all_junctions_are_whole() const {
     for (std::size_t i = 0; i < m_breaks.size(); ++i)
       if (m_vertices[i].angles.empty() || m_vertices[i].angles.size() != m_breaks[i])
@@ -126,9 +127,9 @@ private:
   const Circle& m_circle;
   const Geodesic_equations_2<Metric>& m_equations;
   std::vector<Cut_claim_2> m_vertices; // vertices of breaks first
-  std::vector<std::size_t> m_breaks;   // number of breaks of each
-  std::vector<std::size_t> m_ends;     // vertices at the ends of intervals
-  std::vector<std::size_t> m_partners; // of intervals
+  std::vector<std::size_t> m_breaks;   // number of breaks at each vertex
+  std::vector<std::size_t> m_ends;     // vertices at the ends of the intervals
+  std::vector<std::size_t> m_partners; // partner of each interval
   std::vector<std::vector<std::size_t>> m_arcs;
   bool m_is_complete;
 };

@@ -19,8 +19,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A claim to be checked: geodesics in these directions lead to the point at this distance. A claim
-// with one direction says that the point is conjugate to the source along it.
+// A claim about a point of a cut locus: geodesics in the given directions reach the point at the
+// given distance. A claim with one direction states that the point is conjugate to the source along
+// it.
 struct Cut_claim_2
 {
   Simple_cartesian<double>::Point_2 point;
@@ -28,20 +29,22 @@ struct Cut_claim_2
   std::vector<double> angles;
 };
 
-// Checks points of a cut locus by shooting, whatever way they were found: their geodesics arrive,
-// and geodesics in many directions come to no point earlier.
+// Verifies points of a cut locus by geodesics from the source. The geodesics of a point must arrive
+// there, and geodesics in many other directions must not reach the point earlier. The verification
+// does not depend on the method that found the points.
 template <class Metric> class Cut_certificate_2
 {
 public:
   using Geodesics = Geodesics_2<Metric>;
   using Point = Simple_cartesian<double>::Point_2;
 
-  // The spacing is the unit of lengths in the chart, the step that of lengths of geodesics.
+  // \param spacing the unit of lengths in the chart
+  // \param step the unit of lengths of geodesics
   Cut_certificate_2(const Geodesics& geodesics, const Torus_domain<2>& domain, double spacing,
                     double step)
       : m_geodesics(geodesics), m_domain(domain), m_spacing(spacing), m_step(step) {}
 
-  // Returns the claims that are not right.
+  // Returns the indices of the claims that are wrong.
   std::vector<std::size_t> refuted(const std::vector<Cut_claim_2>& claims) const {
     std::vector<char> is_wrong(claims.size());
     double farthest = 0;
@@ -75,10 +78,10 @@ public:
 private:
   using Square = std::array<int, 2>;
 
-  static constexpr int directions = 512;    // of geodesics that may come earlier
-  static constexpr double tolerance = .02;  // steps, by which they must to refute a claim
-  static constexpr double precision = 1e-5; // spacings, by which the claimed geodesics may miss
-  static constexpr double size = 2;         // spacings, of squares of the chart
+  static constexpr int directions = 512;    // number of directions that are tried
+  static constexpr double tolerance = .02;  // steps; a path that refutes is shorter by it
+  static constexpr double precision = 1e-5; // spacings; largest error of a claimed geodesic
+  static constexpr double size = 2;         // spacings; size of the squares of the chart
 
   static Point point(const Geodesic_state& s) { return Point(s[0], s[1]); }
 
@@ -92,9 +95,9 @@ private:
     return claim.angles.size() > 1 || (claim.angles.size() == 1 && is_conjugate(claim));
   }
 
-  // Geodesics beside one that is conjugate stay together there, but not before.
+  // Returns whether the neighboring geodesics converge at the point, but not before it.
   bool is_conjugate(const Cut_claim_2& claim) const {
-    static constexpr double beside = 1e-3, before = .9, part = .1; // radians, lengths, of lengths
+    static constexpr double beside = 1e-3, before = .9, part = .1; // radians, lengths, widths
     const auto width = [&](double length) {
       const Point p = point(m_geodesics.shoot(claim.angles.front() - beside, length)),
                   q = point(m_geodesics.shoot(claim.angles.front() + beside, length));
@@ -103,8 +106,8 @@ private:
     return width(claim.distance) < part * width(before * claim.distance);
   }
 
-  // Returns a bound of the distance: the length of the straight line in the chart, and what its
-  // integral may lack.
+  // Returns an upper bound of the distance: the length of the straight segment in the chart, times
+  // a margin for the error of the integration.
   double distance(const Point& p, const Point& to) const {
     static constexpr int parts = 4;
     static constexpr double margin = 1.03;
@@ -121,7 +124,8 @@ private:
     return {int(q.x() / (size * m_spacing)), int(q.y() / (size * m_spacing))};
   }
 
-  // Claims by the squares that they lie in or next to.
+  // Returns the claims for each square. A claim belongs to its square and to the neighbors of this
+  // square.
   std::map<Square, std::vector<std::size_t>>
   claims_by_squares(const std::vector<Cut_claim_2>& claims) const {
     std::map<Square, std::vector<std::size_t>> result;

@@ -22,11 +22,12 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-The circle of directions at the source, with the cut point of each direction. In the cut point, the
-geodesic of the direction first meets another geodesic of the same length, that of its partner.
-While the direction turns to the left, the partner turns to the right, continuously between breaks.
-At a junction, the partner jumps. At an end, which is a conjugate point, a direction is its own
-partner. So each arc of the cut locus belongs to two intervals between breaks.
+The circle of directions at the source, with the cut point of each direction. The cut point is the
+point where the geodesic of the direction first meets another geodesic of the same length. The
+direction of the other geodesic is the partner. While the direction turns to the left, the partner
+turns to the right. The partner is continuous between breaks. A break is a junction or an end. At a
+junction, the partner jumps. At an end, which is a conjugate point, a direction is its own partner.
+Each arc of the cut locus therefore belongs to two intervals between breaks.
 */
 template <class Metric> class Cut_circle_2
 {
@@ -35,26 +36,26 @@ public:
   using Fan = Geodesic_fan_2<Metric>;
   using Point = typename Equations::Point;
 
-  // The end of the shortest part of the geodesic in a direction.
+  // The cut point of a direction, where its geodesic ceases to be a shortest path.
   struct Cut
   {
     double angle, partner, length;
     Point point;
   };
 
-  // Where an interval of directions ends and the next one begins.
+  // The end of an interval of directions and the beginning of the next interval.
   struct Break
   {
     double angle, length;
     Point point;
-    std::vector<double> angles; // of all shortest geodesics to the point; one for an end
+    std::vector<double> angles; // of all shortest geodesics to the point; one angle at an end
   };
 
-  // The cut points between two breaks, by increasing angles; the break is behind them.
+  // The cut points between two breaks, sorted by angle, and the break after them.
   struct Interval
   {
     std::vector<Cut> cuts;
-    std::optional<Break> end; // not, if it was not found, or nothing is behind
+    std::optional<Break> end; // empty if the break was not found, or if there is no break
   };
 
   Cut_circle_2(const Equations& equations, const Fan& fan)
@@ -64,7 +65,7 @@ public:
     for (const auto& direction : directions)
       m_rays.push_back(direction.angle);
     for (const auto& direction : directions)
-      if (const auto cut = first_cut(direction)) // not next to an end
+      if (const auto cut = first_cut(direction)) // none next to an end
         cuts.push_back(*cut);
     if (cuts.empty() || is_point(cuts))
       return;
@@ -76,26 +77,28 @@ public:
     close();
   }
 
-  // Whether all directions have a cut point, and all breaks were found.
+  // Returns whether each direction has a cut point and all breaks were found.
   bool is_complete() const { return m_is_complete; }
-  // Each ends where the next one begins, the last one where the first one does.
+  // Returns the intervals. Each interval ends at the beginning of the next one, and the last
+  // interval ends at the beginning of the first one.
   const std::vector<Interval>& intervals() const { return m_intervals; }
-  // The cut point, if all directions have the same one.
+  // Returns the cut point if it is the same for all directions.
   const std::optional<Cut>& only_point() const { return m_only_point; }
 
 private:
-  static constexpr double same_length = 1e-6; // steps: two geodesics are as long
-  static constexpr double longest = 1.;       // spacings between cut points
-  static constexpr double narrowest = 1e-9;   // radians between directions
-  static constexpr int deepest = 40;          // halvings of an angle
-  static constexpr int most_failures = 32;    // breaks not found, until none is looked for
+  static constexpr double same_length = 1e-6; // in steps, difference of equal lengths
+  static constexpr double longest = 1.;       // in spacings, distance between cut points
+  static constexpr double narrowest = 1e-9;   // in radians, angle between directions
+  static constexpr int deepest = 40;          // number of bisections of an angle
+  static constexpr int most_failures = 32;    // number of missing breaks at which the search ends
 
-  // Angles between geodesics, in those between rays of the fan, which is dense where they diverge.
-  static constexpr double same_angle = 1e-3; // they are one
-  static constexpr double own_partner = .05; // partners are too close to an end for equations
-  static constexpr double near_end = 3;      // there may be other geodesics between partners
+  // Bounds on angles between geodesics. The unit is the angle between neighboring rays of the fan.
+  // The fan is dense where geodesics diverge.
+  static constexpr double same_angle = 1e-3; // below: the same geodesic
+  static constexpr double own_partner = .05; // below: too near an end for the equations
+  static constexpr double near_end = 3;      // below: other geodesics may lie between partners
 
-  // Returns the angle between the rays around a direction.
+  // Returns the angle between the two rays of the fan around a direction.
   double unit(double angle) const {
     const auto left = std::upper_bound(m_rays.begin(), m_rays.end(), canonical_angle(angle));
     return left == m_rays.begin() || left == m_rays.end()
@@ -124,9 +127,9 @@ private:
                                     direction.length);
   }
 
-  // Returns the cut point in a direction between two lengths: there, a shorter geodesic leads to
-  // the far one only. Where geodesics diverge fast, it must be near for Newton's method. Not next
-  // to an end.
+  // Returns the cut point in a direction by bisection between two lengths. At the upper length a
+  // shorter geodesic exists, at the lower length it does not. The bisection gives Newton's method a
+  // near start, which it needs where geodesics diverge fast. Returns nothing next to an end.
   std::optional<Cut> cut_by_bisection(double angle, double low, double high) const {
     static constexpr int iterations = 24;
     for (int i = 0; i < iterations; ++i) {
@@ -143,15 +146,15 @@ private:
     return std::nullopt;
   }
 
-  // Returns the cut point in a direction, from about its length and the partner.
+  // Returns the cut point in a direction, from approximate values of its length and its partner.
   std::optional<Cut> cut(double angle, double length, double partner) const {
-    static constexpr int most = 10; // partners that turn out not to be the nearest
+    static constexpr int most = 10; // number of partners that are tried
     auto found = meeting(angle, partner, length);
     if (!found)
       found = nearest_meeting(angle, length);
     for (int i = 0; i < most && found; ++i) {
       Progress_scope::check();
-      // Near an end, there may be others between the two.
+      // Near an end, shorter geodesics may lie between the two partners.
       const bool is_near_end = std::abs(turn(angle, found->angles[1])) < near_end * unit(angle);
       const auto shorter = shorter_than(found->point, found->length,
                                         is_near_end ? std::vector<double>() : found->angles);
@@ -162,7 +165,7 @@ private:
     return std::nullopt;
   }
 
-  // A meeting of a direction with another one.
+  // Returns the point where the geodesic of a direction meets the geodesic of a partner.
   std::optional<typename Equations::Meeting> meeting(double angle, double partner,
                                                      double length) const {
     const auto result = m_equations.meeting({angle, partner}, length);
@@ -171,7 +174,8 @@ private:
                : std::optional<typename Equations::Meeting>();
   }
 
-  // The same, where the partner is not known: near an end, it is near.
+  // Returns the nearest such point if the partner is unknown. Near an end, the partner is near the
+  // direction.
   std::optional<typename Equations::Meeting> nearest_meeting(double angle, double length) const {
     std::optional<typename Equations::Meeting> result;
     for (double distance : {.1, .3, 1., 3.})
@@ -182,11 +186,11 @@ private:
     return result;
   }
 
-  // Returns the shortest geodesic to a point, if it is shorter than those at some angles. Of those
-  // that are like these, there is none.
+  // Returns the shortest geodesic to a point, if it is shorter than the given length. Geodesics
+  // with angles similar to the given ones are ignored.
   std::optional<Geodesic_2> shorter_than(const Point& p, double length,
                                          const std::vector<double>& angles) const {
-    static constexpr double similar = .2; // as angles above
+    static constexpr double similar = .2; // in the unit of angles above
     std::optional<Geodesic_2> result;
     double shortest = length - same_length * m_equations.step();
     for (const Geodesic_2& c : m_fan.candidates(p)) {
@@ -210,7 +214,7 @@ private:
   }
 
   bool is_point(const std::vector<Cut>& cuts) {
-    static constexpr double same_point = 1e-5; // spacings
+    static constexpr double same_point = 1e-5; // in spacings
     if (!std::all_of(cuts.begin(), cuts.end(), [&](const Cut& c) {
           return distance(c.point, cuts.front().point) < same_point;
         }))
@@ -219,7 +223,7 @@ private:
     return true;
   }
 
-  // Appends what is between two cut points that follow each other.
+  // Appends the cut points and the breaks between two consecutive cut points.
   void connect(const Cut& right, const Cut& left, int depth) {
     Progress_scope::check();
     const double gap = gap_between(right.angle, left.angle);
@@ -252,8 +256,8 @@ private:
     connect(*middle, left, depth + 1);
   }
 
-  // Appends what is between an end and a cut point next to it: near an end, partners are mirror
-  // images.
+  // Appends the cut points between an end and the next cut point. Near an end, partners are
+  // symmetric about the direction of the end.
   void approach(const Cut& right, const Cut& left, int depth) {
     if (distance(right.point, left.point) <= longest)
       return;
@@ -282,9 +286,9 @@ private:
                             high + m_equations.step());
   }
 
-  // Whether the partner of the left one continues that of the right one.
+  // Returns whether the partner changes continuously from the right to the left cut point.
   bool are_on_an_arc(const Cut& right, const Cut& left) const {
-    static constexpr double part = .2; // of the angle between partners, by which they may differ
+    static constexpr double part = .2; // largest difference, as part of the angle between partners
     const auto next = m_equations.meeting({left.angle, right.partner}, right.length);
     return next && std::abs(turn(next->angles[1], left.partner)) <
                        (std::max)(same_angle * unit(left.partner),
@@ -292,14 +296,15 @@ private:
                                              part * std::abs(turn(left.angle, left.partner))));
   }
 
-  // Whether a direction in between is its own partner: those of its neighbors are beyond it.
+  // Returns whether a direction between two directions is its own partner. The partner of each
+  // direction then lies on the side of the other direction.
   static bool is_around_end(const Cut& right, const Cut& left, double gap) {
     static constexpr double margin = 1.2;
     const double ahead = turn(right.angle, right.partner), behind = turn(left.partner, left.angle);
     return ahead > 0 && behind > 0 && ahead < margin * 2 * gap && behind < margin * 2 * gap;
   }
 
-  // Returns the nearest conjugate point of the directions in between.
+  // Returns the nearest conjugate point of the directions between two cut points.
   std::optional<Break> end_between(const Cut& right, const Cut& left, double gap) const {
     const auto end = m_equations.nearest_conjugate(right.angle, right.angle + gap,
                                                    (right.length + left.length) / 2);
@@ -309,9 +314,9 @@ private:
     return Break{end->angle, end->length, m_equations.domain().canonical(p), {end->angle}};
   }
 
-  // The point at which the partner jumps.
+  // Returns the junction at which the partner jumps between two cut points.
   std::optional<Break> junction_between(const Cut& right, const Cut& left, double gap) const {
-    static constexpr double widest = .2; // radians
+    static constexpr double widest = .2; // in radians
     if (gap > widest)
       return std::nullopt;
     const auto found = m_equations.meeting({right.angle + gap / 2, right.partner, left.partner},
@@ -342,7 +347,7 @@ private:
     m_intervals.emplace_back();
   }
 
-  // The last interval goes on as the first one.
+  // Joins the last interval with the first one.
   void close() {
     if (m_intervals.size() == 1)
       return;
@@ -354,7 +359,7 @@ private:
 
   const Equations& m_equations;
   const Fan& m_fan;
-  std::vector<double> m_rays; // their angles
+  std::vector<double> m_rays; // angles of the rays of the fan
   std::vector<Interval> m_intervals;
   std::optional<Cut> m_only_point;
   bool m_is_complete;

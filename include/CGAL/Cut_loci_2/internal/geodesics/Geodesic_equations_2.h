@@ -23,14 +23,14 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A geodesic from the source.
+// A geodesic from the source, by its angle in radians and its length.
 struct Geodesic_2
 {
   double angle, length;
 };
 
-// Equations of geodesics from the source, solved by Newton's method: which one leads to a point,
-// where two or three of equal length meet, and where one is conjugate to the source.
+// Equations of geodesics from the source, which Newton's method solves. They give the geodesic to a
+// point, the meeting of two or three geodesics of equal length, and the nearest conjugate point.
 template <class Metric> class Geodesic_equations_2
 {
 public:
@@ -40,7 +40,7 @@ public:
   using State = Geodesic_state;
   using Pair = Eigen::Vector2d;
 
-  // A point of equally long geodesics: their angles and their length.
+  // A point where geodesics of equal length meet: their angles and their length.
   struct Meeting
   {
     std::vector<double> angles;
@@ -48,7 +48,8 @@ public:
     Point point;
   };
 
-  // The spacing is the unit of lengths in the chart, the step that of lengths of geodesics.
+  // \param spacing the unit of lengths in the chart
+  // \param step the unit of lengths of geodesics
   Geodesic_equations_2(const Geodesics& geodesics, const Domain& domain, double spacing,
                        double step)
       : m_geodesics(geodesics), m_domain(domain), m_spacing(spacing), m_step(step),
@@ -61,7 +62,7 @@ public:
 
   static Point point(const State& s) { return Point(s[0], s[1]); }
 
-  // Returns the geodesic to a point that is found from another one.
+  // Returns the geodesic to a point, from the geodesic `start` near it.
   std::optional<Geodesic_2> geodesic_to(const Point& p, const Geodesic_2& start) const {
     Geodesic_2 g = start;
     for (int i = 0; i < iterations; ++i) {
@@ -80,15 +81,16 @@ public:
     return std::nullopt;
   }
 
-  // Returns where geodesics of equal length meet: two, the first at a given angle, or three at any
-  // angles.
+  // Returns the point where geodesics of equal length meet. There are two geodesics, and the first
+  // angle is fixed, or three geodesics. The arguments are initial guesses.
   std::optional<Meeting> meeting(const std::vector<double>& angles, double length) const {
     return angles.size() == 2 ? meeting_of<2>(angles, length) : meeting_of<3>(angles, length);
   }
 
-  // Returns the direction between two others whose conjugate point is nearest, and its length.
+  // Returns the direction between two others whose conjugate point is nearest, and the length of
+  // its geodesic. `near` is an approximate length.
   std::optional<Geodesic_2> nearest_conjugate(double right, double left, double near) const {
-    static constexpr int bits = 26; // half of those of a number: it is a minimum
+    static constexpr int bits = 26; // half of the bits of a `double`: enough for a minimum
     std::uintmax_t calls = most_calls;
     const double nowhere = near + 2 * widest * m_step;
     const auto found = boost::math::tools::brent_find_minima(
@@ -101,12 +103,12 @@ public:
 
 private:
   static constexpr int iterations = 30;
-  static constexpr double before_conjugate = .1; // steps: no point is conjugate so early
+  static constexpr double before_conjugate = .1; // steps; no conjugate point is so near
   static constexpr std::uintmax_t most_calls = 100;
-  static constexpr double widest = 8; // steps around a length, where conjugate points are sought
-  static constexpr double precision = 1e-8; // spacings, steps, and radians
+  static constexpr double widest = 8;       // steps around a length to search in
+  static constexpr double precision = 1e-8; // in spacings, steps and radians
 
-  // Returns the first length near a given one at which a geodesic is conjugate to the source.
+  // Returns the first length near a given length at which a geodesic is conjugate to the source.
   std::optional<double> conjugate_length(double angle, double near) const {
     double low = near, high = near;
     const auto diverges = [&](double length) { return spread(angle, length) > 0; };
@@ -123,7 +125,7 @@ private:
     return (found.first + found.second) / 2;
   }
 
-  // The end of a geodesic with its derivatives, in spacings by radians and by steps.
+  // The end of a geodesic and its derivatives, in spacings per radian and per step.
   struct Arrival
   {
     State state;
@@ -131,8 +133,8 @@ private:
   };
 
   Arrival arrival(const Geodesic_2& g) const {
-    static constexpr double widest_angle = 1e-5, narrowest_angle = 1e-9; // radians
-    static constexpr double farthest = 3e-3; // spacings, in which a geodesic is nearly linear
+    static constexpr double widest_angle = 1e-5, narrowest_angle = 1e-9; // in radians
+    static constexpr double farthest = 3e-3; // in spacings; the end is nearly linear within it
     const State state = m_geodesics.shoot(g.angle, g.length);
     const Point p = point(state);
     const auto left = [&](double width) {
@@ -145,13 +147,14 @@ private:
     return {state, by / width, Pair(state[2], state[3]) * (m_step / m_spacing)};
   }
 
-  // Returns by how much a geodesic misses a point, in spacings.
+  // Returns the vector from a point to a state, in spacings.
   Pair difference(const Point& p, const State& state) const {
     const Point q = m_domain.near(p, point(state));
     return Pair(q.x() - p.x(), q.y() - p.y()) / m_spacing;
   }
 
-  // Returns how fast geodesics diverge at a length; negative from the conjugate point on.
+  // Returns the rate of divergence of neighboring geodesics at a length. It is negative beyond the
+  // conjugate point.
   double spread(double angle, double length) const { return m_orientation * area(angle, length); }
 
   double area(double angle, double length) const {
@@ -159,12 +162,12 @@ private:
     return a.by_length[0] * a.by_angle[1] - a.by_length[1] * a.by_angle[0];
   }
 
-  // Returns a step of Newton's method, bounded. Where geodesics are conjugate, the matrix has no
-  // inverse: what it hardly depends on stays.
+  // Returns a Newton step of bounded length. At a conjugate point, the matrix is singular. The
+  // unknowns that the equations do not determine then stay nearly unchanged.
   template <int n>
   static Eigen::Matrix<double, n, 1> solve(const Eigen::Matrix<double, n, n>& matrix,
                                            const Eigen::Matrix<double, n, 1>& right) {
-    static constexpr double longest = .5;     // radians or steps
+    static constexpr double longest = .5;     // in radians or steps
     static constexpr double singular = 1e-12; // of the largest pivot
     Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, n, n>> decomposition(n, n);
     decomposition.setThreshold(singular);
@@ -179,8 +182,9 @@ private:
              std::abs(to.length - from.length) < steps * m_step);
   }
 
-  // Unknown are the length and the angles, but for the first of two. Each geodesic meets itself
-  // everywhere: the distance of two is divided by the chord of the angle between them.
+  // Returns the meeting of n geodesics. The unknowns are the length and the angles, except the
+  // first angle if n is 2. Equal geodesics meet at every length. To exclude this solution, the
+  // distance between two ends is divided by the chord of the angle between them.
   template <int n>
   std::optional<Meeting> meeting_of(const std::vector<double>& start, double length) const {
     static constexpr int unknowns = 2 * (n - 1), first = n == 2 ? 1 : 0;
@@ -226,7 +230,7 @@ private:
   const Geodesics& m_geodesics;
   Domain m_domain;
   double m_spacing, m_step;
-  double m_orientation; // of the chart, as seen from the source
+  double m_orientation; // 1 or -1: orientation of the chart, as seen from the source
 };
 
 } // namespace internal

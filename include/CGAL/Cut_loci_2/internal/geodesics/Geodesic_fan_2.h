@@ -25,10 +25,10 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-All directions from the source at once: rays that go in equal steps, each until shorter geodesics
-lead to where it is. New rays come between those that get far from each other. Two neighbors bound a
-cell in each step; the cells cover the surface once, and a little more where they end. So a point is
-in cells of all shortest geodesics to it.
+The fan of geodesics from the source in all directions. All rays grow in equal steps. A ray ends
+when a shorter geodesic leads to its end. New rays are inserted between rays that are far from each
+other. In each step, two neighboring rays bound a cell. The cells cover the surface once, and a
+little more where rays end. A point is therefore in cells of all shortest geodesics to it.
 */
 template <class Metric> class Geodesic_fan_2
 {
@@ -36,16 +36,17 @@ public:
   using Equations = Geodesic_equations_2<Metric>;
   using Point = typename Equations::Point;
 
-  // A direction, and the shorter geodesic to a point of its ray that was found first. None, if the
-  // ray is as long as it may be, leaves the chart, or was left alone by its neighbors.
+  // A direction, and the first shorter geodesic that was found to a point of its ray. There is none
+  // if the ray has the longest distance, leaves the chart, or was ended because both neighbors had
+  // ended.
   struct Direction
   {
     double angle;
-    double length; // of the ray to that point
+    double length; // length of the ray up to this point
     std::optional<Geodesic_2> shorter;
   };
 
-  // Goes until all rays have ended, or to the longest distance.
+  // Grows the fan until all rays have ended, or up to the longest distance.
   Geodesic_fan_2(const Equations& equations, double longest_distance)
       : m_equations(equations), m_step(equations.step()),
         m_first_length(equations.geodesics().shortest_length(equations.step())) {
@@ -64,7 +65,7 @@ public:
   // Returns whether all rays have ended before the longest distance.
   bool is_complete() const { return m_is_complete; }
 
-  // By increasing angles.
+  // Returns the directions, sorted by angle.
   std::vector<Direction> directions() const {
     std::vector<Direction> result;
     for (const auto& [angle, ray] : m_rays)
@@ -72,7 +73,7 @@ public:
     return result;
   }
 
-  // Returns about which geodesics lead to a point, among them all shortest ones.
+  // Returns approximations of geodesics to a point. All shortest geodesics are among them.
   std::vector<Geodesic_2> candidates(const Point& p) const {
     std::vector<Geodesic_2> result;
     const auto it = m_squares.find(square(p));
@@ -87,27 +88,27 @@ private:
   using State = Geodesic_state;
   using Square = std::array<int, 2>;
 
-  static constexpr int first_rays = 32;       // directions
-  static constexpr double farthest = 2;       // steps from a ray to the next one
-  static constexpr double narrowest = 1e-10;  // radians between rays
-  static constexpr unsigned overlap = 3;      // steps of a ray beyond its end
-  static constexpr double square_size = 2;    // spacings, of the squares by which cells are found
+  static constexpr int first_rays = 32;       // number of directions at the beginning
+  static constexpr double farthest = 2;       // in steps, between neighboring rays
+  static constexpr double narrowest = 1e-10;  // in radians, between neighboring rays
+  static constexpr unsigned overlap = 3;      // number of steps of a ray beyond its end
+  static constexpr double square_size = 2;    // in spacings; squares give access to cells
   static constexpr int most_squares = 1 << 9; // along an axis
   static constexpr std::size_t most_cells = 1 << 23;
 
   struct Ray
   {
-    State state;                       // at the current level, or where it ended
-    unsigned left = overlap;           // steps that are left to a ray that ends
-    double cut_length = 0;             // see Direction
-    std::optional<Geodesic_2> shorter; // see Direction
+    State state;                       // at the current level, or at the end
+    unsigned left = overlap;           // number of steps until the ray stops
+    double cut_length = 0;             // `length` of the `Direction`
+    std::optional<Geodesic_2> shorter; // `shorter` of the `Direction`
   };
 
-  // Between two rays, from one level to the next.
+  // The cell between two rays and between two levels.
   struct Cell
   {
-    std::array<Point, 4> corners; // near, and near each other: right, left, far left, far right
-    double right, angle;          // of the right ray, and by which the left one is left of it
+    std::array<Point, 4> corners; // unwrapped: right, left, far left, far right
+    double right, angle;          // of the right ray; from it to the left ray
     std::uint32_t level;
   };
 
@@ -116,7 +117,7 @@ private:
   void begin() {
     const int number =
         (std::max)(first_rays, int(std::ceil(full_turn() * m_first_length / m_step)));
-    static constexpr double first = .6180339887498949; // angles between: none is special
+    static constexpr double first = .6180339887498949; // part of an angle: no direction is special
     for (int i = 0; i < number; ++i)
       add_ray(full_turn() * (i + first) / number);
   }
@@ -137,7 +138,7 @@ private:
     return --(it == m_rays.begin() ? it = m_rays.end() : it);
   }
 
-  // Puts rays between those that are far from each other and both go on.
+  // Inserts a ray between neighboring rays that are far from each other and have not stopped.
   void refine() {
     for (bool has_changed = true; has_changed;) {
       has_changed = false;
@@ -162,7 +163,7 @@ private:
     return m_equations.geodesics().length(p, q.x() - p.x(), q.y() - p.y());
   }
 
-  // Takes all rays one step further.
+  // Extends all rays by one step.
   void advance() {
     std::vector<Ray_iterator> going;
     std::vector<State> before;
@@ -180,7 +181,8 @@ private:
     for (Ray_iterator it : going)
       if (!it->second.shorter)
         look_for_shorter(it->first, it->second);
-    // A ray accompanies its neighbors, so that there are cells where they end.
+    // A ray that has ended still grows until its neighbors have ended, so that cells cover all
+    // ends.
     for (Ray_iterator it : going) {
       Ray& ray = it->second;
       const Ray &left = next(it)->second, &right = previous(it)->second;
@@ -243,14 +245,14 @@ private:
     return result;
   }
 
-  static constexpr double outside = .25; // of a cell, by which a point may be so: it is bilinear
+  static constexpr double outside = .25; // of a cell; its map is bilinear
 
-  // Returns the geodesic of a cell to a point, about, if the point is in the cell.
+  // Returns an approximate geodesic of a cell to a point, if the point is in the cell.
   std::optional<Geodesic_2> locate(const Cell& cell, const Point& point) const {
     static constexpr int iterations = 8;
     const auto& c = cell.corners;
     const Point p = m_equations.domain().near(c[0], point);
-    double s = .5, t = .5; // across, and along
+    double s = .5, t = .5; // coordinates in the cell: across, along
     for (int i = 0; i < iterations; ++i) {
       const auto across = (1 - t) * (c[1] - c[0]) + t * (c[2] - c[3]),
                  along = (1 - s) * (c[3] - c[0]) + s * (c[2] - c[1]);
@@ -270,10 +272,10 @@ private:
     return Geodesic_2{cell.right + s * cell.angle, length(cell.level) + t * m_step};
   }
 
-  // Whether another geodesic to where a ray is now is shorter.
+  // Searches for a geodesic to the end of a ray that is shorter than the ray.
   void look_for_shorter(double angle, Ray& ray) {
-    static constexpr double similar = 1e-6; // radians
-    static constexpr double shorter = 1e-6; // steps
+    static constexpr double similar = 1e-6; // in radians
+    static constexpr double shorter = 1e-6; // in steps
     Progress_scope::check();
     const double here = length(m_level + 1);
     const Point p = Equations::point(ray.state);
@@ -292,9 +294,9 @@ private:
   double m_step, m_first_length;
   unsigned m_level = 0;
   bool m_is_complete;
-  std::map<double, Ray> m_rays; // by their angles, in [0, 2 pi)
+  std::map<double, Ray> m_rays; // by angle, in [0, 2 pi)
   std::vector<Cell> m_cells;
-  std::array<int, 2> m_numbers; // of squares along the axes
+  std::array<int, 2> m_numbers; // number of squares along the axes
   std::map<Square, std::vector<std::uint32_t>> m_squares;
 };
 

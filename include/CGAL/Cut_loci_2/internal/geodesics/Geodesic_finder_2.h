@@ -22,21 +22,21 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Finds the shortest geodesics of a front to a point, to rounding, by Newton's method: each
-// geodesic that is known to come near tells of one to the point.
+// Finds the shortest geodesics of a front to a point, up to rounding. Newton's method starts at
+// known geodesics that come near the point.
 template <class Front> class Geodesic_finder_2
 {
 public:
   using Point = typename Front::Point_2;
   using Pair = Eigen::Vector2d;
 
-  // From the source.
+  // A geodesic from the source, by its angle in radians and its length.
   struct Geodesic
   {
     double angle, length;
   };
 
-  // The end of a geodesic, and how that depends on its angle and its length.
+  // The end of a geodesic and its derivatives by the angle and the length.
   struct Arrival
   {
     Geodesic geodesic;
@@ -49,18 +49,18 @@ public:
   void add(const Arrival& a) { m_arrivals[square(Point(a.state[0], a.state[1]))].push_back(a); }
 
   Arrival arrival(const Geodesic& g) const {
-    static constexpr double difference = 1e-5; // radians
+    static constexpr double difference = 1e-5; // in radians
     const auto state = m_front.shoot(g.angle, g.length),
                next = m_front.shoot(g.angle + difference, g.length);
     return {g, state, Pair(next[0] - state[0], next[1] - state[1]) / difference,
             Pair(state[2], state[3])};
   }
 
-  // The shortest geodesics to a point, at least a number if there are as many, of some that are
-  // known and others that are like those near it.
+  // Returns the geodesics `known` and further geodesics to a point, sorted by length. They include
+  // the `number` shortest ones. Newton's method finds them from geodesics that come near the point.
   std::vector<Geodesic> geodesics_to(const Point& p, std::size_t number,
                                      std::vector<Geodesic> known) const {
-    static constexpr double similar = .05, inexact = 2; // radians of what will be the same; steps
+    static constexpr double similar = .05, inexact = 2; // radians, steps
     const auto is_shorter = [](const Geodesic& a, const Geodesic& b) {
       return a.length < b.length;
     };
@@ -82,7 +82,7 @@ public:
     return known;
   }
 
-  // Where a geodesic is, as seen from p.
+  // Returns the position of a state, in the copy of the torus that is nearest to p.
   Point near(const Point& p, const typename Front::State& state) const {
     return m_front.complex().domain().near(p, Point(state[0], state[1]));
   }
@@ -91,15 +91,15 @@ public:
     return Pair(q.x() - p.x(), q.y() - p.y());
   }
 
-  // Two geodesics that have become one meet everywhere.
+  // Returns whether two geodesics differ. Equal geodesics meet everywhere.
   static bool are_distinct(const Geodesic& a, const Geodesic& b) {
-    static constexpr double same = 1e-3; // radians
+    static constexpr double same = 1e-3; // in radians
     return std::abs(turn(a.angle, b.angle)) > same;
   }
 
-  // A small step of Newton's method must do.
+  // Returns whether a step of Newton's method is too long to be trusted.
   static bool is_farther(const Geodesic& from, const Geodesic& to) {
-    static constexpr double farthest = .5; // radians
+    static constexpr double farthest = .5; // in radians
     return !(std::abs(to.angle - from.angle) < farthest && to.length > 0 &&
              to.length < 2 * from.length);
   }
@@ -108,9 +108,9 @@ protected:
   const Front& m_front;
 
 public:
-  // The one that Newton's method finds from another one.
+  // Returns the geodesic to a point that Newton's method finds from the geodesic `start`.
   std::optional<Geodesic> geodesic_to(const Point& p, const Geodesic& start) const {
-    static constexpr int iterations = 30; // many at conjugate points, where it converges slowly
+    static constexpr int iterations = 30; // many, because convergence is slow at conjugate points
     static constexpr double precision = 1e-9;
     Geodesic g = start;
     for (int k = 0; k < iterations; ++k) {
@@ -130,8 +130,8 @@ public:
 private:
   using Square = std::array<int, 2>;
 
-  // The chart is divided into squares of about this size, in spacings; what is farther from a point
-  // than one does not count as near.
+  // The approximate size of the squares of the chart, in spacings. Geodesics at larger distances
+  // from a point do not count as near.
   static constexpr double size_of_squares = 4;
 
   int number_of_squares(int axis) const {
@@ -149,7 +149,7 @@ private:
     return {index(q.x(), 0), index(q.y(), 1)};
   }
 
-  // The nearest first.
+  // Returns the known geodesics near a point, the nearest one first.
   std::vector<const Arrival*> arrivals_near(const Point& p) const {
     const Square s = square(p);
     const int n = number_of_squares(0), m = number_of_squares(1);
@@ -170,7 +170,7 @@ private:
     return result;
   }
 
-  // By one step of Newton's method.
+  // Returns the result of one Newton step.
   Geodesic corrected(const Arrival& a, const Point& p) const {
     const double spacing = m_front.spacing(), length = m_front.length_of_spacing();
     Eigen::Matrix2d jacobian;

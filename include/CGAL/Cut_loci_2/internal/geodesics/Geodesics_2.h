@@ -23,23 +23,24 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A point of a chart and the velocity of the geodesic there: u, v, u', v'.
+// A point of a chart and the velocity of a geodesic there: u, v, u', v'.
 using Geodesic_state = std::array<double, 4>;
 
-// What lengths are measured in: about as long as what matters in the chart, and on the manifold. So
-// tolerances mean the same for small and for large ones.
+// The units of length in the chart and on the manifold, of the size of the whole problem. With
+// them, tolerances do not depend on the scale.
 struct Geodesic_units
 {
   double chart, manifold;
 };
 
-// Where a geodesic is after another length. Throws Error where the metric is not positive.
+// Returns the state of a geodesic after a further length. Throws Error where the metric is not
+// positive definite.
 template <class Metric>
 Geodesic_state advance_geodesic(const Metric& metric, const Geodesic_units& units,
                                 const Geodesic_state& start, double length) {
   namespace odeint = boost::numeric::odeint;
-  static constexpr double tolerance = 1e-11, first_step = .2, shortest = 1e-12; // of the length
-  static constexpr double short_step = .02; // units, which are often done at once
+  static constexpr double tolerance = 1e-11, first_step = .2, shortest = 1e-12; // of length
+  static constexpr double short_step = .02; // in units; usually needs one step
   static constexpr int most_steps = 100000;
   if (length == 0)
     return start;
@@ -65,7 +66,8 @@ Geodesic_state advance_geodesic(const Metric& metric, const Geodesic_units& unit
     Progress_scope::check();
     if (std::abs(step) > std::abs(whole - done))
       step = whole - done;
-    // A step that is so long that it ends in infinity is taken for a good one.
+    // The stepper accepts steps whose result is not finite. They are repeated with a tenth of the
+    // length.
     const Geodesic_state before = state;
     const double done_before = done, tried = step;
     stepper.try_step(derivative, state, done, step);
@@ -82,14 +84,14 @@ Geodesic_state advance_geodesic(const Metric& metric, const Geodesic_units& unit
   return {units.chart * state[0], units.chart * state[1], state[2] / speed, state[3] / speed};
 }
 
-// The geodesics from a point of a chart, of unit speed.
+// The geodesics of unit speed from a point of a chart.
 template <class Metric> class Geodesics_2
 {
 public:
   using Point = Simple_cartesian<double>::Point_2;
   using Domain = Torus_domain<2>;
 
-  // By its angle from the direction along u, in radians.
+  // A geodesic from the source: its angle from the direction along u, in radians, and its length.
   struct Departure
   {
     double angle, length;
@@ -115,7 +117,7 @@ public:
     m_second = {-m_g.F / m_g.E * second, second};
   }
 
-  // Where a geodesic is, by its angle and length.
+  // Returns the state of the geodesic with the given angle and length.
   Geodesic_state shoot(double angle, double length) const {
     const double c = std::cos(angle), s = std::sin(angle);
     return advance({m_source.x(), m_source.y(), c * m_first[0] + s * m_second[0],
@@ -127,7 +129,7 @@ public:
     return advance_geodesic(m_metric, m_units, start, length);
   }
 
-  // To a point of the chart, if the metric were the same everywhere.
+  // Returns the geodesic to a point of the chart, for the constant metric of the source.
   Departure departure(const Point& p) const {
     const auto w = m_domain.near(m_source, p) - m_source;
     const double along = m_g.E * w.x() + m_g.F * w.y(), across = m_g.F * w.x() + m_g.G * w.y();
@@ -141,16 +143,18 @@ public:
     return std::sqrt(g.E * du * du + 2 * g.F * du * dv + g.G * dv * dv);
   }
 
-  // About the least and the largest length of vectors of a length in the chart, at the source.
+  // Returns the least or the largest length on the manifold of vectors with a given length in the
+  // chart, at the source.
   double shortest(double in_chart) const { return m_shortest * in_chart; }
   double longest(double in_chart) const { return m_longest * in_chart; }
 
-  // Returns the length of geodesics that have arrived in the chart: a step is enough.
+  // Returns the length at which geodesics lie in the chart: a step.
   double shortest_length(double step) const { return step; }
 
-  // The radius of the first front, some edges away. Throws Error if that goes around the torus.
+  // Returns the radius of the initial front, which is some edges long. Throws Error if the front
+  // would go around the torus.
   double first_radius(double spacing) const {
-    static constexpr double edges = 3, widest = .45; // edges, periods
+    static constexpr double edges = 3, widest = .45; // number of edges; part of a period
     const double radius = longest(edges * spacing);
     for (std::size_t axis = 0; axis < 2; ++axis)
       if (!(m_extent[axis] * radius < widest * m_domain.periods()[axis]))
@@ -159,7 +163,7 @@ public:
     return radius;
   }
 
-  // What the cut locus leaves is a disk: the number of cycles in it.
+  // The number of independent cycles of the cut locus. Its complement is a disk.
   static constexpr std::size_t cycles_of_cut_locus = 2;
   bool is_in_chart(const Geodesic_state&) const { return true; }
 
@@ -169,13 +173,13 @@ private:
   Point m_source;
   Metric_jet_2 m_g;                        // at the source
   std::array<double, 2> m_first, m_second; // orthonormal
-  double m_longest, m_shortest;            // vectors of the unit of the chart
+  double m_longest, m_shortest;            // of unit vectors of the chart
   std::array<double, 2> m_extent;          // of the unit disk along the axes of the chart
   Geodesic_units m_units;
 };
 
-// They begin in a chart of their own, at whose origin the source is; in the chart of the surface it
-// is infinitely far away.
+// The geodesics of a sphere-like surface. They begin in a chart with the source at its origin. In
+// the chart of the surface, the source is infinitely far away.
 template <class Embedding, template <class> class Differentiated>
 class Geodesics_2<Sphere_like_surface_2<Embedding, Differentiated>>
 {
@@ -192,11 +196,11 @@ public:
                    Point(Surface::half_width, Surface::half_width)),
         m_units{Surface::half_width, m_opposite.longest(Surface::half_width)} {}
 
-  // The length is not 0.
+  // Returns the state of the geodesic with the given angle and length. The length is not 0.
   Geodesic_state shoot(double angle, double length) const {
     const double begin = (std::min)(length, first_radius());
     const Geodesic_state x = m_at_source.shoot(angle, begin);
-    // By inversion in the unit circle, and then to the middle of the chart.
+    // An inversion in the unit circle and a translation change the chart.
     const double squared = x[0] * x[0] + x[1] * x[1], turn = 2 * (x[0] * x[2] + x[1] * x[3]);
     Geodesic_state y;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -218,14 +222,14 @@ public:
 
   double length(const Point& p, double du, double dv) const { return m_opposite.length(p, du, dv); }
 
-  // Opposite to the source, where the front closes in.
+  // Measured opposite to the source, where the front closes.
   double shortest(double in_chart) const { return m_opposite.shortest(in_chart); }
   double longest(double in_chart) const { return m_opposite.longest(in_chart); }
 
-  // In the chart, they come from infinity.
+  // Returns the length at which geodesics lie in the chart. They enter it from infinity.
   double shortest_length(double) const { return first_radius(); }
 
-  // Its front is well within the box.
+  // Returns the radius of the initial front, which lies inside the box.
   double first_radius(double = 0) const {
     static constexpr double margin = .85;
     return m_at_source.longest(1 / (margin * Surface::half_width));
@@ -239,7 +243,7 @@ public:
   }
 
 private:
-  // A metric of its own, without a source.
+  // The metric as a type without a source, so that the general template is used.
   struct Opposite : Surface
   {
     explicit Opposite(const Surface& surface) : Surface(surface) {}

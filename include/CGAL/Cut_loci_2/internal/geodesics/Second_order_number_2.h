@@ -11,8 +11,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A number with its derivatives by u and v, of the first and the second order: for automatic
-// differentiation, with the functions of <cmath>, found by argument-dependent lookup.
+// A number with its first and second derivatives by u and v, for automatic differentiation. The
+// functions of <cmath> are found by argument-dependent lookup.
 struct Second_order_number_2
 {
   double value, u = 0, v = 0, uu = 0, uv = 0, vv = 0;
@@ -25,7 +25,7 @@ struct Second_order_number_2
 
   using Number = Second_order_number_2;
 
-  // Returns f(x), from f at the value of x and its derivatives there.
+  // Returns f(x), given f and its first and second derivatives at the value of x.
   static Number chain(const Number& x, double f, double first, double second) {
     return {f,
             first * x.u,
@@ -126,7 +126,7 @@ struct Second_order_number_2
     const double first = 1 / (1 + x.value * x.value);
     return chain(x, std::atan(x.value), first, -2 * x.value * first * first);
   }
-  // Its derivatives are those of the quotient that exists.
+  // The derivatives are those of atan(y / x) or -atan(x / y), whichever quotient is smaller.
   friend Number atan2(const Number& y, const Number& x) {
     Number result = std::abs(x.value) > std::abs(y.value) ? atan(y / x) : -atan(x / y);
     result.value = std::atan2(y.value, x.value);

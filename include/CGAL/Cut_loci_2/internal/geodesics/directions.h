@@ -11,14 +11,15 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Directions at a point are angles in radians; to the left, they increase.
+// Directions at a point are angles in radians. Angles increase to the left.
 
 inline double full_turn() { return 2 * std::acos(-1.); }
 
-// Returns the angle by which one direction is to the left of another, in [-pi, pi].
+// Returns the angle from a direction to another one, positive to the left, in [-pi, pi].
 inline double turn(double from, double to) { return std::remainder(to - from, full_turn()); }
 
-// Returns the angle from one direction to the left to another, in (0, 2 pi].
+// Returns the angle in (0, 2 pi] from the direction `right` to the left, up to the direction
+// `left`.
 inline double gap_between(double right, double left) {
   const double gap = std::fmod(left - right, full_turn());
   return gap > 0 ? gap : gap + full_turn();

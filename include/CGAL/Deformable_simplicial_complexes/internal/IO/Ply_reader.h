@@ -21,7 +21,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A type of numbers, with its two names. All of its numbers are `double` as well.
+// A number type of the PLY format, with its two names. Every value of the type is exactly
+// representable as `double`.
 struct Ply_type
 {
   const char* name;
@@ -33,7 +34,7 @@ template <class Number> double read_ply_number(File_scanner& scanner, Encoding e
   return static_cast<double>(scanner.number<Number>(encoding));
 }
 
-// Nothing if there is no type of that name.
+// Returns the number type with a given name, or null if there is none.
 inline const Ply_type* find_ply_type(std::string_view name) {
   static constexpr Ply_type types[] = {{"char", "int8", read_ply_number<std::int8_t>},
                                        {"uchar", "uint8", read_ply_number<std::uint8_t>},
@@ -49,16 +50,18 @@ inline const Ply_type* find_ply_type(std::string_view name) {
   return nullptr;
 }
 
+// A property of an element: a number, or a list of numbers if `size_type` is not null.
 struct Ply_property
 {
   enum Meaning { x, y, z, nx, ny, nz, corners, nothing };
 
-  const Ply_type* size_type; // of a list, null otherwise
+  const Ply_type* size_type; // the type of the size of a list; null if the property is not a list
   const Ply_type* type;
   Meaning meaning;
   std::string name;
 };
 
+// An element of the header: a kind of item, the number of items, and their properties.
 struct Ply_element
 {
   enum Kind { point, polygon, other };
@@ -80,7 +83,7 @@ struct Ply_element
   }
 };
 
-// Returns the content of a property of points or polygons, in the plural.
+// Returns the content of a property of points or polygons, as a noun in the plural for messages.
 inline std::string ply_content(const std::string& name, Ply_element::Kind kind) {
   const std::string owners = kind == Ply_element::point ? " of points" : " of polygons";
   for (const char* color : {"red", "green", "blue", "alpha"})
@@ -95,21 +98,23 @@ inline std::string ply_content(const std::string& name, Ply_element::Kind kind) 
   return "values " + in_quotes(name) + owners;
 }
 
-// Reads a PLY file, as text or binary. All types of numbers are known, and elements and properties
-// other than points and polygons are skipped.
+// A reader for PLY files, in text or binary form. It supports all number types of the format. It
+// skips elements and properties that describe neither points nor polygons, and reports them as
+// unused.
 class Ply_reader
 {
 public:
   explicit Ply_reader(File_scanner& scanner) : m_scanner(scanner) { read_header(); }
 
-  // Hands the points and the polygons to a sink; see read_polygons.h.
+  // Passes the points and the polygons to a sink; see read_polygons.h. Throws `File_error` if the
+  // content contradicts the header.
   template <class Sink> void read(Sink& sink) {
-    double coordinates[6] = {}; // and those of a normal
+    double coordinates[6] = {}; // of a point and its normal
     std::vector<std::size_t> corners;
     for (const Ply_element& element : m_elements) {
       if (element.kind == Ply_element::point)
         sink.expect_points(element.number);
-      // Elements that have no properties take no place in the file.
+      // Elements without properties occupy no bytes in the file.
       const std::size_t number = element.properties.empty() ? 0 : element.number;
       for (std::size_t i = 0; i < number; ++i) {
         for (const Ply_property& property : element.properties)
@@ -134,7 +139,7 @@ public:
   }
 
 private:
-  // The next word of the line.
+  // Returns the next word of the line. Throws `File_error` if there is none.
   std::string_view word() {
     if (!m_scanner.next_on_line())
       m_scanner.fail("a word is missing in the header; repair the file");
@@ -226,6 +231,8 @@ private:
     }
   }
 
+  // Reads the size of a list or an index. Throws `File_error` if it is not an integer from 0 to
+  // 2^32 - 1.
   std::size_t index(const Ply_type& type) {
     const double number = type.read(m_scanner, m_encoding);
     if (!(number >= 0) || number != std::trunc(number) || number > 4294967295.)
@@ -244,7 +251,7 @@ private:
       property.type->read(m_scanner, m_encoding);
   }
 
-  // Names everything that was not handed over, and what comes after the last element.
+  // Reports all content that was not passed to the sink, including content after the last element.
   template <class Sink> void report_unused(Sink& sink) {
     for (const Ply_element& element : m_elements) {
       std::set<std::string> contents;

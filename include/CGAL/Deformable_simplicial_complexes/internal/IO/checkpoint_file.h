@@ -30,7 +30,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Damaged by any conversion of text.
+// Returns the first eight bytes of a checkpoint file. A conversion of line ends or to seven-bit
+// characters changes these bytes, so such damage is detected.
 template <int d> std::string checkpoint_magic() {
   return "\211DSC" + std::to_string(d) + "\r\n\032";
 }
@@ -38,7 +39,7 @@ constexpr std::size_t checkpoint_magic_size = 8;
 constexpr std::uint32_t checkpoint_version = 5;
 constexpr std::size_t checkpoint_header_size = 24;
 
-// What follows the metadata in a file of this version.
+// The data that follows the metadata in a file of version `checkpoint_version`.
 template <int d>
 using Checkpoint_members =
     std::tuple<std::vector<std::array<double, d>>&,            // points
@@ -63,6 +64,7 @@ inline std::uint32_t crc_32(const char* bytes, std::size_t size) {
   return crc.checksum();
 }
 
+// An encoder that converts data to little-endian bytes.
 class Checkpoint_encoder
 {
 public:
@@ -90,8 +92,8 @@ private:
   std::string m_bytes;
 };
 
-// Reads what the encoder wrote. Becomes and stays invalid when there are too few bytes; nothing is
-// allocated for elements that are not there.
+// A decoder for the bytes of a `Checkpoint_encoder`. It becomes invalid, and stays invalid, if
+// there are too few bytes. It allocates memory only for elements that the remaining bytes can hold.
 class Checkpoint_decoder
 {
 public:
@@ -117,12 +119,13 @@ public:
   }
 
   void operator()(std::string& text) {
-    const std::size_t size = number_of_elements(1); // first, as it moves the position
+    // before `m_position` is read, because the call advances it
+    const std::size_t size = number_of_elements(1);
     text.assign(m_position, size);
     m_position += size;
   }
 
-  // whether everything was there and everything was read
+  // Returns whether all expected data was present and no bytes are left.
   bool is_complete() const { return m_is_valid && m_position == m_end; }
 
 private:
@@ -140,12 +143,16 @@ private:
   bool m_is_valid = true;
 };
 
+// The content of a checkpoint file.
 template <int d> struct Checkpoint
 {
   State<d> state;       ///< the complex
-  std::string metadata; ///< what the program added, e.g. time and settings
+  std::string metadata; ///< the data added by the program, e.g. time and settings
 };
 
+// Writes a checkpoint file: magic bytes, a header with version, checksum and size, and the payload.
+// The file is replaced only if everything has been written.
+// \pre The arrays of the state have consistent sizes.
 template <int d>
 void write_checkpoint_file(const std::string& path, const State<d>& state,
                            const std::string& metadata) {
@@ -165,7 +172,7 @@ void write_checkpoint_file(const std::string& path, const State<d>& state,
   });
 }
 
-// The dimension that a file tells in its first bytes; 0 if it is no checkpoint.
+// Returns the dimension given by the first bytes of a file, or 0 if the file is not a checkpoint.
 inline int checkpoint_file_dimension(const std::string& path) {
   std::string bytes(checkpoint_magic_size, '\0');
   std::ifstream in = open_input(path, ".dsc");
@@ -173,6 +180,8 @@ inline int checkpoint_file_dimension(const std::string& path) {
   return bytes == checkpoint_magic<2>() ? 2 : bytes == checkpoint_magic<3>() ? 3 : 0;
 }
 
+// Reads a checkpoint file. Throws `File_error` if it is not a checkpoint of dimension `d`, has
+// another version, is truncated, or is damaged.
 template <int d> Checkpoint<d> read_checkpoint_file(const std::string& path) {
   const auto require = [&](bool condition, const std::string& what) {
     if (!condition)

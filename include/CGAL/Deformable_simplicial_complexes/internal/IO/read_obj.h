@@ -20,14 +20,14 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// How a statement of an OBJ file is treated that is neither a point nor a polygon.
+// A statement of an OBJ file that gives neither a point nor a polygon.
 struct Obj_statement
 {
   std::string_view keyword;
-  const char* content; // what is not used; null if the statement describes a surface
+  const char* content; // the name of the unused content; null if the statement describes a surface
 };
 
-// Returns null for statements that are unknown.
+// Returns null if the keyword is unknown.
 inline const Obj_statement* find_obj_statement(std::string_view keyword) {
   static constexpr Obj_statement statements[] = {{"vt", "texture coordinates"},
                                                  {"vn", "normals"},
@@ -55,10 +55,13 @@ inline const Obj_statement* find_obj_statement(std::string_view keyword) {
   return nullptr;
 }
 
-// Hands the points and the polygons of an OBJ file to a sink; see read_polygons.h.
+// Passes the points and the polygons of an OBJ file to a sink; see read_polygons.h. Throws
+// `File_error` if a statement is invalid, or describes a surface without polygons.
 template <class Sink> void read_obj(File_scanner& scanner, Sink& sink) {
   std::int64_t number_of_points = 0;
-  // The first of the indices of a corner, as in 7/3/5: from 1, or back from the last point.
+  // Returns the zero-based point index of a corner. A corner such as 7/3/5 has up to three indices,
+  // and the first one is the index of the point. Positive indices begin with 1; negative ones count
+  // back from the last point.
   const auto index_of_corner = [&] {
     const std::string_view corner = scanner.word();
     const auto index = number_of_word<std::int64_t>(corner.substr(0, corner.find('/')));
@@ -93,7 +96,8 @@ template <class Sink> void read_obj(File_scanner& scanner, Sink& sink) {
                                           "file; write all of it as polygons");
       ++unused[statement->content];
     } else {
-      constexpr std::size_t most_kinds = 40; // that a message may name
+      // A message names at most this number of unknown statements.
+      constexpr std::size_t most_kinds = 40;
       ++unused[unused.size() < most_kinds ? "statements " + in_quotes(keyword)
                                           : "other statements"];
     }

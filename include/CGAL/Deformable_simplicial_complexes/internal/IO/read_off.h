@@ -17,14 +17,14 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What the first line of an OFF file tells.
+// The properties given by the first line of an OFF file.
 struct Off_header
 {
   bool has_texture, has_color, has_normal, is_homogeneous, has_dimension, has_edges;
   Encoding encoding;
 };
 
-// Reads the keyword, such as COFF BINARY. The numbers may follow it without a blank.
+// Reads the keyword, such as COFF BINARY. Numbers may follow the keyword without a space.
 inline Off_header read_off_header(File_scanner& scanner) {
   std::string_view kind = scanner.next() ? scanner.word() : std::string_view();
   const auto has_prefix = [&](std::string_view prefix) {
@@ -51,7 +51,7 @@ inline Off_header read_off_header(File_scanner& scanner) {
   return header;
 }
 
-// Returns a number of elements, or an index.
+// Returns a number of elements or an index. Throws `File_error` if it is negative.
 inline std::size_t read_off_integer(File_scanner& scanner, Encoding encoding) {
   const auto n = scanner.template number<std::int32_t>(encoding);
   if (n < 0)
@@ -59,8 +59,8 @@ inline std::size_t read_off_integer(File_scanner& scanner, Encoding encoding) {
   return static_cast<std::size_t>(n);
 }
 
-// Passes the number of edges. Some files leave it out: then the line of the other numbers ends and
-// the next one has more than one number.
+// Skips the number of edges. Some files omit it. In such a file the line with the other two numbers
+// ends after them, and the next line has more than one number.
 inline void skip_number_of_edges(File_scanner& scanner, Encoding encoding) {
   if (encoding == Encoding::text && scanner.words_left() == 0 && scanner.next()) {
     scanner.back();
@@ -70,8 +70,8 @@ inline void skip_number_of_edges(File_scanner& scanner, Encoding encoding) {
   read_off_integer(scanner, encoding);
 }
 
-// Hands the points and the polygons of an OFF file, as text or binary, to a sink; see
-// read_polygons.h.
+// Passes the points and the polygons of an OFF file, in text or binary form, to a sink; see
+// read_polygons.h. Throws `File_error` if the numbers contradict the header.
 template <class Sink> void read_off(File_scanner& scanner, Sink& sink) {
   const Off_header header = read_off_header(scanner);
   const bool is_binary = header.encoding != Encoding::text;
@@ -80,7 +80,7 @@ template <class Sink> void read_off(File_scanner& scanner, Sink& sink) {
     return is_binary ? double{scanner.template number<float>(header.encoding)}
                      : scanner.template number<double>();
   };
-  // Passes the rest of an element; returns whether there is any.
+  // Skips the rest of an element. Returns whether the rest is not empty.
   const auto skip_rest = [&](std::size_t binary_reals) {
     const std::size_t n = is_binary ? binary_reals : scanner.words_left();
     if (is_binary)

@@ -19,15 +19,16 @@ namespace internal {
 
 enum class Surface_format { none, off, obj, ply, stl };
 
-// Goes through a file of that format and hands to `sink`, in the order of the file, what it finds:
-// - `expect_points(n)`: as many points should follow, if the number is told; it may be wrong;
-// - `point(x, y, z)`: a point, perhaps with coordinates that are not finite;
-// - `normal(x, y, z)`: that of the last point, if the file tells it;
-// - `polygon(corners)`: places of points as a `std::vector<std::size_t>`, which may come before the
-//   points or be wrong;
-// - `unused(kind, number)`: the content that is not handed over, at the end.
-// Nothing is stored but the polygon. Throws File_error with the line if the file has another form.
-// pre: the format is not none, and `scanner` is at the beginning of `in`, which is that of the file
+// Reads a surface file and passes its content to `sink`, in the order of the file:
+// - `expect_points(n)`: the number of points, if the file gives it; it may be wrong;
+// - `point(x, y, z)`: a point; coordinates may be infinite or NaN;
+// - `normal(x, y, z)`: the normal of the last point, if the file gives it;
+// - `polygon(corners)`: the indices of the corners, a `std::vector<std::size_t>`. A polygon may
+//   come before its points, and its indices may be wrong;
+// - `unused(kind, number)`: content that is not passed, reported at the end.
+//
+// Stores only the current polygon. Throws `File_error` with the line if the file is invalid.
+// \pre `format` is not `none`, and `scanner` is at the beginning of the file that `in` reads.
 template <class Sink>
 void read_polygons(std::istream& in, Surface_format format, File_scanner& scanner, Sink& sink) {
   switch (format) {

@@ -22,14 +22,17 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A binary STL file is a header of 80 bytes, the number of triangles in four, and 50 for each.
+// A binary STL file consists of a header of 80 bytes, the number of triangles in four bytes, and 50
+// bytes for each triangle.
 constexpr std::size_t stl_header_size = 80, stl_triangle_size = 50;
 
-// Returns whether an STL file is binary: it has as many bytes as it says, or bytes that are in no
-// text. Four characters are a number of triangles that take gigabytes. Many headers begin with
-// "solid", as text does.
+// Returns whether an STL file is binary. It is binary if it has at least the announced number of
+// bytes, or if its first 84 bytes contain a null character. In a text file, the four bytes at the
+// position of the number are characters. They would announce gigabytes of triangles, more than the
+// file contains. The word "solid" is not tested, because headers of binary files may begin with it,
+// too.
 //
-// Throws File_error if a binary file is truncated, or has more triangles than it says.
+// Throws `File_error` if a binary file is truncated, or has more triangles than announced.
 inline bool is_binary_stl(std::istream& in, const std::string& path) {
   std::string begin(stl_header_size + sizeof(std::uint32_t), '\0');
   in.read(&begin[0], static_cast<std::streamsize>(begin.size()));
@@ -60,8 +63,8 @@ inline bool is_binary_stl(std::istream& in, const std::string& path) {
   return true;
 }
 
-// Both hand the triangles and their corners to a sink; see read_polygons.h. Triangles share no
-// points. Their normals follow from their corners.
+// Passes the triangles and their corners to a sink; see read_polygons.h. Triangles share no points.
+// Stored normals are skipped, since the corners determine them.
 
 template <class Sink> void read_binary_stl(File_scanner& scanner, Sink& sink) {
   const auto real = [&] { return double{scanner.template number<float>(Encoding::little_endian)}; };
@@ -84,7 +87,8 @@ template <class Sink> void read_binary_stl(File_scanner& scanner, Sink& sink) {
   sink.unused("bytes after the last triangle", scanner.skip_all_bytes());
 }
 
-// Keywords may be in any case.
+// A reader for STL files in text form. Like `read_binary_stl()`, it passes triangles and their
+// corners to a sink. Upper and lower case are equivalent in keywords.
 template <class Sink> class Stl_text_reader
 {
 public:
@@ -114,14 +118,15 @@ public:
   }
 
 private:
-  // Returns whether the word is this one; it is in lower case.
+  // Returns whether the word equals a keyword, regardless of case. The keyword is given in lower
+  // case.
   bool is(std::string_view expected) const {
     const std::string_view word = m_scanner.word();
     return std::equal(word.begin(), word.end(), expected.begin(), expected.end(),
                       [](char a, char b) { return a == b || a == b - 'a' + 'A'; });
   }
 
-  // Goes behind the name of a solid, which ends with the line or before a facet.
+  // Skips the name of a solid. It ends at the end of the line or before a facet.
   void skip_name() {
     while (m_scanner.next_on_line())
       if (is("facet") && m_scanner.next_on_line() && is("normal"))

@@ -21,8 +21,8 @@ namespace internal {
 using Polygon_kernel = Exact_predicates_inexact_constructions_kernel;
 using Places_of_triangles = std::vector<std::array<std::size_t, 3>>;
 
-// Splits a quadrilateral where the triangles have the larger normals and the smaller angle between
-// these.
+// Splits a quadrilateral along one of its diagonals. It chooses the diagonal for which the scalar
+// product of the normals of the two triangles is larger.
 inline Places_of_triangles
 triangulated_quadrilateral(const std::vector<Polygon_kernel::Vector_3>& p) {
   const auto across_1_3 =
@@ -34,8 +34,9 @@ triangulated_quadrilateral(const std::vector<Polygon_kernel::Vector_3>& p) {
   return {{3, 0, 1}, {1, 2, 3}};
 }
 
-// The constrained Delaunay triangulation of a polygon in the plane. All decisions are exact. Empty
-// if the polygon meets itself, which would be cut in all places where it does, maybe millions.
+// Returns the constrained Delaunay triangulation of a polygon in the plane. All predicates are
+// exact. The result is empty if the polygon is self-intersecting. Intersection points are not
+// computed, because there may be millions.
 #ifdef CGAL_DSC_EXTERN // see the component Compiled
 Places_of_triangles
 triangulated_simple_polygon(const std::vector<Polygon_kernel::Point_2>& corners);
@@ -44,8 +45,9 @@ inline Places_of_triangles
 triangulated_simple_polygon(const std::vector<Polygon_kernel::Point_2>& corners);
 #endif
 
-// The triangles of a polygon as places in it; empty if it cannot be triangulated. One of more than
-// four corners must not meet itself where it is seen along its normal.
+// Returns the triangles of a polygon, as indices into `corners`. The result is empty if the polygon
+// cannot be triangulated. A polygon of more than four corners is projected along its normal, and
+// the projection must not be self-intersecting.
 template <class Point> Places_of_triangles triangulated_polygon(const std::vector<Point>& corners) {
   using Vector = Polygon_kernel::Vector_3;
   if (corners.size() < 3)
@@ -53,7 +55,7 @@ template <class Point> Places_of_triangles triangulated_polygon(const std::vecto
   if (corners.size() == 3)
     return {{0, 1, 2}};
 
-  // Of unit size, so that products neither overflow nor vanish.
+  // Coordinates are scaled to unit size, so that products neither overflow nor underflow.
   std::vector<Vector> from_first;
   double size = 0;
   for (const Point& p : corners) {

@@ -25,7 +25,8 @@ Places_of_triangles
 triangulated_simple_polygon(const std::vector<Polygon_kernel::Point_2>& corners) {
   using Vertex_base = Triangulation_vertex_base_with_info_2<std::size_t, Polygon_kernel>;
   using Face_base = Constrained_triangulation_face_base_2<
-      Polygon_kernel, Triangulation_face_base_with_info_2<bool, Polygon_kernel>>; // is it outside
+      // whether it is outside
+      Polygon_kernel, Triangulation_face_base_with_info_2<bool, Polygon_kernel>>;
   using Triangulation =
       Constrained_Delaunay_triangulation_2<Polygon_kernel,
                                            Triangulation_data_structure_2<Vertex_base, Face_base>,

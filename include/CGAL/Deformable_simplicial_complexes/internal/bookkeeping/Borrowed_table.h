@@ -17,16 +17,16 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-A table for what an algorithm notes about items, by their ids: queries that walk over a complex thus
-write nothing into it, and several threads may ask at once. Each thread keeps its tables for reuse.
-Emptying one takes no time: an entry counts only if it is of the epoch of now.
-
-Entry has a member `epoch` of type std::uint32_t, 0 at first.
+A table that stores temporary data of an algorithm about items, indexed by their ids. Queries that
+traverse a complex thus write nothing into it, and several threads can run queries concurrently.
+Each thread keeps its tables for reuse. Clearing a table takes constant time: an entry is valid only
+if its epoch is the current one.
+`Entry` has a member `epoch` of type `std::uint32_t`, initially 0.
 */
 template <class Entry> class Borrowed_table
 {
 public:
-  // An empty one, for ids below a bound.
+  // Creates an empty table for ids less than `bound`.
   explicit Borrowed_table(std::size_t bound) {
     if (!Tables::are_gone && !Tables::of_thread().empty()) {
       m_table = std::move(Tables::of_thread().back());
@@ -46,7 +46,7 @@ public:
       return;
     try {
       Tables::of_thread().push_back(std::move(m_table));
-    } catch (const std::exception&) { // there is no memory for it to be kept
+    } catch (const std::exception&) { // no memory to keep the table
     }
   }
 
@@ -61,7 +61,8 @@ private:
     std::uint32_t epoch = 0;
   };
 
-  // Those of a thread go when it ends, and objects with static lifetime may outlive them.
+  // The tables of a thread are destroyed when it ends; objects with static lifetime may outlive
+  // them.
   struct Tables
   {
     ~Tables() { are_gone = true; }

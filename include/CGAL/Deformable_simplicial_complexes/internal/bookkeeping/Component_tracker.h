@@ -24,16 +24,16 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Connected components of labels and their volumes. Each cell carries the number of its component;
-// a cell that replaces others inherits it. After a change that may have altered components they are
-// numbered anew, in the order of their oldest cells, and the pairs (old number, new number) met on
-// the way tell what merged, split or vanished.
+// The connected components of labels and their volumes. Each cell stores the number of its
+// component; a cell that replaces others inherits the number. After a change that may have altered
+// components, they are renumbered in the order of their oldest cells. The old and the new numbers
+// of cells then determine which components merged, split or vanished.
 template <class Cell_handle> class Component_tracker
 {
 public:
   using Number = std::uint32_t;
 
-  // The components may have changed.
+  // Records that components may have changed.
   void invalidate() {
     if (!m_doubts.empty())
       m_components.swap(m_before_doubts);
@@ -42,9 +42,10 @@ public:
     m_is_counted = false;
   }
 
-  // A cell is to have another label. Components stay if its finite neighbors of that are of one,
-  // and those of its own label stay connected around it, or as it turns out later. Nothing changes
-  // if there is no memory for it.
+  // Updates the state before a cell gets another label. Components are unchanged if two conditions
+  // hold. First, there are finite neighbors with the new label, and they belong to one component.
+  // Second, the neighbors with the old label stay connected around the cell. If a local search does
+  // not find this connection, it is checked later. Nothing changes if memory is exhausted.
   template <class Complex>
   void prepare_relabeling(const Complex& complex, Cell_handle c, int label) {
     if (!m_is_known || !m_doubts.empty())
@@ -67,8 +68,8 @@ public:
       invalidate();
   }
 
-  // Finds out whether components have changed, where that is in doubt. To be called before cells
-  // are replaced.
+  // Checks the connections that are not confirmed yet, and so determines whether components have
+  // changed. Must be called before cells are replaced.
   template <class Complex> void settle(const Complex& complex) {
     if (m_doubts.empty())
       return;
@@ -81,17 +82,18 @@ public:
     m_doubts.clear();
   }
 
-  // Whether they did not change since they were numbered. \pre settled
+  // Returns whether components have not changed since they were numbered.
+  // \pre `settle()` was called.
   bool is_known() const { return m_is_known; }
 
-  // What a component measures has changed, in the units of totals.
+  // Adds to the volume of a component, in the units of `Label_totals`.
   void add_volume(Number component, std::int64_t units) {
     if (m_is_known)
       m_components[component].volume += units;
   }
 
-  // Numbers components anew if they may have changed. The totals tell the unit of volumes, in which
-  // their sums are exact. Nothing changes if there is no memory for it.
+  // Renumbers components if they may have changed. `totals` defines the unit of volumes, in which
+  // sums are exact. Nothing changes if memory is exhausted.
   template <class Complex> void update(const Complex& complex, const Label_totals& totals) {
     const std::lock_guard<std::mutex> lock(m_guard.mutex);
     settle(complex);
@@ -103,7 +105,7 @@ public:
     std::vector<Count> counts = counts_of(now.components);
     m_events.insert(m_events.end(), std::make_move_iterator(events.begin()),
                     std::make_move_iterator(events.end()));
-    // From here on nothing can fail.
+    // No exception is thrown from here on.
     for (auto c : complex.finite_cells())
       c->set_component(now.of_cell[c->id()]);
     m_components.swap(now.components);
@@ -112,7 +114,8 @@ public:
     m_is_known = m_is_counted = true;
   }
 
-  // Forgets the past: the components of now are the first ones. \pre no cell has a number
+  // Clears events and lineage: the current components become the first ones.
+  // \pre No cell has a number.
   template <class Complex> void reset(const Complex& complex, const Label_totals& totals) {
     invalidate();
     m_components.clear();
@@ -121,13 +124,14 @@ public:
     begin_lineage();
   }
 
-  // Gives the components the numbers that their cells once had. Returns false if these are no
-  // numbers of them. \pre is_known()
+  // Gives the components the numbers that their cells had earlier. Returns false if these numbers
+  // do not fit the components.
+  // \pre `is_known()`
   template <class Complex>
   bool renumber(const Complex& complex, const std::vector<Cell_handle>& cells,
                 const std::vector<Number>& numbers) {
     const std::size_t n = m_components.size();
-    std::vector<Number> former(n, Number(n)); // n stands for none
+    std::vector<Number> former(n, Number(n)); // `n` means none
     std::vector<Component> components(n);
     std::vector<bool> is_taken(n, false);
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -148,7 +152,8 @@ public:
     return true;
   }
 
-  // Of now, whether or not they are numbered: a query, which alters no number.
+  // Returns the current number of components of a label, even if they are not numbered. This query
+  // changes no component number.
   template <class Complex>
   std::size_t number_of_components(const Complex& complex, int label) const {
     const std::lock_guard<std::mutex> lock(m_guard.mutex);
@@ -158,14 +163,15 @@ public:
     return it != m_counts.end() && it->label == label ? it->number : 0;
   }
 
-  // What the updates since the last call found.
+  // Returns the events found by the updates since the last call.
   std::vector<Component_event> take_events() {
     std::vector<Component_event> result;
     result.swap(m_events);
     return result;
   }
 
-  // Numbers at the last call and now, of components that have cells in common, sorted.
+  // Returns sorted pairs (number at the last call, current number) of components that have cells in
+  // common.
   std::vector<std::pair<Number, Number>> take_lineage() {
     std::vector<Origin> result;
     result.swap(m_lineage);
@@ -173,7 +179,8 @@ public:
     return result;
   }
 
-  // Whether the numbers and the volumes are those of now, if that is said to be known.
+  // Returns whether numbers and volumes are correct, by an independent traversal. Returns true if
+  // they are not known or if a connection is not confirmed.
   template <class Complex> bool is_right(const Complex& complex, const Label_totals& totals) const {
     const std::lock_guard<std::mutex> lock(m_guard.mutex);
     if (!m_is_known || !m_doubts.are_dispelled(complex))
@@ -208,15 +215,16 @@ private:
   struct Component
   {
     int label;
-    std::int64_t volume; // now, or just before something happened to components
+    std::int64_t volume; // the current volume, or the last one before components changed
   };
   using Origin = std::pair<Number, Number>;
 
-  // Whether what a cell leaves, given by its neighbors, is still one component, for all that is
-  // known. Notes what is not.
+  // Returns whether the component of `c` stays connected without `c`, as far as known. `left`
+  // contains the neighbors of `c` in the component. Records connections that are not confirmed.
   template <class Complex>
   bool leaves_one(const Complex& complex, Cell_handle c, const std::vector<Cell_handle>& left) {
-    static constexpr std::size_t most = 64; // doubts: beyond, a look at all cells is as cheap
+    // With more doubts, a traversal of all cells is as fast.
+    static constexpr std::size_t most = 64;
     if (m_doubts.size() > most)
       return false;
     if (m_doubts.has(c))
@@ -239,7 +247,8 @@ private:
       m_lineage.emplace_back(i, i);
   }
 
-  // \pre the origins are sorted
+  // Returns `m_lineage` composed with `origins`.
+  // \pre The origins are sorted.
   std::vector<Origin> prolonged_lineage(const std::vector<Origin>& origins) const {
     std::vector<Origin> result;
     for (const auto& [then, before] : m_lineage)
@@ -251,7 +260,8 @@ private:
     return result;
   }
 
-  // Of what queries of several threads find out once. Copies have their own.
+  // A mutex for values that concurrent queries compute once. Each copy of the tracker has a mutex
+  // of its own.
   struct Guard
   {
     Guard() = default;
@@ -268,7 +278,7 @@ private:
 
   static bool is_below(const Count& count, int label) { return count.label < label; }
 
-  // The counts are sorted by label.
+  // Increments the count of a label. The counts are sorted by label.
   static void add_one(std::vector<Count>& counts, int label) {
     auto it = std::lower_bound(counts.begin(), counts.end(), label, is_below);
     if (it == counts.end() || it->label != label)
@@ -283,7 +293,7 @@ private:
     return result;
   }
 
-  // Those of the same component.
+  // Adds the neighbors of `c` that belong to the same component.
   template <class Complex>
   static void add_neighbors(const Complex& complex, Cell_handle c, Marks& marks,
                             std::vector<Cell_handle>& seen) {
@@ -307,7 +317,7 @@ private:
     m_is_counted = true;
   }
 
-  // Components as they are now, in the order of their oldest cells.
+  // The current components, in the order of their oldest cells.
   struct Numbering
   {
     std::vector<Component> components;
@@ -322,8 +332,10 @@ private:
     std::vector<Number>& of_cell = result.of_cell;
     of_cell.resize(complex.cell_id_bound(), none);
     std::vector<Origin>& origins = result.origins;
-    std::vector<Component> found; // in the order of the container, which changes where cells do
-    std::vector<std::pair<std::size_t, Number>> oldest; // the time stamp of a cell of each
+    // in the order of the container, which may differ for equal complexes
+    std::vector<Component> found;
+    // the smallest time stamp of a cell of each component
+    std::vector<std::pair<std::size_t, Number>> oldest;
     std::vector<Cell_handle> front;
     for (Cell_handle seed : complex.finite_cells()) {
       if (of_cell[seed->id()] != none)
@@ -333,7 +345,8 @@ private:
       std::int64_t volume = 0;
       const auto visit = [&](Cell_handle c) {
         const Origin origin(c->component(), component);
-        // A cell that changed its label without a neighbor to join comes from no component of it.
+        // A cell that changed its label without a neighbor to join has no component of this label
+        // as its origin.
         const bool has_origin =
             origin.first < m_components.size() && m_components[origin.first].label == c->label();
         if (has_origin && (origins.empty() || origins.back() != origin))
@@ -370,7 +383,8 @@ private:
     return result;
   }
 
-  // Events of the sets of components of then and now that are connected by origins.
+  // Returns the events. Each event belongs to a set of old and new components that are connected by
+  // origins.
   std::vector<Component_event> compare(const Numbering& numbering,
                                        const Label_totals& totals) const {
     const std::vector<Component>&before = m_components, &now = numbering.components;
@@ -434,9 +448,9 @@ private:
 
   std::vector<Component> m_components; // by number
   std::vector<Component_event> m_events;
-  std::vector<Origin> m_lineage; // since it was taken
+  std::vector<Origin> m_lineage; // since the last call of `take_lineage()`
   bool m_is_known = true;
-  Doubted_connections<Cell_handle> m_doubts; // that what is known holds
+  Doubted_connections<Cell_handle> m_doubts; // connections that are not confirmed yet
   std::vector<Component> m_before_doubts;
   mutable std::vector<Count> m_counts; // by label
   mutable bool m_is_counted = false;

@@ -15,15 +15,15 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Cells that relabeling may have parted, in groups of which each is to be connected. What has been
-// cut off is often relabeled next, so it is asked in the end only whether they are. No cell may be
-// replaced meanwhile.
+// Groups of cells that relabeling may have disconnected; each group should be connected. Cells that
+// have been cut off are often relabeled next, so the connections are checked only at the end. No
+// cell may be replaced in the meantime.
 template <class Cell_handle> class Doubted_connections
 {
 public:
   bool empty() const { return m_number_of_groups == 0; }
 
-  // Of cells, each as often as it is in a group.
+  // Returns the number of cells, each counted once for every group that contains it.
   std::size_t size() const { return m_doubts.size(); }
 
   void clear() {
@@ -31,7 +31,7 @@ public:
     m_number_of_groups = 0;
   }
 
-  // Nothing changes if there is no memory for it.
+  // Adds a group. Nothing changes if memory is exhausted.
   void add_group(const std::vector<Cell_handle>& cells) {
     m_doubts.reserve(m_doubts.size() + cells.size());
     for (Cell_handle c : cells)
@@ -39,15 +39,15 @@ public:
     ++m_number_of_groups;
   }
 
-  // Whether a cell is in a group.
+  // Returns whether a group contains a cell.
   bool has(Cell_handle c) const {
     return std::any_of(m_doubts.begin(), m_doubts.end(),
                        [&](const Doubt& doubt) { return doubt.cell == c; });
   }
 
-  // In the groups of a cell that is to be relabeled, those around that keep its label stand for
-  // it. Where there is none, its groups become one, as it connects them no more. Returns whether
-  // something of them is left.
+  // Removes a cell that gets another label from all groups. In each group, its neighbors that keep
+  // the label replace it. If there is no such neighbor, the groups of the cell are joined first,
+  // because the cell no longer connects them. Returns whether the group still contains cells.
   bool replace(Cell_handle c, const std::vector<Cell_handle>& left) {
     if (left.empty())
       join_groups_of(c);
@@ -66,8 +66,8 @@ public:
                        [&](const Doubt& doubt) { return doubt.group == group; });
   }
 
-  // Whether each group is connected, as far as a search finds out that takes no longer than a look
-  // at all cells.
+  // Returns whether each group is connected. Returns false, too, if the search exceeds its budget,
+  // which is the cost of a traversal of all cells.
   template <class Complex> bool are_dispelled(const Complex& complex) const {
     std::vector<Cell_handle> first(m_number_of_groups);
     std::size_t budget = complex.cell_id_bound();

@@ -13,13 +13,14 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Cells that were tried in vain, or that smoothing made but little better, are not tried again
-// before motion gives another shape to them or to a neighbor, or a label changes there: not in a
-// rigid motion. Nor after operations on cells next to them, as what is good for one is often bad
-// for another, and there would be no end to it; but cells that operations make are new, and at rest
-// smoothing that changes a shape makes it worth trying.
+// Flags of cells for which an algorithm has failed, or which smoothing has improved only slightly.
+// Such a cell is not tried again before motion changes its shape or the shape of a neighbor, or
+// before a label changes there. A rigid motion thus causes no new attempt. Operations on adjacent
+// cells cause none, either: an operation that improves one cell often worsens another, and the
+// process would not terminate. Cells created by operations are new and have no flags. In a mesh at
+// rest, smoothing that changes the shape of a cell clears its flags.
 
-// The algorithms that remember their failures, each by itself.
+// The algorithms that record failures, each with a flag of its own.
 enum Attempt : std::uint8_t { to_improve_quality = 1, to_remove_small_angles = 2 };
 
 template <class Cell_handle> bool is_exhausted(Cell_handle c, Attempt attempt) {
@@ -34,14 +35,14 @@ template <class Cell_handle> void clear_exhausted(Cell_handle c, Attempt attempt
   c->set_failures(std::uint8_t(c->failures() & ~attempt));
 }
 
-// Whether a cell of one quality has another shape than one of another, up to what rounding does to
-// those that are flat.
+// Returns whether cells with two given qualities have different shapes. Differences due to rounding
+// in flat cells are ignored.
 inline bool is_essential_change(double before, double after) {
   static constexpr double same = .1, flat = 1e-9;
   return !(std::abs(after - before) <= same * (std::max)(before, flat));
 }
 
-// Returns whether a cell has another shape than when this was last the case.
+// Returns whether the shape of a cell has changed since this function last returned true for it.
 template <class Cell_handle> bool note_shape(Cell_handle c) {
   if (!is_essential_change(c->noted_quality(), c->quality()))
     return false;

@@ -14,7 +14,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The places of a few items in a list, by their ids: a hash table that is emptied often.
+// A hash table from the ids of a few items to their indices in a list, designed for frequent
+// clearing.
 class Id_map
 {
 public:
@@ -32,7 +33,8 @@ public:
     return m_slots.empty() ? none : m_slots[slot_of(id)].place;
   }
 
-  // \pre the id is not in the map, and the place is not `none`
+  // Inserts an id.
+  // \pre The id is not in the map, and `place` is not `none`.
   void insert(std::uint32_t id, std::uint32_t place) {
     if (2 * (m_size + 1) > m_slots.size())
       grow();
@@ -46,9 +48,9 @@ private:
     std::uint32_t id = 0, place = none;
   };
 
-  static constexpr std::size_t fewest = 64, most_kept = 256; // slots; powers of two
+  static constexpr std::size_t fewest = 64, most_kept = 256; // numbers of slots, powers of two
 
-  // Where an id is or would be.
+  // Returns the slot that contains an id, or the slot where it would be inserted.
   std::size_t slot_of(std::uint32_t id) const {
     static constexpr std::uint32_t golden = 2654435769u; // 2^32 divided by the golden ratio
     const std::size_t mask = m_slots.size() - 1;
@@ -66,7 +68,7 @@ private:
         m_slots[slot_of(slot.id)] = slot;
   }
 
-  std::vector<Slot> m_slots; // at least half of them free
+  std::vector<Slot> m_slots; // at least half of them are free
   std::size_t m_size = 0;
 };
 

@@ -15,9 +15,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Number of cells and volume of every label, kept up to date cell by cell. Volumes are added in
-// fixed point, so that the totals do not depend on the order of the changes and never drift: they
-// are at any time the sum over the cells that exist.
+// The number of cells and the volume of every label, updated cell by cell. Volumes are added in
+// fixed point. The totals therefore do not depend on the order of changes and accumulate no
+// rounding errors: they always equal the sums over the existing cells.
 class Label_totals
 {
 public:
@@ -28,7 +28,8 @@ public:
     std::int64_t volume;
   };
 
-  // The unit is 2^-62 of a power of two above the volume of the domain.
+  // Chooses the unit of volumes: 2^-61 times the smallest power of two greater than
+  // `domain_volume`.
   explicit Label_totals(double domain_volume = 1) {
     int exponent;
     std::frexp(domain_volume, &exponent);
@@ -39,7 +40,7 @@ public:
 
   double volume_of(std::int64_t units) const { return double(units) / m_to_units; }
 
-  // Changes of this label's totals need no memory afterwards.
+  // Allocates the entry of a label, so that later changes of its totals need no memory.
   void make_room(int label) { total(label); }
 
   void add_cell(int label, double volume) {
@@ -71,7 +72,7 @@ public:
     return t ? t->cells : 0;
   }
 
-  // Sorted by label; labels that once had cells stay.
+  // Returns the totals, sorted by label. Labels that no longer have cells are included.
   const std::vector<Total>& totals() const { return m_totals; }
 
 private:

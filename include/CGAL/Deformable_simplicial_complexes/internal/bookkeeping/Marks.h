@@ -15,23 +15,25 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// The entry of a marked item, which is valid if its epoch is the current one.
 struct Mark
 {
   std::uint32_t epoch = 0;
 };
 
-// Marked items, vertices or cells; none at first. To be used as long as none is created or removed.
+// A set of marked vertices or cells, initially empty. Valid as long as no vertex or cell is created
+// or removed.
 class Marks
 {
 public:
-  // Ids are below a bound.
+  // Creates an empty set for ids less than `bound`.
   explicit Marks(std::size_t bound) : m_table(bound) {}
 
   template <class Handle> bool has(Handle item) const {
     return m_table[item->id()].epoch == m_table.epoch();
   }
 
-  // Returns whether the item had no mark.
+  // Marks an item. Returns whether it was not marked before.
   template <class Handle> bool add(Handle item) {
     std::uint32_t& epoch = m_table[item->id()].epoch;
     if (epoch == m_table.epoch())
@@ -40,7 +42,7 @@ public:
     return true;
   }
 
-  // An item that had no mark comes into the list.
+  // Marks an item, and appends it to the list if it was not marked before.
   template <class Handle> void add(Handle item, std::vector<Handle>& items) {
     if (add(item))
       items.push_back(item);

@@ -11,12 +11,13 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Asks whether to go on, in a loop whose steps are faster than asking.
+// A counter that checks for an interrupt once in many steps, for loops whose steps are faster than
+// the check.
 class Sparse_check
 {
 public:
   void operator()() {
-    static constexpr unsigned period = 1 << 12; // steps, which take some microseconds in all
+    static constexpr unsigned period = 1 << 12; // steps between two checks
     if (++m_steps % period == 0)
       Progress_scope::check();
   }

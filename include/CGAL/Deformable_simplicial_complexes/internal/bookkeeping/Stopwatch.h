@@ -11,11 +11,11 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Seconds of the wall clock, from one lap to the next.
+// A clock that measures wall-clock time in seconds, from lap to lap.
 class Stopwatch
 {
 public:
-  // Adds those since the last lap, or the start.
+  // Adds the seconds since the last lap, or since construction.
   void lap(double& seconds) {
     const Clock::time_point now = Clock::now();
     seconds += std::chrono::duration<double>(now - m_start).count();

@@ -12,16 +12,17 @@
 #include <cstddef>
 #include <vector>
 
-// Whether a change of a few cells certainly leaves the connected components of labels, as their
-// surroundings tell. Where this says no, it takes a look farther around, or at all cells.
+// Tests for changes of connected components of labels after a change of a few cells. These tests
+// visit nearby cells first. If a test does not confirm a connection, the caller searches farther
+// away, or visits all cells.
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Whether two cells of one label are connected: it looks from both at once, about as far as they
-// are from each other, or over the smaller of what they are in. Says no, too, when it has looked
-// around as many cells as a budget has, from which they are taken.
+// Returns whether two cells with the same label are connected. The search starts from both cells at
+// the same time. It ends when the two searches meet, or when the smaller component is exhausted.
+// Each visited cell reduces `budget`; the function returns false, too, when the budget is used up.
 template <class Complex>
 bool are_connected(const Complex& complex, typename Complex::Cell_handle a,
                    typename Complex::Cell_handle b, std::size_t& budget) {
@@ -46,8 +47,8 @@ bool are_connected(const Complex& complex, typename Complex::Cell_handle a,
   return false;
 }
 
-// Whether cells of one label are connected through cells that have one of some vertices, given as
-// `is_near(v)`, without passing through one.
+// Returns whether cells with the same label are connected through cells that have a vertex `v` with
+// `is_near(v)`, without the cell `avoided`.
 template <class Complex, class IsNear>
 bool are_connected_nearby(const Complex& complex,
                           const std::vector<typename Complex::Cell_handle>& cells,
@@ -56,7 +57,7 @@ bool are_connected_nearby(const Complex& complex,
   std::vector<Cell_handle> reached;
   Marks marks = cell_marks(complex);
   marks.add(cells.front(), reached);
-  std::size_t connected = 0; // of the cells, the first ones
+  std::size_t connected = 0; // number of leading elements of `cells` that have been reached
   for (std::size_t k = 0; k < reached.size(); ++k) {
     while (connected < cells.size() && marks.has(cells[connected]))
       ++connected;
@@ -75,7 +76,7 @@ bool are_connected_nearby(const Complex& complex,
   return false;
 }
 
-// Cells in groups of one label that are connected among them.
+// A partition of cells into connected groups of one label each.
 template <class Complex> class Cell_groups
 {
 public:
@@ -108,10 +109,11 @@ public:
   std::size_t size() const { return m_size; }
   const std::vector<Cell_handle>& cells() const { return m_cells; }
   bool has(Cell_handle c) const { return index_of(c) != none; }
-  // \pre has(c). None if it is infinite.
+  // Returns the group of a cell, or `none` if the cell is infinite.
+  // \pre `has(c)`
   std::size_t group_of(Cell_handle c) const { return m_groups[index_of(c)]; }
 
-  // Through the facet that they share.
+  // Returns whether two adjacent cells are connected through their common facet.
   bool are_connected(Cell_handle a, Cell_handle b) const {
     return a->label() == b->label() && !m_complex.is_infinite(a) && !m_complex.is_infinite(b);
   }
@@ -128,7 +130,7 @@ private:
   std::size_t m_size = 0;
 };
 
-// What cells that are to be replaced connect around them.
+// The connections between neighboring cells through cells that will be replaced.
 template <class Complex> class Connections
 {
 public:
@@ -144,8 +146,8 @@ public:
           m_ends[groups.group_of(c)].push_back(c->neighbor(i));
   }
 
-  // Whether with those that replace them the same is connected, and they have the numbers of the
-  // components that they are in.
+  // Returns whether the new cells connect the same neighbors, and whether each new cell has the
+  // component number of its neighbors.
   bool are_kept_by(const std::vector<Cell_handle>& created) const {
     const Cell_groups<Complex> groups(m_complex, created);
     std::vector<bool> has_end(groups.size(), false);
@@ -176,7 +178,8 @@ public:
 
 private:
   const Complex& m_complex;
-  std::vector<std::vector<Cell_handle>> m_ends; // cells around that each group is connected with
+  // for each group, the neighbors that it is connected with
+  std::vector<std::vector<Cell_handle>> m_ends;
 };
 
 } // namespace internal

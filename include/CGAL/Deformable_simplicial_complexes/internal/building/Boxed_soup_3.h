@@ -25,13 +25,13 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Triangles in the frame of a complex, strictly inside its box, and the box.
+// The box of a complex and a triangle soup strictly inside it, both in the frame of the complex.
 struct Boxed_soup_3
 {
   Joined_soup_3 soup;
   Building_frame_3 frame;
   Bbox_3 box;
-  unsigned subdivision; // of the edges of the box
+  unsigned subdivision; // number of subdivisions of each edge of the box
 
   std::vector<Wall<3>> walls() const {
     std::vector<Wall<3>> result;
@@ -41,7 +41,8 @@ struct Boxed_soup_3
   }
 };
 
-// Throws Invalid_surface_error if triangles reach the box or become too small beside it.
+// Transforms a soup into the frame of the complex. Throws `Invalid_surface_error` if triangles
+// reach the box, or if distinct points become equal by rounding in this frame.
 template <class NP> Boxed_soup_3 put_into_box(Joined_soup_3 soup, const NP& np) {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -57,8 +58,9 @@ template <class NP> Boxed_soup_3 put_into_box(Joined_soup_3 soup, const NP& np) 
   return result;
 }
 
-// Fills the box with tetrahedra, among the facets of which are the triangles. Points of the soup
-// come first.
+// Fills the box with tetrahedra. The triangles of the soup are facets of them, and the points of
+// the soup come first. Throws `Tetrahedralization_error` if the tetrahedralizer moves these points
+// or returns an invalid index.
 template <class Tetrahedralizer>
 Tetrahedralization_3 fill_box(const Boxed_soup_3& boxed, const Tetrahedralizer& tetrahedralizer) {
   const Progress_phase phase("filling the box with tetrahedra");
@@ -76,7 +78,7 @@ Tetrahedralization_3 fill_box(const Boxed_soup_3& boxed, const Tetrahedralizer& 
   return mesh;
 }
 
-// The complex of labelled tetrahedra in a frame.
+// Returns the complex of labelled tetrahedra that are given in a frame.
 template <class Complex, class NP>
 Complex make_in_frame(const Tetrahedralization_3& mesh,
                       const std::vector<typename Complex::Label>& labels,

@@ -25,13 +25,13 @@ namespace internal {
 
 using Planar_kernel = Exact_predicates_inexact_constructions_kernel;
 
-// All curves together: their points, equal ones merged, and the segments as walls.
+// The union of all curves: points, of which equal ones are merged, and segments as walls.
 struct Curve_soup_2
 {
   std::vector<Planar_kernel::Point_2> points;
   std::vector<Wall<2>> walls;
-  std::vector<std::size_t> segments;                   // of the curve that a wall is of
-  std::map<std::array<double, 2>, std::size_t> places; // of points, by coordinates
+  std::vector<std::size_t> segments; // for each wall, the index of the segment in its curve
+  std::map<std::array<double, 2>, std::size_t> places; // indices of points, by coordinates
 };
 
 [[noreturn]] inline void refuse_curve(Invalid_surface_error::Reason reason,
@@ -47,7 +47,7 @@ struct Curve_soup_2
                               other);
 }
 
-// A place, for messages.
+// Returns a point as text for messages.
 inline std::string text_of(const Planar_kernel::Point_2& p) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
@@ -55,7 +55,8 @@ inline std::string text_of(const Planar_kernel::Point_2& p) {
   return text.str();
 }
 
-// Adds the segments of a curve. Refuses what has none, and numbers that are none.
+// Adds the segments of a curve. Throws `Invalid_surface_error` if there are none, if an index does
+// not exist, if a coordinate is not finite, or if a segment has length zero.
 template <class Curve>
 void add_segments(const Curve& curve, std::size_t number, Curve_soup_2& soup) {
   using Reason = Invalid_surface_error::Reason;
@@ -86,11 +87,12 @@ void add_segments(const Curve& curve, std::size_t number, Curve_soup_2& soup) {
   }
 }
 
-// Adds a closed curve; refuses open ones, too.
+// Adds a closed curve. Throws `Invalid_surface_error` also if an odd number of segments end in a
+// point.
 template <class Curve> void add_curve(const Curve& curve, std::size_t number, Curve_soup_2& soup) {
   const std::size_t first = soup.walls.size();
   add_segments(curve, number, soup);
-  std::map<std::size_t, std::vector<std::size_t>> segments_at; // by point, of this curve
+  std::map<std::size_t, std::vector<std::size_t>> segments_at; // by point, for this curve only
   for (std::size_t w = first; w < soup.walls.size(); ++w)
     for (std::size_t v : soup.walls[w].vertices)
       segments_at[v].push_back(soup.segments[w]);

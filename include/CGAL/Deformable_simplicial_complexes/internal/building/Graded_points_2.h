@@ -21,8 +21,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Points of the mesh off the curves: near these as dense as they are, and sparser away from them;
-// on the box, too, if curves end there.
+// Points that a mesh needs in addition to the points of curves. Near a curve their spacing is about
+// the length of its segments, and it grows with the distance from the curves. Points on the
+// boundary of the box follow the same spacing if curves end there.
 class Graded_points_2
 {
 public:
@@ -61,12 +62,16 @@ private:
   using Segments = std::vector<Planar_kernel::Segment_3>;
   using Tree = AABB_tree<Segment_tree_traits_3<Planar_kernel, Segments::const_iterator>>;
 
-  static constexpr int least_parts = 8;     // of the longer side of the box
-  static constexpr int most_parts = 1000;   // of a side, before the curves ask for more
-  static constexpr int most_divisions = 40; // halvings, beyond which doubles do not tell
-  static constexpr double densest = 1.2;    // spacing, in lengths of the nearest segment
-  static constexpr double clearance = .6;   // of that: nearer, a point would be in the way
-  static constexpr double gradation = .6;   // of the distance from the curves, for the spacing
+  static constexpr int least_parts = 8; // minimum number of parts of the longer side of the box
+  // maximum number of parts of a side, before refinement near curves
+  static constexpr int most_parts = 1000;
+  // maximum number of halvings, since coordinates are of type `double`
+  static constexpr int most_divisions = 40;
+  static constexpr double densest = 1.2; // spacing at a curve, in lengths of the nearest segment
+  // minimum distance of a point from a curve, in the same unit
+  static constexpr double clearance = .6;
+  // maximum ratio of the spacing to the distance from the curves
+  static constexpr double gradation = .6;
 
   static int number_of_parts(double n) {
     return int(std::lround((std::max)(1., (std::min)(double(most_parts), n))));
@@ -92,7 +97,8 @@ private:
             std::sqrt(found.second->squared_length())};
   }
 
-  // Adds a point of the box. Where curves end there, it may not be in their way; corners stay.
+  // Adds a point on the boundary of the box. If curves end on the boundary, points too close to a
+  // curve are omitted, except for the corners of the box.
   void add_border(double x, double y) {
     const bool is_corner =
         (x == m_box.xmin() || x == m_box.xmax()) && (y == m_box.ymin() || y == m_box.ymax());
@@ -101,7 +107,7 @@ private:
       m_points.emplace_back(x, y);
   }
 
-  // Adds the corners of a rectangle that are on the box.
+  // Adds the corners of a rectangle that lie on the boundary of the box.
   void add_border(double x0, double y0, double x1, double y1) {
     for (double x : {x0, x1})
       for (double y : {y0, y1})
@@ -109,7 +115,8 @@ private:
           add_border(x, y);
   }
 
-  // Four quarters, until a rectangle is small for its distance from the curves; its center then.
+  // Divides a rectangle into four quarters until it is small compared with its distance from the
+  // curves; then adds its center.
   void divide(double x0, double y0, double x1, double y1, int divisions) {
     Progress_scope::check();
     const double x = (x0 + x1) / 2, y = (y0 + y1) / 2, side = (std::max)(x1 - x0, y1 - y0);
@@ -130,7 +137,7 @@ private:
   Bbox_2 m_box;
   int m_columns, m_rows;
   bool m_reaches_box;
-  Segments m_segments; // in a plane of space, where there are trees
+  Segments m_segments; // in the plane z = 0, because the AABB tree is three-dimensional
   Tree m_tree;
   std::vector<Point> m_points;
 };

@@ -19,32 +19,35 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Triangles that fill a box, with the segments of curves among their edges, and points as dense as
-// those of the curves near them.
+// Triangles that fill a box. The segments of the curves are edges of the triangles. The spacing of
+// additional points follows the lengths of the nearest segments.
 struct Planar_filling_2
 {
   using Point = Planar_kernel::Point_2;
 
   struct Place
   {
-    std::optional<std::size_t> triangle; // one with the point in it or on its boundary
+    // a triangle that contains the point, on its boundary or inside
+    std::optional<std::size_t> triangle;
     bool is_on_segment;
   };
 
-  std::vector<Point> points; // of the soup, then others
+  std::vector<Point> points; // the points of the soup, then additional points
   std::vector<std::array<std::size_t, 3>> triangles;
-  std::function<Place(const Point&)> locate; // no triangle outside the box
+  std::function<Place(const Point&)> locate; // returns no triangle for a point outside the box
 };
 
-// Throws `Invalid_surface_error` where segments cross or overlap others. n log n, if few boxes
-// around them overlap.
+// Triangulates a box with curves in it. Throws `Invalid_surface_error` if segments cross or
+// overlap. Complexity: O(n log n) if few bounding boxes of segments overlap.
 #ifdef CGAL_DSC_EXTERN // see the component Compiled
 Planar_filling_2 fill_planar_box(const Curve_soup_2& soup, const Bbox_2& box);
 #else
 inline Planar_filling_2 fill_planar_box(const Curve_soup_2& soup, const Bbox_2& box);
 #endif
 
-// The same for curves that are known not to cross, which may end on the box; or for none.
+// Triangulates a box like `fill_planar_box()`, without a test for crossings. Curves may end on the
+// box. There may be no curve.
+// \pre Segments of the curves do not cross.
 #ifdef CGAL_DSC_EXTERN
 Planar_filling_2 fill_box_between(const Curve_soup_2& soup, const Bbox_2& box);
 #else

@@ -38,7 +38,7 @@ using Planar_triangulation_2 = Constrained_Delaunay_triangulation_2<
                                             Constrained_triangulation_face_base_2<Planar_kernel>>>,
     No_constraint_intersection_tag>;
 
-// Inserts points along a space-filling curve. Returns their vertices.
+// Inserts points in the order of a space-filling curve. Returns their vertices.
 inline std::vector<Planar_triangulation_2::Vertex_handle>
 insert_points(const std::vector<Planar_kernel::Point_2>& points,
               Planar_triangulation_2& triangulation) {
@@ -71,7 +71,8 @@ Planar_filling_2 fill_box_between(const Curve_soup_2& soup, const Bbox_2& box) {
   const Progress_phase phase("filling the box with triangles");
   const auto triangulation = std::make_shared<Triangulation>();
   const auto handles = insert_points(soup.points, *triangulation);
-  std::set<std::array<std::size_t, 2>> segments; // each once, though several curves may have it
+  // without duplicates, because several curves may contain the same segment
+  std::set<std::array<std::size_t, 2>> segments;
   for (const auto& wall : soup.walls) {
     Progress_scope::check();
     if (segments.insert(wall.vertices).second)

@@ -8,9 +8,9 @@
 #include <CGAL/Deformable_simplicial_complexes/Tetrahedralization_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/Boxed_soup_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/check_surfaces_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/check_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/checks/check_surfaces_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/checks/check_tetrahedra_3.h>
 
 #include <algorithm>
 #include <array>
@@ -24,12 +24,13 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Given tetrahedra, and what is around them.
+// Tetrahedra given by the user, and the tetrahedra of a mesh that surround them.
 class Solid_tetrahedra_3
 {
 public:
-  // Throws Invalid_cells_error if coordinates are not finite, indices do not exist, or
-  // tetrahedra are flat.
+  // Stores the tetrahedra, positively oriented, with equal points merged. Throws
+  // `Invalid_cells_error` if there are no tetrahedra, if coordinates are not finite, if indices do
+  // not exist, or if tetrahedra are degenerate.
   template <class Point, class Traits>
   Solid_tetrahedra_3(const std::vector<Point>& points,
                      std::vector<std::array<std::size_t, 4>> tetrahedra, const Traits& traits)
@@ -48,8 +49,8 @@ public:
         v = representative[v];
   }
 
-  // The triangles that belong to one tetrahedron only; origins are indices of points. Throws
-  // Invalid_cells_error if they cross.
+  // Returns the triangles that belong to exactly one tetrahedron. Origins are indices of points.
+  // Throws `Invalid_cells_error` if triangles cross, or if there are none.
   Joined_soup_3 boundary() const {
     Triangle_soup_3 soup = {m_points, {}};
     std::vector<std::size_t> owners;
@@ -63,7 +64,7 @@ public:
       soup.triangles.push_back(facets[i].vertices);
       owners.push_back(facets[i].cell);
     }
-    if (soup.triangles.empty()) // each facet has a second tetrahedron on the same side
+    if (soup.triangles.empty()) // each facet has two tetrahedra, so they overlap
       throw Invalid_cells_error("tetrahedra overlap: leave out those that are given twice", {0});
     Joined_soup_3 result = join({merge_points(soup)});
     std::vector<std::size_t> offenders;
@@ -81,8 +82,9 @@ public:
     return result;
   }
 
-  // The given tetrahedra, first, and those of a mesh that are outside of them, in the frame of the
-  // mesh. \pre `boxed` holds boundary(), of which the triangles are facets of the mesh
+  // Returns the given tetrahedra, followed by the tetrahedra of the mesh that lie outside them, in
+  // the frame of the mesh.
+  // \pre `boxed` contains `boundary()`, and the triangles of `boundary()` are facets of the mesh.
   Tetrahedralization_3 with_space_around(const Tetrahedralization_3& mesh,
                                          const Boxed_soup_3& boxed) const {
     std::vector<std::size_t> on_boundary(m_points.size(), none);
@@ -123,7 +125,7 @@ private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   std::vector<Coordinates_3> m_points;
-  std::vector<std::array<std::size_t, 4>> m_tetrahedra; // positive
+  std::vector<std::array<std::size_t, 4>> m_tetrahedra; // positively oriented
 };
 
 } // namespace internal

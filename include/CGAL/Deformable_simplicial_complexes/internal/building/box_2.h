@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The square about the barycenter of points whose half side is 2.5 times the largest distance of
-// one from it, as in space.
+// Returns the default enclosing box: a square centered at the barycenter of the points. Its half
+// side is 2.5 times the largest distance of a point from the barycenter, as in 3D.
 inline Bbox_2 default_box(const std::vector<Planar_kernel::Point_2>& points) {
   static constexpr double margin = 2.5;
   double x = 0, y = 0, radius = 0;
@@ -39,8 +39,8 @@ inline Bbox_2 default_box(const std::vector<Planar_kernel::Point_2>& points) {
   return {x - margin * radius, y - margin * radius, x + margin * radius, y + margin * radius};
 }
 
-// Refuses boxes and curves that are too large or too small to be measured, and curves that reach
-// the box.
+// Throws `Error` if the extent of the curves or of the box is not between 1e-30 and 1e30. Throws
+// `Invalid_surface_error` if a curve is not strictly inside the box.
 inline void check_enclosed(const Curve_soup_2& soup, const Bbox_2& box) {
   const auto is_measurable = [](const std::vector<std::array<double, 2>>& points) {
     return std::all_of(points.begin(), points.end(),
@@ -69,7 +69,8 @@ inline void check_enclosed(const Curve_soup_2& soup, const Bbox_2& box) {
 inline Bbox_2 box_of(const Bbox_2& given) { return given; }
 template <class Box> Bbox_2 box_of(const Box& given) { return given.bbox(); }
 
-// The box that is asked for, or the default one, if curves are in it.
+// Returns the box given by the named parameters, or else the default box. Throws like
+// `check_enclosed()`.
 template <class NP> Bbox_2 enclosing_box(const Curve_soup_2& soup, const NP& np) {
   Bbox_2 box;
   if constexpr (CGAL::parameters::is_default_parameter<NP, internal_np::enclosing_box_t>::value)
@@ -80,7 +81,8 @@ template <class NP> Bbox_2 enclosing_box(const Curve_soup_2& soup, const NP& np)
   return box;
 }
 
-// The box of a torus around curves.
+// Returns the box of a flat torus, centered at the bounding box of the curves. Throws like
+// `check_enclosed()`.
 inline Bbox_2 box_of_torus(const Curve_soup_2& soup, const std::array<double, 2>& periods) {
   Bbox_2 extent = soup.points.front().bbox();
   for (const auto& p : soup.points)
@@ -92,7 +94,8 @@ inline Bbox_2 box_of_torus(const Curve_soup_2& soup, const std::array<double, 2>
   return box;
 }
 
-// Makes opposite sides of a filled box, which have the same points, one.
+// Identifies opposite sides of a filled box.
+// \pre Opposite sides have corresponding points.
 inline void join_sides(const Bbox_2& box, std::vector<Planar_kernel::Point_2>& points,
                        std::vector<std::array<std::size_t, 3>>& triangles) {
   const auto image = [&](const Planar_kernel::Point_2& p) {
@@ -114,8 +117,8 @@ inline void join_sides(const Bbox_2& box, std::vector<Planar_kernel::Point_2>& p
       v = joined[v];
 }
 
-// Rows of almost regular triangles, every other one shifted by half an edge, cut straight at the
-// sides of a box.
+// Returns a grid of a box: rows of nearly regular triangles, where every second row is shifted by
+// half an edge and clipped at the sides of the box. Throws `Error` if the grid is too large.
 inline Grid<2> box_grid(const Bbox_2& box, double edge) {
   const double height = std::sqrt(3.) / 2, width = box.xmax() - box.xmin(),
                total = box.ymax() - box.ymin();
@@ -126,7 +129,7 @@ inline Grid<2> box_grid(const Bbox_2& box, double edge) {
   const auto at = [](double low, double high, double i, double n) {
     return i == n ? high : low + (high - low) * (i / n);
   };
-  std::size_t below = 0; // the first point of the last row
+  std::size_t below = 0; // the first point of the previous row
   for (std::size_t j = 0; j <= rows; ++j) {
     const bool is_shifted = j % 2 == 1;
     const std::size_t here = grid.points.size(), n = columns + 1 + is_shifted;
@@ -136,7 +139,7 @@ inline Grid<2> box_grid(const Bbox_2& box, double edge) {
       grid.points.push_back({at(box.xmin(), box.xmax(), column, double(columns)),
                              at(box.ymin(), box.ymax(), double(j), double(rows))});
     }
-    // Between a row and a shifted one, whichever is above.
+    // The triangles lie between an unshifted row and a shifted one; either may be the upper one.
     const std::size_t even = is_shifted ? below : here, odd = is_shifted ? here : below;
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
       if (is_shifted)

@@ -17,8 +17,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The tetrahedra of a body-centered cubic lattice, cut straight at the sides of a box, where half a
-// pyramid takes the place of two of them.
+// Returns a grid of a box: the tetrahedra of a body-centered cubic lattice. On the boundary of the
+// box, each square face and the center next to it form a pyramid, which is split into two
+// tetrahedra. Throws `Error` if the grid is too large.
 inline Grid<3> box_grid(const Bbox_3& box, double edge) {
   using Place = std::array<std::size_t, 3>;
   Place n;
@@ -54,8 +55,8 @@ inline Grid<3> box_grid(const Bbox_3& box, double edge) {
   for (int axis = 0; axis < 3; ++axis) {
     Place faces = n;
     ++faces[axis];
-    for_each(faces, [&](const Place& p) { // the face below the box p
-      std::array<std::size_t, 4> face;    // counterclockwise seen from that box
+    for_each(faces, [&](const Place& p) { // the face below the cube `p`
+      std::array<std::size_t, 4> face;    // counterclockwise, seen from that cube
       for (int k = 0; k < 4; ++k) {
         Place at = p;
         at[(axis + 1) % 3] += k == 1 || k == 2;

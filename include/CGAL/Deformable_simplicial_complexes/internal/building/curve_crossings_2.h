@@ -23,7 +23,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Whether two segments have more in common than ends, or all that they are.
+// Returns whether two segments intersect in more than a common end. Equal segments of different
+// curves are allowed.
 inline bool meet(const Curve_soup_2& soup, const Wall<2>& s, const Wall<2>& t) {
   const auto point = [&](std::size_t i) { return soup.points[i]; };
   if (s.vertices == t.vertices)
@@ -40,7 +41,8 @@ inline bool meet(const Curve_soup_2& soup, const Wall<2>& s, const Wall<2>& t) {
                             Planar_kernel::Segment_2(point(t.vertices[0]), point(t.vertices[1])));
 }
 
-// Refuses segments that cross or overlap others. n log n, if few boxes around them overlap.
+// Throws `Invalid_surface_error` if segments cross or overlap. Complexity: O(n log n) if few
+// bounding boxes of segments overlap.
 inline void check_crossings(const Curve_soup_2& soup) {
   using Box = Box_intersection_d::Box_with_info_d<double, 2, std::size_t>;
   using Reason = Invalid_surface_error::Reason;

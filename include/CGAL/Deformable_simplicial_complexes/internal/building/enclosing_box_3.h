@@ -7,7 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/refuse_surface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/checks/refuse_surface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/soups/Triangle_soup_3.h>
 
@@ -31,13 +31,15 @@ inline Bbox_3 cube(const Coordinates_3& center, double half_side) {
   return {c[0] - h, c[1] - h, c[2] - h, c[0] + h, c[1] + h, c[2] + h};
 }
 
-// Where the complex is built: p = translation + scale * q for a user's point p and a point q of the
-// complex. The default box is the cube about the barycenter b of the points with half side 2.5 r,
-// where r is the largest distance of a point from b (section 3.3 of the paper).
+// The frame in which the complex is built: p = translation + scale * q for a user's point p and the
+// corresponding point q of the complex. The default box is the cube centered at the barycenter b of
+// the points, with half side 2.5 r, where r is the largest distance of a point from b (section 3.3
+// of the paper).
 class Building_frame_3
 {
 public:
-  // Normalization brings the default box to [-1,1]^3; without it, points stay what they are.
+  // Computes the frame. Normalization maps the default box to [-1,1]^3; without it, coordinates do
+  // not change. Throws `Error` if the size of the default box is zero or not finite.
   Building_frame_3(const std::vector<Coordinates_3>& points, bool normalize) {
     Coordinates_3 barycenter = {0, 0, 0};
     std::size_t n = 0;
@@ -69,7 +71,7 @@ public:
             (p[2] - m_translation[2]) / m_scale};
   }
 
-  // The box that the user gave, or the default one, in this frame.
+  // Returns, in this frame, the box given by the user, or else the default box.
   Bbox_3 box(CGAL::internal_np::Param_not_found) const { return m_default_box; }
   Bbox_3 box(const Bbox_3& given) const {
     const Coordinates_3 min = (*this)({given.xmin(), given.ymin(), given.zmin()});
@@ -86,7 +88,8 @@ private:
   Bbox_3 m_default_box;
 };
 
-// Names the vertices of the first surface that reaches the box.
+// Throws `Invalid_surface_error` with the vertices of the first surface that is not strictly inside
+// the box.
 inline void check_enclosed(const Joined_soup_3& soup, const Bbox_3& box) {
   const auto is_inside = [&box](const Coordinates_3& p) {
     return box.xmin() < p[0] && p[0] < box.xmax() && box.ymin() < p[1] && p[1] < box.ymax() &&
@@ -106,7 +109,7 @@ inline void check_enclosed(const Joined_soup_3& soup, const Bbox_3& box) {
                    std::move(vertices));
 }
 
-// Points that differed for the user may have been rounded to the same one.
+// Throws `Invalid_surface_error` if distinct points of the user have become equal by rounding.
 inline void check_distinct(const Joined_soup_3& soup) {
   const std::vector<std::size_t> kept = merge_points(soup).input_points;
   for (std::size_t i = 0; i < soup.points.size(); ++i)
@@ -114,9 +117,9 @@ inline void check_distinct(const Joined_soup_3& soup) {
       refuse_surface(Invalid_surface_error::Reason::too_fine, soup.point_origins[i].surface);
 }
 
-// The surface of a box, each side cut into n x n rectangles of two triangles. Diagonals run from
-// the corners to the center of a side: no tetrahedron of the inside can then have three facets on
-// the box.
+// Returns the surface of a box. Each side is divided into n x n rectangles of two triangles each.
+// Diagonals run from the corners of a side towards its center, so that no tetrahedron inside can
+// have three facets on the box. Throws `Error` if `n` or the size of the box is out of range.
 inline Triangle_soup_3 box_surface(const Bbox_3& box, unsigned n) {
   if (n < 1 || n > 1000)
     throw Error("the subdivision of the enclosing box is out of range: use 1 to 1000");
@@ -127,7 +130,7 @@ inline Triangle_soup_3 box_surface(const Bbox_3& box, unsigned n) {
     throw Error("the size of the enclosing box is not between 1e-30 and 1e30: give another box, "
                 "scale the surfaces, or normalize them");
 
-  // Exact at both ends, so that corners and edges of neighboring sides are equal.
+  // The result is exact at both ends, so that adjacent sides have equal corners and edges.
   const auto coordinate = [&](int axis, unsigned i) {
     return i == n ? box.max(axis)
                   : box.min(axis) + (box.max(axis) - box.min(axis)) * (double(i) / n);

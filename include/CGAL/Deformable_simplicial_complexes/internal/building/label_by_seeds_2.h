@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A triangle at a corner of the box.
+// Returns a triangle incident to a corner of the box.
 inline std::size_t triangle_on_box(const Planar_filling_2& filling) {
   const auto corner = std::size_t(std::min_element(filling.points.begin(), filling.points.end()) -
                                   filling.points.begin());
@@ -37,7 +37,8 @@ inline std::size_t triangle_on_box(const Planar_filling_2& filling) {
                      filling.triangles.begin());
 }
 
-// Labels of the triangles that fill a box, by points in its regions.
+// Returns the labels of the triangles that fill a box, given by seed points in its regions. Throws
+// `Error` if a seed is invalid, or if two seeds of a region have different labels.
 template <class Point>
 std::vector<int> label_by_seeds(const Seeded_segments_2<Point>& segments, const Curve_soup_2& soup,
                                 const Planar_filling_2& filling) {

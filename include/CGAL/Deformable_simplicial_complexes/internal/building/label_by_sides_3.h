@@ -9,7 +9,7 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/Boxed_soup_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/refuse_surface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/checks/refuse_surface.h>
 
 #include <CGAL/enum.h>
 
@@ -24,14 +24,15 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A cell at a side of a triangle.
+// A cell on one side of a triangle.
 struct Cell_at_triangle_3
 {
   std::size_t triangle, cell;
-  bool is_in_front; // where the corners of the triangle are counterclockwise
+  bool is_in_front; // whether the corners of the triangle are counterclockwise, seen from the cell
 };
 
-// The two cells of each triangle of a soup that is part of a mesh; triangles increase.
+// Returns the two cells of each triangle of a soup, in increasing order of triangles.
+// \pre The triangles are facets of the mesh.
 inline std::vector<Cell_at_triangle_3> cells_at_triangles(const Tetrahedralization_3& mesh,
                                                           const Triangle_soup_3& soup) {
   std::vector<Wall<3>> triangles;
@@ -56,11 +57,11 @@ inline std::vector<Cell_at_triangle_3> cells_at_triangles(const Tetrahedralizati
   return result;
 }
 
-// Labels behind and in front of the triangles of a patch.
+// The labels behind and in front of the triangles of a patch.
 using Labels_of_sides = std::array<int, 2>;
 
-// The label of each cell, as the patches tell it for their sides. Throws Invalid_surface_error if
-// two of them tell different ones for the same region.
+// Returns the label of each cell, given by the labels of the two sides of the patches. Throws
+// `Invalid_surface_error` if two patches give different labels to the same region.
 inline std::vector<int> label_by_sides(const Tetrahedralization_3& mesh, const Boxed_soup_3& boxed,
                                        const std::vector<Labels_of_sides>& sides) {
   const auto& origins = boxed.soup.triangle_origins;

@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A facet of one of several closed surfaces, or curves in the plane, that do not cross. They may
-// have facets in common, each of which is then a wall for each of them.
+// A facet of a closed surface, or of a closed curve in 2D. Different surfaces do not cross. A facet
+// that several surfaces share is a wall of each of them.
 template <int d> struct Wall
 {
   std::array<std::size_t, d> vertices; // sorted
@@ -40,16 +40,18 @@ Wall<int(d)> make_wall(std::array<std::size_t, d> vertices, std::size_t surface)
   return {vertices, surface};
 }
 
-// What is behind a facet of a cell.
+// The neighbor of a cell behind a facet, and the walls between them.
 struct Facet_side
 {
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  std::size_t cell = none; // none: the facet is on the boundary of the mesh
+  std::size_t cell = none; // none if the facet is on the boundary of the mesh
   std::size_t first_wall = 0, number_of_walls = 0;
 };
 template <int d> using Facet_sides = std::array<Facet_side, d + 1>;
 
-// Throws Tetrahedralization_error unless each wall is a facet of two cells. \pre walls are sorted
+// Returns the sides of all cells. Throws `Tetrahedralization_error` unless each wall is the common
+// facet of two cells.
+// \pre The walls are sorted.
 template <int d>
 std::vector<Facet_sides<d>> find_sides(const std::vector<Cell_vertices<d>>& cells,
                                        const std::vector<Wall<d>>& walls) {
@@ -78,8 +80,8 @@ std::vector<Facet_sides<d>> find_sides(const std::vector<Cell_vertices<d>>& cell
   return sides;
 }
 
-// Puts all cells that can be reached from one without passing a wall, and were not visited, into
-// `region`, and what can be entered through their walls into `entrances`.
+// Puts all cells that are connected with `first` without crossing a wall, and were not visited,
+// into `region`. Appends the sides behind the walls of the region to `entrances`.
 template <int d, class Entrances>
 void gather_region(const std::vector<Facet_sides<d>>& sides, std::size_t first,
                    std::vector<char>& is_visited, std::vector<std::size_t>& region,
@@ -101,10 +103,11 @@ void gather_region(const std::vector<Facet_sides<d>>& sides, std::size_t first,
   }
 }
 
-// The label of each cell, found by walking in from the boundary of the mesh through as few walls as
-// possible: that of the surface that was entered last and not left again, 0 outside all surfaces. A
-// step through a wall leaves its surface if it is inside, and enters it otherwise: orientations do
-// not matter, and a surface nested in itself bounds a cavity. n log n.
+// Returns the label of each cell. A traversal starts at the boundary of the mesh and crosses as few
+// walls as possible. A cell gets the label of the surface that was entered last and has not been
+// left; outside all surfaces the label is 0. Crossing a wall leaves its surface if the traversal is
+// inside it, and enters it otherwise. Orientations therefore do not matter, and a component nested
+// in another component of the same surface bounds a cavity. Complexity: O(n log n).
 template <int d>
 std::vector<int> label_cells(const std::vector<Cell_vertices<d>>& cells, std::vector<Wall<d>> walls,
                              const std::vector<int>& surface_labels) {
@@ -115,8 +118,8 @@ std::vector<int> label_cells(const std::vector<Cell_vertices<d>>& cells, std::ve
                        [](const Facet_side& side) { return side.cell == Facet_side::none; });
   };
 
-  // A region is what can be reached without passing a wall; its surfaces are those it is inside of,
-  // in the order in which they were entered.
+  // A region is a set of cells connected without crossing a wall. Its surfaces are the ones that
+  // contain it, in the order in which the traversal entered them.
   std::vector<std::vector<std::size_t>> surfaces_of_regions;
   std::vector<Facet_side> entrances;
   std::vector<std::size_t> region, region_of_entrance;
@@ -157,9 +160,9 @@ struct Contradicting_seeds
   std::size_t first, second;
 };
 
-// The label of each cell: that of the seed in its region, which is what can be reached from it
-// without passing a wall, and 0 where there is none. `contradicting` are the first two seeds that
-// do not agree. n log n.
+// Returns the label of each cell: the label of the seed in its region, or 0 if the region has no
+// seed. A region is a set of cells connected without crossing a wall. If two seeds disagree,
+// `contradicting` gets the first such pair. Complexity: O(n log n).
 template <int d>
 std::vector<int> label_cells_by_seeds(const std::vector<Cell_vertices<d>>& cells,
                                       std::vector<Wall<d>> walls,

@@ -18,14 +18,15 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Points and the cells that fill a torus or a box, all of almost the same shape.
+// Points, and cells of nearly equal shape that fill a flat torus or a box.
 template <int d> struct Grid
 {
   std::vector<std::array<double, d>> points;
   std::vector<std::array<std::size_t, d + 1>> cells;
 };
 
-// How often an edge fits into a period: at least `least` times. Throws if that is not to be stored.
+// Returns the number of edges in a period, rounded, and at least `least`. Throws `Error` if this
+// number exceeds 2^20, if a length is not positive, or if the period is not finite.
 inline std::size_t edges_in_period(double period, double edge, std::size_t least) {
   static constexpr double most = 1 << 20;
   if (!(edge > 0))
@@ -38,14 +39,15 @@ inline std::size_t edges_in_period(double period, double edge, std::size_t least
   return (std::max)(least, std::size_t(number));
 }
 
-// Throws if a grid of so many boxes is not to be stored.
+// Throws `Error` if a grid would have more than 2^30 boxes.
 inline void check_number_of_boxes(double number) {
   static constexpr double most = 1 << 30;
   if (!(number <= most))
     throw Error("the edges are too short for the domain: there would be more than 2^30 cells");
 }
 
-// Rows of almost regular triangles, every other one shifted by half an edge.
+// Returns a grid of a flat torus: rows of nearly regular triangles, where every second row is
+// shifted by half an edge. Throws `Error` if the grid is too large.
 inline Grid<2> torus_grid(const std::array<double, 2>& periods, double edge) {
   const double height = std::sqrt(3.) / 2;
   const std::size_t columns = edges_in_period(periods[0], edge, 3),
@@ -65,8 +67,9 @@ inline Grid<2> torus_grid(const std::array<double, 2>& periods, double edge) {
   return grid;
 }
 
-// The Delaunay tetrahedra of a body-centered cubic lattice: on each edge between the centers of two
-// boxes, one for each edge of the face between these.
+// Returns the Delaunay tetrahedra of a body-centered cubic lattice on a flat torus. Four tetrahedra
+// surround each edge between the centers of two adjacent cubes. Each of them contains one edge of
+// the common face of the two cubes. Throws `Error` if the grid is too large.
 inline Grid<3> torus_grid(const std::array<double, 3>& periods, double edge) {
   std::array<std::size_t, 3> n;
   for (int axis = 0; axis < 3; ++axis)
@@ -90,7 +93,7 @@ inline Grid<3> torus_grid(const std::array<double, 3>& periods, double edge) {
         for (int axis = 0; axis < 3; ++axis) {
           auto next = box;
           ++next[axis];
-          std::array<std::size_t, 4> face; // counterclockwise seen from the next box
+          std::array<std::size_t, 4> face; // counterclockwise, seen from the next cube
           for (int k = 0; k < 4; ++k) {
             auto at = next;
             at[(axis + 1) % 3] += k == 1 || k == 2;

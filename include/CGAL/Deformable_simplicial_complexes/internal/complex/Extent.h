@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The smallest box of d dimensions around points.
+// The smallest axis-aligned box in d dimensions that contains given points.
 template <int d> class Extent
 {
 public:
@@ -29,10 +29,11 @@ public:
     }
   }
 
-  // Whether the longest side is such that products of several lengths neither overflow nor
-  // underflow.
+  // Returns whether the longest side is in a range in which products of several lengths neither
+  // overflow nor underflow.
   bool is_measurable() const {
-    static constexpr double shortest = 1e-30, longest = 1e30; // three of them are within doubles
+    // The products have up to three factors.
+    static constexpr double shortest = 1e-30, longest = 1e30;
     double side = 0;
     for (int axis = 0; axis < d; ++axis)
       side = (std::max)(side, m_upper[axis] - m_lower[axis]);
@@ -42,7 +43,7 @@ public:
   double lower(int axis) const { return m_lower[axis]; }
   double upper(int axis) const { return m_upper[axis]; }
 
-  // Of the box: its area or volume.
+  // Returns the area or the volume of the box.
   double measure() const {
     double result = 1;
     for (int axis = 0; axis < d; ++axis)

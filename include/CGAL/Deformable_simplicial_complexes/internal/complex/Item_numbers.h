@@ -14,11 +14,11 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Small numbers, which are given again when they are taken back.
+// A generator of small ids. Ids that are taken back are given again.
 class Dense_ids
 {
 public:
-  // All that are in use are below.
+  // Returns a bound that is greater than all ids in use.
   std::size_t bound() const { return m_bound; }
 
   template <class Handle> void give(Handle item) {
@@ -30,13 +30,14 @@ public:
     }
   }
 
-  // For so many to be taken back; each that is given makes room for one more.
+  // Allocates memory so that `number` ids can be taken back without an allocation.
   void make_room(std::size_t number) {
     if (const std::size_t needed = m_free.size() + number; needed > m_free.capacity())
       m_free.reserve((std::max)(needed, 2 * m_free.capacity()));
   }
 
-  // \pre there is room
+  // Takes back the id of an item.
+  // \pre Memory was allocated by `make_room()`.
   template <class Handle> void take_back(Handle item) noexcept { m_free.push_back(item->id()); }
 
 private:
@@ -45,10 +46,13 @@ private:
 };
 
 /*
-Numbers the items of a complex: by creation, with time stamps, which no two items ever share; and
-densely, with ids, by which arrays beside the complex are indexed. Orders come from time stamps:
-what has an id depends on what was there before. CGAL gives time stamps, too; but CGAL 6 gives what
-is created in place of an item the one of that again.
+The numbers of the items of a complex. Each item has two numbers:
+- a time stamp, in the order of creation; no two items ever have the same time stamp;
+- an id, from a dense range, which is an index into arrays outside the complex.
+
+Orders are defined by time stamps, because ids depend on previous changes of the complex. Time
+stamps by CGAL are not used: CGAL 6 gives an item created in place of a deleted one the time stamp
+of the deleted item.
 */
 class Item_numbers
 {
@@ -62,18 +66,19 @@ public:
     return stamp(c);
   }
 
-  // For so many cells, and their vertices, to be removed.
+  // Allocates memory so that the given numbers of vertices and cells can be removed.
   void make_room(std::size_t vertices, std::size_t cells) {
     m_vertex_ids.make_room(vertices);
     m_cell_ids.make_room(cells);
   }
-  // \pre there is room
+  // Takes back the id of a vertex.
+  // \pre Memory was allocated by `make_room()`.
   template <class Vertex_handle> void remove_vertex(Vertex_handle v) noexcept {
     m_vertex_ids.take_back(v);
   }
   template <class Cell_handle> void remove_cell(Cell_handle c) noexcept { m_cell_ids.take_back(c); }
 
-  // Time stamps go on from where those of others are.
+  // Continues with the next time stamp of another complex.
   void continue_time_stamps(const Item_numbers& other) { m_next_stamp = other.m_next_stamp; }
 
   std::size_t vertex_id_bound() const { return m_vertex_ids.bound(); }

@@ -9,7 +9,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// By creation, see Item_numbers.
+// A function object that compares items by time stamp, that is, in the order of creation; see
+// `Item_numbers`.
 struct Less_time_stamp
 {
   template <class Handle> bool operator()(Handle a, Handle b) const {

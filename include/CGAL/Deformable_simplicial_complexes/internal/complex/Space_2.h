@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What the plane has, under the names that hold in any dimension: its cells are triangles, its
-// facets edges.
+// Types, constants and functions of the plane, with names that do not depend on the dimension.
+// Cells are triangles, and facets are edges.
 template <class Traits, class Tds> class Space_2
 {
 public:
@@ -46,11 +46,11 @@ public:
   using Hilbert_sorter =
       Hilbert_sort_2<Spatial_sort_traits_adapter_2<Kernel, Map>, Hilbert_sort_median_policy>;
 
-  // The vertices of the edge opposite to each vertex, with the cell on the left.
+  // For each vertex, the vertices of the opposite edge; the cell is on the left of this edge.
   static constexpr int facet_vertices[3][2] = {{1, 2}, {2, 0}, {0, 1}};
-  // The vertices of a cell in an even permutation that begins with each of them.
+  // For each vertex, an even permutation of the vertices of a cell that begins with it.
   static constexpr int even_permutation[3][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}};
-  // The edges of a facet: itself.
+  // The edges of a facet; in 2D, the facet itself.
   static constexpr int facet_edges[1][2] = {{0, 1}};
 
   static auto orientation(const Traits& traits) { return traits.orientation_2_object(); }
@@ -60,7 +60,8 @@ public:
   }
   static auto exact(const Traits& traits) { return traits.construct_exact_point_2_object(); }
 
-  // The area between an edge, seen from outside, and a point inside.
+  // Returns the area of the triangle between an edge, given as seen from outside, and a point
+  // inside.
   static double measure_of_cone(const Traits& traits, const std::array<Approximate_point, 2>& facet,
                                 const Approximate_point& apex) {
     return measure(traits)(facet[0], facet[1], apex);
@@ -70,16 +71,16 @@ public:
     return std::sqrt((facet[1] - facet[0]).squared_length());
   }
 
-  // The outward normal of a facet, as long as it is.
+  // Returns the outward normal of a facet; its length is the length of the facet.
   static Approximate_vector facet_normal(const std::array<Approximate_point, 2>& facet) {
     const Approximate_vector edge = facet[1] - facet[0];
     return {edge.y(), -edge.x()};
   }
 
-  // The area of a regular triangle.
+  // Returns the area of a regular triangle.
   static double regular_measure(double edge) { return edge * edge * std::sqrt(3.) / 4; }
 
-  // Outward normals of the edges of a triangle, as long as they are, and twice its area.
+  // Outward normals of the edges of a triangle, with the lengths of the edges, and twice the area.
   struct Frame
   {
     std::array<Approximate_vector, 3> normals;
@@ -91,17 +92,17 @@ public:
             a.x() * b.y() - a.y() * b.x()};
   }
 
-  // About what a cell measures whose largest normal has this squared length.
+  // Returns an estimate of the area of a cell whose largest normal has the given squared length.
   static double measure_of_extent(double squared_normal) { return squared_normal; }
 
   static double length(const Approximate_vector& v) { return std::hypot(v.x(), v.y()); }
 
-  // The determinant of the matrix with these entries(row, column).
+  // Returns the determinant of the 2x2 matrix with entries `entry(row, column)`.
   template <class Number, class Entry> static Number determinant(const Entry& entry) {
     return CGAL::determinant<Number>(entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1));
   }
 
-  // Whether vertices and cells refer to each other as they should.
+  // Returns whether the adjacency of vertices and cells is consistent.
   static bool is_sewn(const Triangulation_data_structure& tds, bool verbose) {
     return tds.is_valid(verbose);
   }
@@ -111,13 +112,15 @@ public:
   static Cell_handle create_cell(Triangulation_data_structure& tds) { return tds.create_face(); }
   static void delete_cell(Triangulation_data_structure& tds, Cell_handle c) { tds.delete_face(c); }
 
-  // Both cells with the edge between two vertices of a cell, that cell first.
+  // Returns in `cells` the two cells incident to the edge between two vertices of a cell. The given
+  // cell comes first.
   static void cells_around_edge(const Triangulation&, Cell_handle c, int i, int j,
                                 std::vector<Cell_handle>& cells) {
     cells = {c, c->neighbor(3 - i - j)};
   }
 
-  // Whether a closed, connected 1-manifold with so many vertices and facets is a circle: always.
+  // Returns whether a closed, connected 1-manifold with these numbers of vertices and facets is a
+  // circle, which is always true.
   static bool is_sphere(std::size_t vertices, std::size_t facets) { return vertices == facets; }
 };
 

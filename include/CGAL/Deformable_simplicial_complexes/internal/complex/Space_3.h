@@ -27,7 +27,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What space of three dimensions has, under the names that hold in any: its cells are tetrahedra.
+// Types, constants and functions of three-dimensional space, with names that do not depend on the
+// dimension. Cells are tetrahedra, and facets are triangles.
 template <class Traits, class Tds> class Space_3
 {
 public:
@@ -47,10 +48,11 @@ public:
   using Hilbert_sorter =
       Hilbert_sort_3<Spatial_sort_traits_adapter_3<Kernel, Map>, Hilbert_sort_median_policy>;
 
-  // The vertices of the facet opposite to each vertex, counterclockwise seen from outside the cell.
+  // For each vertex, the vertices of the opposite facet, counterclockwise seen from outside the
+  // cell.
   static constexpr int facet_vertices[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
-  // The vertices of a cell in an even permutation that begins with each of them.
+  // For each vertex, an even permutation of the vertices of a cell that begins with it.
   static constexpr int even_permutation[4][4] = {
       {0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
   // The edges of a facet.
@@ -63,8 +65,9 @@ public:
   }
   static auto exact(const Traits& traits) { return traits.construct_exact_point_3_object(); }
 
-  // The volume between a facet, seen from outside, and a point inside. With the point last, no
-  // precision is lost where it is far away.
+  // Returns the volume of the tetrahedron between a facet, given as seen from outside, and a point
+  // inside. The point is the last argument, which avoids a loss of precision if the point is far
+  // away.
   static double measure_of_cone(const Traits& traits, const std::array<Approximate_point, 3>& facet,
                                 const Approximate_point& apex) {
     return measure(traits)(facet[2], facet[1], facet[0], apex);
@@ -74,16 +77,16 @@ public:
     return std::sqrt(cross_product(facet[1] - facet[0], facet[2] - facet[0]).squared_length()) / 2;
   }
 
-  // The outward normal of a facet, twice its area long.
+  // Returns the outward normal of a facet; its length is twice the area of the facet.
   static Approximate_vector facet_normal(const std::array<Approximate_point, 3>& facet) {
     return cross_product(facet[1] - facet[0], facet[2] - facet[0]);
   }
 
-  // The volume of a regular tetrahedron.
+  // Returns the volume of a regular tetrahedron.
   static double regular_measure(double edge) { return edge * edge * edge / (6 * std::sqrt(2.)); }
 
-  // Outward normals of the facets of a tetrahedron, twice their areas long, and six times its
-  // volume.
+  // Outward normals of the facets of a tetrahedron, with lengths of twice the areas, and six times
+  // the volume.
   struct Frame
   {
     std::array<Approximate_vector, 4> normals;
@@ -94,24 +97,24 @@ public:
     return {t.area_vectors(), t.six_volumes};
   }
 
-  // About what a cell measures whose largest normal has this squared length.
+  // Returns an estimate of the volume of a cell whose largest normal has the given squared length.
   static double measure_of_extent(double squared_normal) {
     return std::sqrt(squared_normal * std::sqrt(squared_normal));
   }
 
   static double length(const Approximate_vector& v) { return std::hypot(v.x(), v.y(), v.z()); }
 
-  // The determinant of the matrix with these entries(row, column).
+  // Returns the determinant of the 3x3 matrix with entries `entry(row, column)`.
   template <class Number, class Entry> static Number determinant(const Entry& entry) {
     return CGAL::determinant<Number>(entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 0),
                                      entry(1, 1), entry(1, 2), entry(2, 0), entry(2, 1),
                                      entry(2, 2));
   }
 
-  // Whether vertices and cells refer to each other as they should: what the validity of the data
-  // structure means, but can be stopped.
+  // Returns whether the adjacency of vertices and cells is consistent. The test corresponds to the
+  // validity test of the data structure, but can be interrupted.
   static bool is_sewn(const Triangulation_data_structure& tds, bool verbose) {
-    static constexpr std::size_t fewest = 5; // vertices of a sphere of cells
+    static constexpr std::size_t fewest = 5; // vertices of the smallest triangulated 3-sphere
     std::size_t vertices = 0, cells = 0, edges = 0;
     for (auto v = tds.vertices_begin(); v != tds.vertices_end(); ++v, ++vertices) {
       Progress_scope::check();
@@ -125,7 +128,7 @@ public:
     }
     for (auto e = tds.edges_begin(); e != tds.edges_end(); ++e, ++edges)
       Progress_scope::check();
-    // Euler's relation, with two facets for each cell.
+    // Euler's relation; each cell has two facets, because each facet has two cells.
     return vertices >= fewest && vertices == tds.number_of_vertices() && vertices + cells == edges;
   }
   static auto all_cells(const Triangulation& t) { return t.all_cell_handles(); }
@@ -134,7 +137,8 @@ public:
   static Cell_handle create_cell(Triangulation_data_structure& tds) { return tds.create_cell(); }
   static void delete_cell(Triangulation_data_structure& tds, Cell_handle c) { tds.delete_cell(c); }
 
-  // All cells with the edge between two vertices of a cell, that cell first.
+  // Returns in `cells` all cells incident to the edge between two vertices of a cell. The given
+  // cell comes first.
   static void cells_around_edge(const Triangulation& t, Cell_handle c, int i, int j,
                                 std::vector<Cell_handle>& cells) {
     cells.clear();
@@ -145,8 +149,8 @@ public:
     while (++around != first);
   }
 
-  // Whether a closed, connected 2-manifold with so many vertices and facets is a sphere. Three
-  // edges for two facets: V - E + F = V - F / 2.
+  // Returns whether a closed, connected 2-manifold with these numbers of vertices and facets is a
+  // sphere. There are three edges for two facets, so V - E + F = V - F / 2.
   static bool is_sphere(std::size_t vertices, std::size_t facets) {
     return 2 * vertices == facets + 4;
   }

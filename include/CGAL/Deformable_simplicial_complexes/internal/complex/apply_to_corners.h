@@ -17,7 +17,8 @@ decltype(auto) apply_to_corners(const Function& f, const Corner& corner,
   return f(corner(i)...);
 }
 
-// f(corner(0), ..., corner(n - 1)): what predicates and measures make of a simplex with n corners.
+// Returns f(corner(0), ..., corner(n - 1)), for example a predicate or a measure of a simplex with
+// n corners.
 template <int n, class Function, class Corner>
 decltype(auto) apply_to_corners(const Function& f, const Corner& corner) {
   return apply_to_corners(f, corner, std::make_integer_sequence<int, n>());

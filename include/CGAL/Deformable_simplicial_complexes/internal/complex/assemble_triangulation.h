@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Vertex indices of a cell. In the arrays below, vertex 0 is infinite.
+// The vertex indices of a cell. In the arrays of this file, vertex 0 is the infinite vertex.
 template <int d> using Cell_vertices = std::array<std::size_t, d + 1>;
 
 template <int d> struct Cell_facet
@@ -27,15 +27,16 @@ template <int d> struct Cell_facet
   std::array<std::size_t, d> vertices; // sorted
   std::size_t cell;
   int index;
-  bool is_even; // the permutation (opposite vertex, sorted vertices) of the cell's vertices
+  // parity of the permutation (opposite vertex, sorted vertices) of the vertices of the cell
+  bool is_even;
 
-  // Whether two cells of the same orientation lie on different sides of the facet they share.
+  // Returns whether two cells with the same orientation lie on different sides of a common facet.
   bool fits(const Cell_facet& other) const {
     return vertices == other.vertices && is_even != other.is_even;
   }
 };
 
-// Sorts the vertices of a facet. Returns whether an even number of exchanges does it.
+// Sorts the vertices of a facet. Returns whether the permutation is even.
 template <std::size_t n> bool sort_facet(std::array<std::size_t, n>& vertices) {
   bool is_even = true;
   for (std::size_t i = 1; i < n; ++i)
@@ -46,8 +47,8 @@ template <std::size_t n> bool sort_facet(std::array<std::size_t, n>& vertices) {
   return is_even;
 }
 
-// All facets of the cells, equal ones next to each other, those of earlier cells first. A bucket
-// for each smallest vertex leaves little to sort.
+// Returns all facets of the cells. Equal facets are adjacent, ordered by cell. Facets are first put
+// into buckets by their smallest vertex, so that each sort is short.
 template <std::size_t corners>
 std::vector<Cell_facet<int(corners) - 1>>
 sorted_facets(const std::vector<std::array<std::size_t, corners>>& cells) {
@@ -62,7 +63,7 @@ sorted_facets(const std::vector<std::array<std::size_t, corners>>& cells) {
       std::array<std::size_t, d> f;
       for (int k = 0; k < d; ++k)
         f[k] = cells[c][k < i ? k : k + 1];
-      // The vertex i comes first after i exchanges.
+      // The vertex i is moved to the front by i exchanges.
       const bool is_even = sort_facet(f) == (i % 2 == 0);
       unsorted.push_back({f, c, i, is_even});
       if (bucket_ends.size() < f[0] + 2)
@@ -85,8 +86,11 @@ sorted_facets(const std::vector<std::array<std::size_t, corners>>& cells) {
   return facets;
 }
 
-// Adds the infinite cells that close the boundary of finite, positively oriented ones. Throws
-// Invalid_cells_error where cells are no neighbors on different sides of the facet they share.
+// Adds the infinite cells at the boundary of the finite cells.
+// \pre The finite cells are positively oriented.
+//
+// Throws `Invalid_cells_error` if a facet has more than two cells, or if two cells lie on the same
+// side of a common facet.
 template <std::size_t corners>
 void append_infinite_cells(std::vector<std::array<std::size_t, corners>>& cells) {
   const auto facets = sorted_facets(cells);
@@ -103,7 +107,7 @@ void append_infinite_cells(std::vector<std::array<std::size_t, corners>>& cells)
       throw Invalid_cells_error("two tetrahedra overlap: remesh where they are",
                                 {facets[i].cell, facets[i + 1].cell});
     if (j - i == 1) {
-      // Replacing the opposite vertex mirrors the cell: swapping two vertices turns it back.
+      // Replacing the opposite vertex inverts the orientation; swapping two vertices restores it.
       auto infinite = cells[facets[i].cell];
       infinite[facets[i].index] = 0;
       std::swap(infinite[(facets[i].index + 1) % corners],
@@ -114,15 +118,15 @@ void append_infinite_cells(std::vector<std::array<std::size_t, corners>>& cells)
   }
 }
 
-// Makes an empty triangulation one of full dimension, without cells.
+// Sets the dimension of an empty triangulation to the full dimension, without cells.
 template <class Space> void prepare_for_cells(typename Space::Triangulation& triangulation) {
   Space::delete_cell(triangulation.tds(), triangulation.infinite_vertex()->cell());
   triangulation.tds().set_dimension(Space::dimension);
 }
 
-// Fills an empty data structure with cells between vertices and makes the cells neighbors.
-// `vertices[0]` exists already. Throws if a facet does not have exactly two cells, one on each
-// side.
+// Creates cells between given vertices in an empty data structure, and sets their adjacency.
+// `vertices[0]` is the existing infinite vertex. Throws `Invalid_cells_error` unless each facet has
+// exactly two cells, one on each side.
 template <class Space>
 std::vector<typename Space::Cell_handle>
 create_cells(typename Space::Triangulation_data_structure& tds, Item_numbers& numbers,

@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_CHANGES_IMPL_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_CHANGES_IMPL_H
 
-// Member functions of Labelled_complex: motion, change of the mesh.
+// Member functions of `Labelled_complex`: motion and changes of the mesh.
 
 #include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
@@ -73,7 +73,8 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, do
     return 1;
   }
 
-  // The first cell to become flat: volumes are linear along the ray.
+  // The volume of a cell is linear along the segment to the destination. `way` becomes the smallest
+  // parameter at which a cell is flat.
   double way = 1;
   const Approximate_point from = position(v), to = m_domain.near(from, approximate(q));
   for (Cell_handle c : m_star) {
@@ -89,7 +90,7 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, do
       way = (std::min)(way, here / (here - there));
   }
 
-  // Rounding and the floor of quality may ask for more distance than the margin.
+  // Rounding and the quality floor can require a larger distance than the margin.
   static constexpr int maximum_number_of_halvings = 40;
   way *= 1 - margin;
   for (int i = 0; i < maximum_number_of_halvings && way > 0; ++i, way /= 2) {
@@ -128,14 +129,14 @@ void CGAL_DSC_CLASS::place(Vertex_handle v, const std::vector<Cell_handle>& star
     }
 }
 
-// Another shape of a cell makes it worth trying again what failed there.
+// Clears the failures of a cell if its shape has changed.
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::note_motion(Cell_handle c) {
   if (!is_infinite(c) && internal::note_shape(c))
     forget_failures(c);
 }
 
-// Those of a cell, and of its neighbors in the same phase.
+// Clears the failures of a cell and of its neighbors with the same label.
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::forget_failures(Cell_handle c) {
   c->set_failures(0);
@@ -153,7 +154,7 @@ void CGAL_DSC_CLASS::set_points(const std::vector<Vertex_handle>& vertices,
                                 const std::vector<double>& qualities,
                                 const ForEachIndex& for_each_index) {
   m_volume_changes.resize(cells.size());
-  // From here on nothing can fail.
+  // No exception is thrown from here on.
   ++m_version;
   for (size_type i = 0; i < vertices.size(); ++i)
     vertices[i]->set_point(rounded(points[i]));
@@ -176,7 +177,7 @@ CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::relabel(Cell_handle c, Label label) {
   m_totals.make_room(label);
   m_components.prepare_relabeling(*this, c, label);
-  // From here on nothing can fail.
+  // No exception is thrown from here on.
   ++m_version;
   const auto count_interface = [&](int number) {
     for (int i = 0; i < corners; ++i)
@@ -197,7 +198,7 @@ void CGAL_DSC_CLASS::relabel(Cell_handle c, Label label) {
   forget_failures(c);
 }
 
-// The new vertices and cells of a cavity, deleted again unless they are kept.
+// The new vertices and cells of a cavity. The destructor deletes them unless `keep()` was called.
 CGAL_DSC_TEMPLATE
 class CGAL_DSC_CLASS::Created_items
 {
@@ -208,7 +209,7 @@ public:
   Created_items& operator=(const Created_items&) = delete;
 
   void create() {
-    // For what the cavity removes, or what is created here if it is not kept.
+    // Ids are taken back for removed items, or for created items that are not kept.
     m_numbers.make_room(m_cavity.vertices().size(),
                         m_cavity.removed().size() + m_cavity.planned().size());
     for (std::size_t i = 0; i < m_cavity.m_vertices.size(); ++i)
@@ -247,7 +248,7 @@ private:
   Triangulation_data_structure& m_tds;
   internal::Item_numbers& m_numbers;
   Cavity& m_cavity;
-  std::vector<std::size_t> m_new_vertices; // by their indices within the cavity
+  std::vector<std::size_t> m_new_vertices; // by their indices in the cavity
   bool m_are_kept = false;
 };
 
@@ -269,7 +270,7 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
   internal::Marks removed(cell_id_bound());
   items.keep();
 
-  // From here on nothing can fail.
+  // No exception is thrown from here on.
   ++m_version;
   for (Cell_handle c : cavity.removed()) {
     removed.add(c);
@@ -307,7 +308,7 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
   sew(is_label_mixed);
 
   for (const auto& v : cavity.vertices())
-    if (removed.has(v.handle->cell())) { // it has no other
+    if (removed.has(v.handle->cell())) { // All its cells are removed.
       m_numbers.remove_vertex(v.handle);
       tds.delete_vertex(v.handle);
     }
@@ -328,7 +329,8 @@ bool CGAL_DSC_CLASS::has_several_labels(const std::vector<Cell_handle>& cells) c
   });
 }
 
-// Whether cells connect what those did that they replace. Not if there is no memory to find out.
+// Returns whether the new cells keep the connections of the cells that they replace. Returns false
+// if memory is exhausted.
 CGAL_DSC_TEMPLATE
 bool CGAL_DSC_CLASS::are_kept(const internal::Connections<Labelled_complex>& connections,
                               const std::vector<Cell_handle>& created) const noexcept {
@@ -339,7 +341,7 @@ bool CGAL_DSC_CLASS::are_kept(const internal::Connections<Labelled_complex>& con
   }
 }
 
-// Takes away the facets of the interface that removed cells, which are marked, have.
+// Subtracts the interface facets of the removed cells from the counts. `removed` marks these cells.
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::count_removed_interface(const Cavity& cavity, const internal::Marks& removed) {
   for (Cell_handle c : cavity.removed())
@@ -351,8 +353,9 @@ void CGAL_DSC_CLASS::count_removed_interface(const Cavity& cavity, const interna
     }
 }
 
-// Collects the facets to be sewn: those of cells around the cavity and of planned ones.
-// \pre removed cells are marked, and there is room
+// Collects the facets to be made adjacent: the facets of the cells around the cavity and of the
+// planned cells.
+// \pre Removed cells are marked, and memory for the facets is reserved.
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::collect_surroundings(const Cavity& cavity, const internal::Marks& removed) {
   const auto add = [&](Cell_handle c, int i, const auto& index_of) {
@@ -379,7 +382,7 @@ void CGAL_DSC_CLASS::collect_surroundings(const Cavity& cavity, const internal::
       add(cavity.created()[k], i, [&](int j) { return cavity.planned()[k].vertices[j]; });
 }
 
-// Makes the cells of equal facets neighbors.
+// Sets the adjacency of cells with equal facets.
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::sew(bool counts_interface) {
   std::sort(m_half_facets.begin(), m_half_facets.end(),

@@ -21,7 +21,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Points by their indices. Reading them can be stopped, which stops a sort of many.
+// A property map from indices to points. Each access checks for an interrupt, so that a long sort
+// can be stopped.
 template <class Point> struct Stoppable_point_map
 {
   using key_type = std::size_t;
@@ -38,7 +39,7 @@ template <class Point> struct Stoppable_point_map
   }
 };
 
-// Random numbers for the shuffle before a sort. Drawing them can be stopped.
+// A random number generator for the shuffle before a sort. Each call checks for an interrupt.
 struct Stoppable_random_numbers
 {
   boost::rand48 engine;
@@ -50,8 +51,8 @@ struct Stoppable_random_numbers
   }
 };
 
-// The indices of points along a Hilbert curve: the order of CGAL's hilbert_sort(), whose shuffle
-// cannot be stopped.
+// Returns the indices of points in the order of a Hilbert curve. The order is the one of CGAL's
+// `hilbert_sort()`; that function cannot be used, because its shuffle cannot be interrupted.
 template <class Space>
 std::vector<std::size_t>
 hilbert_order(const std::vector<typename Space::Approximate_point>& points) {

@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_QUERIES_IMPL_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_QUERIES_IMPL_H
 
-// Member functions of Labelled_complex: access, labels, interface, measures.
+// Member functions of `Labelled_complex`: access, labels, interface and measures.
 
 #include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
@@ -96,8 +96,6 @@ double CGAL_DSC_CLASS::interface_edge_length(Vertex_handle v) const {
   }
   return sum / double(number);
 }
-
-// Labels, interface, measures
 
 CGAL_DSC_TEMPLATE
 auto CGAL_DSC_CLASS::labels() const -> std::vector<Label> {

@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_STORAGE_IMPL_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_STORAGE_IMPL_H
 
-// Member functions of Labelled_complex: creation, state, validity.
+// Member functions of `Labelled_complex`: creation, state and validity.
 
 #include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
@@ -35,7 +35,8 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// Not by CGAL's copies, which have other time stamps from CGAL 6 on, and need an infinite vertex.
+// Copies a complex by rebuilding it from its state. The copy of CGAL's triangulation is not used:
+// since CGAL 6 it has other time stamps, and it needs an infinite vertex.
 CGAL_DSC_TEMPLATE
 CGAL_DSC_CLASS::Labelled_complex(const Labelled_complex& other)
     : m_triangulation(other.geom_traits()), m_quality_measure(other.m_quality_measure),
@@ -57,7 +58,7 @@ CGAL_DSC_CLASS::Labelled_complex(const Labelled_complex& other)
   m_version = other.m_version;
 }
 
-// All cells, infinite ones included, by increasing time stamp.
+// Returns all cells, including infinite ones, in the order of time stamps.
 CGAL_DSC_TEMPLATE
 auto CGAL_DSC_CLASS::all_cells() const -> std::vector<Cell_handle> {
   std::vector<Cell_handle> result;
@@ -67,7 +68,7 @@ auto CGAL_DSC_CLASS::all_cells() const -> std::vector<Cell_handle> {
   return result;
 }
 
-// A moved complex is an empty one.
+// Moves a complex. `other` becomes empty.
 CGAL_DSC_TEMPLATE
 CGAL_DSC_CLASS::Labelled_complex(Labelled_complex&& other) noexcept
     : m_triangulation(std::move(other.m_triangulation)),
@@ -95,7 +96,7 @@ void CGAL_DSC_CLASS::swap(Labelled_complex& other) noexcept {
   swap(m_minimum_interface_edge, other.m_minimum_interface_edge);
   swap(m_number_of_flat_cells, other.m_number_of_flat_cells);
   swap(m_components, other.m_components);
-  // What was proposed to either of them holds no more.
+  // Earlier proposals to either complex become invalid.
   m_version = other.m_version = (std::max)(m_version, other.m_version) + 1;
 }
 
@@ -177,7 +178,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
     result.check_stars(handles);
     result.check_boundary();
   } catch (const Invalid_cells_error& e) {
-    // Translate indices along the curve to those of the caller.
+    // Translates indices along the curve into indices of the caller.
     std::vector<size_type> where, who;
     for (size_type t : e.tetrahedra())
       if (t < cell_order.size())
@@ -347,7 +348,8 @@ void CGAL_DSC_CLASS::create_items(const State& state) {
     throw Invalid_cells_error("the numbers of components are none of these tetrahedra");
 }
 
-// A vertex whose cells are not all connected through facets would pinch the domain.
+// Throws `Invalid_cells_error` if the cells around a vertex are not connected through facets. The
+// domain would be pinched at such a vertex.
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::check_stars(const std::vector<Vertex_handle>& vertices) const {
   std::vector<size_type> degrees(vertices.size(), 0);
@@ -373,8 +375,9 @@ void CGAL_DSC_CLASS::check_stars(const std::vector<Vertex_handle>& vertices) con
         "the boundary of the tetrahedra is not connected; give a mesh whose domain is a ball");
 }
 
-// Throws if the cells do not fill the domain: if the boundary, supposed that it is a connected
-// manifold, is no sphere; or, where there is none, if the cells cover the domain more than once.
+// Throws `Invalid_cells_error` if the cells do not fill the domain. If the domain has a boundary,
+// the boundary, a connected manifold, must be a sphere. If it has none, the cells must not cover
+// the domain more than once.
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::check_boundary() const {
   if constexpr (!Domain::has_outside) {
@@ -399,7 +402,7 @@ void CGAL_DSC_CLASS::check_boundary() const {
                               "domain is a ball");
 }
 
-// Everything that follows from points, cells and labels.
+// Computes all data that follows from points, cells and labels.
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::initialize_caches() {
   if constexpr (Domain::has_outside) {
@@ -515,12 +518,12 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
   return true;
 }
 
-// Whether vertices and cells refer to each other as they should.
+// Returns whether the adjacency of vertices and cells is consistent.
 CGAL_DSC_TEMPLATE
 bool CGAL_DSC_CLASS::is_sewn(bool verbose) const {
   if (Domain::has_outside)
     return Space::is_sewn(m_triangulation.tds(), verbose);
-  // CGAL does not accept that no cell has the infinite vertex.
+  // The validity test of CGAL requires that some cell has the infinite vertex.
   for (Vertex_handle v : finite_vertices())
     if (v->cell() == Cell_handle() || !v->cell()->has_vertex(v))
       return false;

@@ -22,10 +22,10 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-The cells of a complex in a box, and a layer of cells of label 0 between the box and a larger one
-about the same center. Each facet of the boundary and its image in the larger box bound a frustum.
-It is divided like a prism: simplex i has the vertices 0 to i of the facet, by increasing index, and
-the images of the vertices i to d - 1. Neighboring frusta thus agree.
+The cells of a complex in a box, and a layer of cells with label 0 between the box and a larger box
+with the same center. Each boundary facet and its image in the larger box bound a frustum. The
+frustum is divided like a prism: simplex i has the vertices 0 to i of the facet, by increasing
+index, and the images of the vertices i to d - 1. Adjacent frusta are thus divided consistently.
 */
 template <class Complex> class Box_layer
 {
@@ -52,7 +52,7 @@ public:
         add_frustum(cell, state);
   }
 
-  // First those of the complex, in the order of the state.
+  // Returns the points. The points of the complex come first, in the order of the state.
   const std::vector<Point>& points() const { return m_points; }
   const std::vector<Cell>& cells() const { return m_cells; }
   const std::vector<typename Complex::Label>& labels() const { return m_labels; }
@@ -60,7 +60,7 @@ public:
 private:
   static constexpr std::size_t none = -1;
 
-  // Of an infinite cell.
+  // Adds the cells of the frustum at an infinite cell.
   void add_frustum(const std::array<std::uint32_t, d + 1>& infinite, const State& state) {
     std::array<std::size_t, d> facet, images;
     auto out = facet.begin();
@@ -86,14 +86,15 @@ private:
                                           [&](int i) -> const Point& { return m_points[cell[i]]; });
   }
 
-  // Of a vertex of the boundary; on the same sides as the vertex.
+  // Returns the image of a boundary vertex. The image lies on the same sides of the box as the
+  // vertex.
   std::size_t image(std::size_t v, const std::array<double, d>& p) {
     if (m_images[v] != none)
       return m_images[v];
     std::array<double, d> coordinates;
     for (int axis = 0; axis < d; ++axis) {
       const double center = m_box.lower(axis) / 2 + m_box.upper(axis) / 2;
-      // The same numbers on a side lead to the same number.
+      // Equal coordinates on a side have equal images.
       coordinates[axis] = center + m_factor * (p[axis] - center);
     }
     m_images[v] = m_points.size();
@@ -104,7 +105,7 @@ private:
   const Complex& m_complex;
   Extent<d> m_box;
   double m_factor;
-  std::vector<std::size_t> m_images; // of vertices
+  std::vector<std::size_t> m_images; // by vertex
   std::vector<Point> m_points;
   std::vector<Cell> m_cells;
   std::vector<typename Complex::Label> m_labels;

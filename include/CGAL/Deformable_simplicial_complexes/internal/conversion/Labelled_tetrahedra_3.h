@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The cells that are part of a mesh complex, with their subdomains; points in the order in which
-// cells name them.
+// The cells of a mesh complex that belong to it, with their subdomains as labels. Points are in the
+// order of their first use by cells.
 template <class Complex> struct Labelled_tetrahedra_3
 {
   std::vector<typename Complex::Point_3> points;
@@ -26,14 +26,15 @@ template <class Complex> struct Labelled_tetrahedra_3
 
   template <class MeshComplex> explicit Labelled_tetrahedra_3(const MeshComplex& mesh) {
     const auto construct_point = typename Complex::Geom_traits().construct_exact_point_3_object();
-    std::unordered_map<const void*, std::size_t> numbers; // looked up only
+    // never iterated over, so results do not depend on addresses
+    std::unordered_map<const void*, std::size_t> numbers;
     for (auto c = mesh.cells_in_complex_begin(); c != mesh.cells_in_complex_end(); ++c) {
       auto& tetrahedron = tetrahedra.emplace_back();
       for (int i = 0; i < 4; ++i) {
         const auto v = c->vertex(i);
         const auto [known, is_new] = numbers.emplace(&*v, points.size());
         if (is_new) {
-          const auto& p = v->point(); // of the triangulation, with a weight
+          const auto& p = v->point(); // a weighted point of the triangulation
           points.push_back(construct_point({to_double(p.x()), to_double(p.y()), to_double(p.z())}));
         }
         tetrahedron[i] = known->second;

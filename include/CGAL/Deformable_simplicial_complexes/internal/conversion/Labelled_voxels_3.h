@@ -25,19 +25,21 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The labels of the voxels in a box of an image, x running fastest, and where the box is.
+// The labels of the voxels in a box of an image, with x as the fastest index, and the location of
+// this box.
 struct Labelled_voxels_3
 {
   std::array<std::size_t, 3> size; // number of voxels along each axis
-  std::array<double, 3> spacing;   // sides of a voxel, in the unit of the image
+  std::array<double, 3> spacing;   // side lengths of a voxel, in the unit of the image
   std::array<double, 3> center;    // of the box, in the coordinates of the image
   std::vector<int> labels;
-  bool fills_domain = false; // the box is that of all voxels, and nothing lies outside of it
+  bool fills_domain = false; // whether the box contains all voxels and is the domain
 
   double largest_spacing() const { return *std::max_element(spacing.begin(), spacing.end()); }
 };
 
-// Calls a function with a pointer to the values of an image, in their own type.
+// Calls a function with a pointer to the values of an image, in their type. Throws `Error` if the
+// type is not supported.
 template <class Function> void with_values(const _image& image, const Function& function) {
   const void* const data = image.data;
   const bool is_signed = image.sign == SGN_SIGNED;
@@ -64,20 +66,21 @@ template <class Function> void with_values(const _image& image, const Function& 
                 "bytes, or numbers of 4 or 8");
 }
 
-// The label that a value tells. Throws Error if it is none.
+// Returns the label given by a value. Throws `Error` if the value is not a label.
 template <class Value> int label_of(Value value) {
   static constexpr int largest_label = (std::numeric_limits<int>::max)();
-  const double number = double(value); // exact up to 2^53, far above labels
+  // Conversion is exact up to 2^53, which is far above the largest label.
+  const double number = double(value);
   if (!(number >= 0 && number <= largest_label) || number != std::floor(number))
     throw Error("the image holds values that are no labels: use whole numbers from 0 to " +
                 std::to_string(largest_label));
   return int(number);
 }
 
-// Whether a domain is the box of all voxels of an image.
+// Returns whether a domain equals the box of all voxels of an image, up to rounding.
 inline bool is_box_of_voxels(const Image_3&, CGAL::internal_np::Param_not_found) { return false; }
 inline bool is_box_of_voxels(const Image_3& image, const Bbox_3& box) {
-  static constexpr double rounding = 1e-6; // sides of a voxel; origins have type float
+  static constexpr double rounding = 1e-6; // in side lengths of a voxel; origins have type `float`
   const std::array<double, 3> spacing = {image.vx(), image.vy(), image.vz()},
                               origin = {image.tx(), image.ty(), image.tz()},
                               size = {double(image.xdim()), double(image.ydim()),
@@ -95,8 +98,9 @@ template <class Iso_cuboid> bool is_box_of_voxels(const Image_3& image, const Is
   return is_box_of_voxels(image, box.bbox());
 }
 
-// The smallest box of voxels that holds all labels other than 0, or that of all voxels if they fill
-// the domain. Throws Error if there are no voxels, or values are no labels, or all of them are 0.
+// Returns the smallest box of voxels that contains all labels other than 0, or the box of all
+// voxels if they fill the domain. Throws `Error` if there are no voxels, if values are not labels,
+// or if all labels are 0.
 inline Labelled_voxels_3 labelled_voxels(const Image_3& image, bool fills_domain = false) {
   if (!image.is_valid() || image.size() == 0)
     throw Error("the image has no voxels: read one");
@@ -139,7 +143,7 @@ inline Labelled_voxels_3 labelled_voxels(const Image_3& image, bool fills_domain
     }
     for (int axis = 0; axis < 3; ++axis) {
       result.size[axis] = end[axis] - first[axis];
-      // Voxels are about the points of the image.
+      // Points of the image are the centers of voxels.
       result.center[axis] =
           origin[axis] + .5 * double(first[axis] + end[axis] - 1) * result.spacing[axis];
     }

@@ -23,24 +23,25 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Relaxes the surface of voxels within a distance from where it was ("constrained elastic surface
-// nets", Gibson 1998). Vertices go towards the mean of their neighbors; those on lines where more
-// than two facets meet towards that of their neighbors on these lines.
+// A smoother for the surface of voxels that keeps vertices near their initial positions
+// ("constrained elastic surface nets", Gibson 1998). A vertex moves towards the mean of its
+// neighbors. A vertex on a line where more than two facets meet moves towards the mean of its
+// neighbors on such lines.
 template <class Complex> class Stairs_smoother_3
 {
 public:
   using Point = typename Complex::Approximate_point;
   using Vector = typename Complex::Approximate_vector;
 
-  // A vertex stays within half its shortest edge from its place, along each axis, and within the
-  // sides of the domain that it lies on.
+  // The displacement of a vertex from its initial position is bounded, along each axis, by half its
+  // shortest edge. Vertices stay on the sides of the domain that they lie on.
   Stairs_smoother_3(const Interface_snapshot<Complex>& interface_, std::vector<Point> places,
                     const std::array<double, 3>& voxel)
       : m_places(std::move(places)), m_voxel(voxel),
         m_reach(m_places.size(), std::numeric_limits<double>::infinity()) {
     for (const auto& v : interface_.vertices)
       m_sides.push_back(v->boundary_class());
-    std::vector<Edge> edges; // each once for each facet
+    std::vector<Edge> edges; // an edge appears once for each of its facets
     for (const auto& facet : interface_.facets())
       for (int i = 0; i < 3; ++i)
         edges.push_back(std::minmax(facet.vertices[i], facet.vertices[(i + 1) % 3]));
@@ -80,9 +81,10 @@ public:
     }
   }
 
-  // Moves all vertices at once.
+  // Moves all vertices by one step.
   void relax(std::vector<Point>& positions) const {
-    // Of the way: a single voxel then keeps enough of its volume for one correction to restore it.
+    // Fraction of the displacement to the mean. With this value a single voxel keeps enough volume
+    // for one correction to restore it.
     static constexpr double part = .25;
     std::vector<Vector> sums(positions.size(), NULL_VECTOR);
     std::vector<std::size_t> numbers(positions.size(), 0);
@@ -108,7 +110,7 @@ public:
 private:
   using Edge = std::pair<std::size_t, std::size_t>;
 
-  // Along the axis where it is longest, in sides of voxels.
+  // Returns the largest extent of an edge along an axis, in side lengths of a voxel.
   double length(std::size_t a, std::size_t b) const {
     double result = 0;
     for (int axis = 0; axis < 3; ++axis)
@@ -117,10 +119,10 @@ private:
   }
 
   std::vector<Point> m_places;
-  std::array<double, 3> m_voxel;             // its sides
-  std::vector<double> m_reach;               // of vertices, in these
+  std::array<double, 3> m_voxel;             // side lengths
+  std::vector<double> m_reach;               // of vertices, in side lengths of a voxel
   std::vector<Boundary_class::Bits> m_sides; // of vertices
-  std::vector<Edge> m_ties;                  // a vertex, and a neighbor that it follows
+  std::vector<Edge> m_ties; // pairs of a vertex and a neighbor that it moves towards
 };
 
 } // namespace internal

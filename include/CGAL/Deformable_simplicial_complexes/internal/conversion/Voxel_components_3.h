@@ -17,9 +17,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The connected components of the labels of voxels, through common faces. Component 0 is the
-// outside: the voxels of label 0 that are connected with the space around the box or, if the voxels
-// fill the domain, nothing but that space.
+// The connected components of the labels of voxels; voxels are connected through common faces.
+// Component 0 is the outside. It contains the space around the box and the voxels of label 0
+// connected with it. If the voxels fill the domain, it contains only the space around the box.
 class Voxel_components_3
 {
 public:
@@ -37,16 +37,16 @@ public:
         fill(labels, first, front);
   }
 
-  // Of the box of the labels.
+  // Returns the size of the box of labels, in voxels.
   Place size() const { return {m_size[0] - 2, m_size[1] - 2, m_size[2] - 2}; }
   int operator()(const Place& p) const {
     return m_components[((p[2] + 1) * m_size[1] + p[1] + 1) * m_size[0] + p[0] + 1];
   }
-  // Whether component 0 is no part of the domain.
+  // Returns whether component 0 lies outside the domain.
   bool fill_domain() const { return m_fill_domain; }
   std::size_t number() const { return m_labels.size(); }
   int label(std::size_t component) const { return m_labels[component]; }
-  // Of no meaning for component 0.
+  // Returns the number of voxels of a component; undefined for component 0.
   std::size_t number_of_voxels(std::size_t component) const { return m_voxels[component]; }
 
 private:
@@ -92,9 +92,9 @@ private:
   }
 
   bool m_fill_domain;
-  Place m_size;                  // with a layer of voxels of the outside around
-  std::vector<int> m_components; // of voxels
-  std::vector<int> m_labels;     // of components
+  Place m_size;                  // including a layer of outside voxels around the box
+  std::vector<int> m_components; // by voxel
+  std::vector<int> m_labels;     // by component
   std::vector<std::size_t> m_voxels;
 };
 

@@ -21,15 +21,18 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Where a complex of voxels is built: p = translation + scale * q for a point p of the image and a
-// point q of the complex. The default domain is the cube about the center of the box of the labels
-// with half side 2.5 r, where r is half the diagonal of that box. All is computed in sides of
-// voxels, so that no unit is too small. Where voxels fill the domain, the space around them is to
-// be left out, and any domain does.
+// The frame in which a complex of voxels is built: p = translation + scale * q for a point p of the
+// image and the corresponding point q of the complex. The default domain is the cube with the
+// center of the box of labels and half side 2.5 r, where r is half the diagonal of that box.
+// Computations use side lengths of voxels as unit, so that small units of the image do not cause
+// underflow. If voxels fill the domain, the space around them is removed, and any domain is
+// allowed.
 class Voxel_frame_3
 {
 public:
-  // Normalization brings the default domain to [-1,1]^3.
+  // Computes the frame. Normalization maps the default domain to [-1,1]^3. Throws `Error` if the
+  // size of the voxels is zero or not finite, or if the domain does not contain them in its
+  // interior.
   template <class Domain>
   Voxel_frame_3(const Labelled_voxels_3& voxels, bool normalize, const Domain& domain) {
     double squared_diagonal = 0;
@@ -63,7 +66,7 @@ public:
   std::array<double, 3> translation = {0, 0, 0};
   double scale = 1;
 
-  // Of the domain, in voxels.
+  // Returns the longest side of the domain, in voxels.
   double longest_side() const {
     double result = 0;
     for (int axis = 0; axis < 3; ++axis)
@@ -71,11 +74,12 @@ public:
     return result;
   }
 
-  // The side of a voxel in the complex.
+  // Returns the side length of a voxel in the complex.
   double side(int axis) const { return m_side[axis] * (m_unit / scale); }
 
-  // A coordinate of a corner of an octree, in the complex. The voxels with labels keep their shape;
-  // the space between them and the root's sides is stretched to the domain.
+  // Returns a coordinate of a corner of the octree, in the complex. Voxels with labels keep their
+  // shape. The space between these voxels and the sides of the root is stretched to fill the
+  // domain.
   double coordinate(const Voxel_octree_3& octree, int axis, std::uint32_t x) const {
     const double first = octree.first(axis), last = first + 2 * m_half[axis],
                  half = m_half[axis] * m_side[axis];
@@ -106,10 +110,10 @@ private:
   }
 
   double m_unit;                  // half the side of the default domain, in the unit of the image
-  std::array<double, 3> m_center; // of the box of the labels, in the coordinates of the image
-  std::array<double, 3> m_half;   // the sides of that box, in voxels
-  std::array<double, 3> m_side;   // of voxels, in m_unit
-  std::array<double, 3> m_low, m_high; // the domain about m_center, in m_unit
+  std::array<double, 3> m_center; // of the box of labels, in the coordinates of the image
+  std::array<double, 3> m_half;   // half the side lengths of that box, in voxels
+  std::array<double, 3> m_side;   // of voxels, in `m_unit`
+  std::array<double, 3> m_low, m_high; // the domain relative to `m_center`, in `m_unit`
 };
 
 } // namespace internal

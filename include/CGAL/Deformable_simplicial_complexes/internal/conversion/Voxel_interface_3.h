@@ -35,8 +35,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Makes a complex of voxels whose labels are their components, so that these neither merge nor
-// touch nor lose their volumes: first with the stairs of the voxels, then smooth, then coarse.
+// A builder of a complex from voxels, where the labels of cells are component numbers. With these
+// labels, components neither merge nor touch, and the volume of each component can be restored. The
+// interface first follows the faces of the voxels, then it is smoothed, and then coarsened.
 template <class Complex> class Voxel_interface_3
 {
 public:
@@ -72,11 +73,13 @@ public:
     return result;
   }
 
-  // Volumes stay in each round, as small components would vanish else.
+  // Smooths the interface. Volumes are corrected in each round, because small components would
+  // vanish otherwise.
   void smooth(Complex& dsc) const {
     const Progress_phase phase("smoothing the interface between voxels");
     static constexpr int rounds = 16;
-    static constexpr int iterations = 2; // a measurement and a correction; the last round has all
+    // one measurement and one correction; the last round has more iterations
+    static constexpr int iterations = 2;
     const Interface_snapshot<Complex> interface_(dsc);
     const auto places = interface_.positions(dsc);
     auto positions = places;
@@ -95,14 +98,14 @@ public:
     deform_interface_to(dsc, interface_, positions, kept());
   }
 
-  // Edges become as long as they are wanted where that changes no component by more than a part of
-  // a voxel.
+  // Coarsens the interface to the target edge length. The change of the volume of a component is
+  // bounded by a fraction of a voxel.
   void coarsen(Complex& dsc) const {
     const Progress_phase phase("coarsening the interface between voxels");
     static constexpr unsigned rounds = 2;
     static constexpr double short_edges = .7, long_edges = 1.5;
     const double voxel = m_frame.side(0) * m_frame.side(1) * m_frame.side(2);
-    static constexpr double swept = .2; // voxels
+    static constexpr double swept = .2; // in volumes of a voxel
     const auto size = [edge = m_edge](const typename Complex::Approximate_point&) { return edge; };
     improve_interface(dsc, parameters::sizing_field(size)
                                .interface_collapse_length(short_edges)
@@ -123,9 +126,9 @@ private:
     return parameters::topology_control(Forbid_topology_changes()).relabeling_threshold(0.);
   }
 
-  // Throws Error unless the volumes are right.
+  // Throws `Error` unless each component has the volume of its voxels, up to a tolerance.
   void check(const Complex& dsc) const {
-    static constexpr double tolerance = 1e-3; // what is promised
+    static constexpr double tolerance = 1e-3; // relative, as documented
     std::set<int> labels;
     std::size_t number = 0;
     for (const auto& [component, volume] : m_volumes)
@@ -149,10 +152,10 @@ private:
   const Voxel_components_3& m_components;
   const Voxel_frame_3& m_frame;
   double m_edge;
-  std::map<int, double> m_volumes; // of components that are to have one
+  std::map<int, double> m_volumes; // target volumes, by component
 };
 
-// Gives cells the labels of their components.
+// Replaces the component numbers of cells by the labels of the components.
 template <class Complex>
 void label_by_components(Complex& dsc, const Voxel_components_3& components) {
   auto state = dsc.state();

@@ -21,17 +21,19 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // An octree over the components of voxels and the space around them. Leaves at the interface are
-// the blocks of a pyramid that are not mixed; others are blocks of one component, the larger the
-// farther away. Its unit is a voxel.
+// blocks of a pyramid that are not mixed. Other leaves are blocks of one component, whose size
+// increases with the distance from the interface. The unit is the side of a voxel.
 class Voxel_octree_3
 {
 public:
   using Place = Octree_3::Place;
 
-  // The root is at least so many voxels long, if possible, and has the voxels in its middle.
+  // Builds an octree with the voxels in the middle of the root. The side of the root is at least
+  // `least_side` voxels, if the number of levels allows it. Throws `Error` if the image has more
+  // than 2^20 voxels in a row.
   Voxel_octree_3(const Voxel_pyramid_3& pyramid, double least_side)
       : m_pyramid(pyramid), m_tree(last_level(pyramid, least_side)) {
-    const std::size_t margin = pyramid.margin(); // which divides all sides
+    const std::size_t margin = pyramid.margin(); // divides all side lengths
     for (int axis = 0; axis < 3; ++axis)
       m_first[axis] = std::uint32_t((m_tree.side() - pyramid.size(0)[axis]) / 2 / margin * margin);
     split_mixed_blocks();
@@ -40,10 +42,10 @@ public:
   }
 
   const Octree_3& tree() const { return m_tree; }
-  // Where the box of the labels begins.
+  // Returns the first coordinate of the box of labels.
   std::uint32_t first(int axis) const { return m_first[axis] + std::uint32_t(m_pyramid.margin()); }
 
-  // Of a leaf.
+  // Returns the component of a leaf.
   int component(unsigned level, const Place& block) const {
     const unsigned known = (std::min)(level, m_pyramid.last_level());
     Voxel_pyramid_3::Place at;
@@ -68,7 +70,7 @@ private:
     return result;
   }
 
-  // Calls visit(place) for places below `size`.
+  // Calls `visit(place)` for all places less than `size`.
   template <class Visit>
   static void for_each_place(const Voxel_pyramid_3::Place& size, const Visit& visit) {
     Voxel_pyramid_3::Place p;
@@ -80,7 +82,7 @@ private:
       }
   }
 
-  // The block of a level that a block of the pyramid at another one is in.
+  // Returns the block of level `level` that contains a block of the pyramid of level `from`.
   Place block_of(const Voxel_pyramid_3::Place& p, unsigned from, unsigned level) const {
     Place result;
     for (int axis = 0; axis < 3; ++axis)
@@ -96,8 +98,8 @@ private:
       });
   }
 
-  // No leaf around a vertex where several components meet is larger than blocks of the pyramid:
-  // lengths of edges of the interface are bounded.
+  // Splits blocks so that no leaf at a vertex where several components meet is larger than the
+  // largest blocks of the pyramid. This bounds the edge lengths of the interface.
   void split_at_interfaces() {
     const unsigned last = m_pyramid.last_level();
     auto vertices = m_pyramid.size(last);

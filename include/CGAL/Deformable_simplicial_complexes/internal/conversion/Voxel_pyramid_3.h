@@ -20,16 +20,18 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The components of voxels in blocks of 2^l voxels a side, for some levels l from 0. A block has a
-// component where its eight parts have the same one, or where those of them that do not can get it
-// one by one without a change of topology; else it is mixed.
+// The components of voxels in blocks with sides of 2^l voxels, for levels l from 0. A block has a
+// component if its eight sub-blocks have the same one. It also has a component if sub-blocks can be
+// changed to the most frequent one, one at a time, without a change of topology. Otherwise the
+// block is mixed.
 class Voxel_pyramid_3
 {
 public:
   using Place = std::array<std::size_t, 3>;
   static constexpr int mixed = -1;
 
-  // Blocks are no longer than `edge`, in voxels.
+  // Builds all levels whose blocks have sides of at most `edge` voxels and fit into the box of
+  // labels. Level 0 always exists.
   Voxel_pyramid_3(const Voxel_components_3& components, double edge) : m_components(components) {
     std::size_t smallest = components.size()[0];
     for (const std::size_t n : components.size())
@@ -43,7 +45,8 @@ public:
   }
 
   unsigned last_level() const { return m_last; }
-  // Voxels of the outside around the box of the labels; a block of the last level.
+  // Returns the number of outside voxels around the box of labels, which is the side of a block of
+  // the last level.
   std::size_t margin() const { return std::size_t(1) << m_last; }
   const Place& size(unsigned level) const { return m_levels[level].size; }
 
@@ -51,7 +54,8 @@ public:
     return m_levels[level].components[m_levels[level].index(block)];
   }
 
-  // The component that a block has in the largest block around it that is not mixed.
+  // Returns the component of the largest block that contains the given block and is not mixed, or
+  // `mixed` if there is none.
   int component(unsigned level, Place block) const {
     int result = mixed;
     for (unsigned l = m_last + 1; l-- > level && result == mixed;)
@@ -102,7 +106,8 @@ private:
     });
   }
 
-  // The component of a block, after changes of its parts if they do not have one yet.
+  // Returns the component of a block. Changes its sub-blocks if they have several components but
+  // can be made uniform.
   int make_uniform(Level& parts, const Place& first, unsigned level) const {
     std::array<std::size_t, 8> at;
     std::array<int, 8> before;
@@ -131,8 +136,8 @@ private:
     return mixed;
   }
 
-  // Whether a component has the volume of some blocks: others keep their voxels, and so does the
-  // outside of a domain that voxels fill.
+  // Returns whether a component has at least the volume of eight blocks. Smaller components keep
+  // their voxels, and so does the outside of a domain that voxels fill.
   bool is_large(int component, unsigned level) const {
     static constexpr std::size_t blocks = 8;
     if (component == 0)
@@ -155,7 +160,8 @@ private:
     return result;
   }
 
-  // Whether a part may change to another component: the parts around have no third one.
+  // Returns whether a sub-block may change to another component: the sub-blocks around it have no
+  // third component, and the topology does not change.
   static bool is_simple(const Level& parts, std::size_t at, int component) {
     Voxel_neighborhood_3::Voxels in = 0;
     const std::size_t row = parts.size[0], layer = parts.size[0] * parts.size[1];

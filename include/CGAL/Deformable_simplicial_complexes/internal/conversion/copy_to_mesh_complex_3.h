@@ -17,13 +17,13 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The index of a surface patch between two labels.
+// A map from pairs of labels to indices of surface patches.
 template <class MeshComplex> class Patch_indices_3
 {
 public:
   using Index = typename MeshComplex::Surface_patch_index;
   using Subdomain = typename MeshComplex::Subdomain_index;
-  using Labels = std::pair<int, int>; // the smaller first
+  using Labels = std::pair<int, int>; // the smaller label first
 
   explicit Patch_indices_3(const std::vector<Labels>& all) {
     for (const Labels& labels : all)
@@ -44,8 +44,8 @@ private:
   std::map<Labels, int> m_numbers;
 };
 
-// Fills an empty mesh complex with the cells of a complex, and makes those with other labels than 0
-// and the interface part of it.
+// Fills an empty mesh complex with the cells of a complex. Cells with labels other than 0 and
+// interface facets become part of the mesh complex.
 template <class Complex, class MeshComplex>
 void copy_to_mesh_complex(const Complex& complex, MeshComplex& mesh) {
   using Triangulation = typename MeshComplex::Triangulation;

@@ -12,17 +12,19 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// 27 voxels, x running fastest, as bits; number 13 is the one in the middle.
+// A neighborhood of 27 voxels, stored as bits, with x as the fastest index. Voxel 13 is in the
+// middle.
 class Voxel_neighborhood_3
 {
 public:
   using Voxels = std::uint32_t;
   static constexpr int middle = 13, number = 27;
 
-  // Whether the middle may change from one set to the other, those of the voxels around that are
-  // `in` a set and all others, without a change of their topologies or of what separates them: each
-  // has one component around it, through faces as well as through vertices (see Bertrand and
-  // Malandain, "A new characterization of three-dimensional simple points", 1994).
+  // Returns whether the voxel in the middle is simple. Its neighbors are divided into two sets: the
+  // voxels of `in`, and all others. The middle may move from one set to the other if the topology
+  // of both sets and of their common boundary does not change. This holds if each set has exactly
+  // one component at the middle, with connections through faces as well as through vertices (see
+  // Bertrand and Malandain, "A new characterization of three-dimensional simple points", 1994).
   static bool is_simple(Voxels in) {
     const Voxels all = (Voxels(1) << number) - 1, center = Voxels(1) << middle;
     const Neighborhoods& n = neighborhoods();
@@ -38,8 +40,8 @@ public:
 private:
   struct Neighborhoods
   {
-    std::array<Voxels, number> faces, vertices; // neighbors of a voxel through them
-    Voxels edges = 0;                           // neighbors of the middle through faces and edges
+    std::array<Voxels, number> faces, vertices; // neighbors of a voxel through faces or vertices
+    Voxels edges = 0;                           // neighbors of the middle through faces or edges
   };
 
   static const Neighborhoods& neighborhoods() {
@@ -48,7 +50,7 @@ private:
       for (int a = 0; a < number; ++a) {
         n.faces[a] = n.vertices[a] = 0;
         for (int b = 0; b < number; ++b) {
-          int sum = 0, largest = 0; // of distances along the axes
+          int sum = 0, largest = 0; // sum and maximum of distances along the axes
           for (int divisor : {1, 3, 9}) {
             const int distance = (a / divisor % 3 > b / divisor % 3)
                                      ? a / divisor % 3 - b / divisor % 3
@@ -69,7 +71,7 @@ private:
     return result;
   }
 
-  // What can be reached from the first of some voxels within a set.
+  // Returns the voxels that can be reached from the first voxel of `from` within `set`.
   static Voxels reached(Voxels from, Voxels set, const std::array<Voxels, number>& neighbors) {
     Voxels result = from & (~from + 1), front = result;
     while (front != 0) {

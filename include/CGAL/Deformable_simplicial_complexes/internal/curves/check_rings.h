@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A ring of one of several polygons: its boundary, or that of a hole.
+// A ring of one of several polygons: the boundary of the polygon or of a hole.
 struct Polygon_ring
 {
   std::vector<std::array<double, 2>> points;
@@ -26,8 +26,9 @@ struct Polygon_ring
   std::size_t line; // of the file
 };
 
-// Counts the rings around one point of each ring. A sweep over heights: n log n where few rings
-// overlap in height.
+// The nesting of rings: for each ring, the number of rings that contain it, tested at one point of
+// the ring. The algorithm sorts these points by y-coordinate. Complexity: O(n log n) if the
+// y-ranges of few rings overlap.
 class Ring_nesting
 {
 public:
@@ -43,10 +44,10 @@ public:
       count_inside(r);
   }
 
-  // The number of other rings around a ring.
+  // Returns the number of other rings that contain a ring.
   std::size_t depth(std::size_t ring) const { return m_depths[ring]; }
 
-  // Whether the boundary of its polygon is around a ring.
+  // Returns whether a ring lies inside the outer boundary of its polygon.
   bool is_in_shell(std::size_t ring) const { return m_is_in_shell[ring]; }
 
 private:
@@ -56,10 +57,11 @@ private:
     std::size_t ring;
   };
 
-  // Counts a ring for all that are inside it: those whose ray to the right it crosses oddly often.
+  // Increments the depth of all rings that lie inside a ring. A point lies inside if its ray to the
+  // right crosses the ring an odd number of times.
   void count_inside(std::size_t around) {
     const auto& points = m_rings[around].points;
-    std::vector<std::size_t> crossed; // by rays from these rings
+    std::vector<std::size_t> crossed; // rings whose rays cross `around`, once for each crossing
     for (std::size_t i = 0; i < points.size(); ++i) {
       auto low = points[i], high = points[(i + 1) % points.size()];
       if (low[1] > high[1])
@@ -90,20 +92,21 @@ private:
   }
 
   const std::vector<Polygon_ring>& m_rings;
-  std::vector<Place> m_places; // one of each ring, by height
+  std::vector<Place> m_places; // one point of each ring, sorted by y-coordinate
   std::vector<std::size_t> m_depths;
   std::vector<bool> m_is_in_shell;
 };
 
-// What is wrong with a ring.
+// A ring and a description of its fault.
 struct Ring_fault
 {
   std::size_t ring;
   const char* what;
 };
 
-// Finds the first hole that is not in its polygon, or polygon that overlaps others, among rings
-// that do not cross: crossings are found when the plane is filled.
+// Returns the first hole that is not inside its polygon, or the first polygon that overlaps another
+// one, if any.
+// \pre Rings do not cross. Crossings are detected later, by the triangulation of the plane.
 inline std::optional<Ring_fault> find_ring_fault(const std::vector<Polygon_ring>& rings) {
   const Ring_nesting nesting(rings);
   for (std::size_t r = 0; r < rings.size(); ++r) {

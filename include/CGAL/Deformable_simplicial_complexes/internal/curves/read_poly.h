@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Reads the lines of one file in the format of Triangle (J. R. Shewchuk). Each begins with a number
-// that counts or names something.
+// A reader for the lines of a file in the format of Triangle (J. R. Shewchuk). Each line begins
+// with a number that is a count or an index.
 class Triangle_lines
 {
 public:
@@ -50,7 +50,7 @@ public:
     return m_scanner.number<std::size_t>();
   }
 
-  // The next number on the line.
+  // Returns the next number on the line. Throws `File_error` if there is none.
   template <class Number> Number number() {
     const std::optional<Number> result = optional_number<Number>();
     if (!result)
@@ -58,7 +58,7 @@ public:
     return *result;
   }
 
-  // Nothing if the line ends before.
+  // Returns the next number on the line, if there is one.
   template <class Number> std::optional<Number> optional_number() {
     if (!m_scanner.next_on_line())
       return std::nullopt;
@@ -66,6 +66,8 @@ public:
     return m_scanner.number<Number>();
   }
 
+  // Returns the point given by the next two numbers. Throws `File_error` if a coordinate is not
+  // finite.
   template <class Point> Point point() {
     std::array<double, 2> p;
     for (double& x : p)
@@ -89,7 +91,7 @@ private:
   File_scanner m_scanner;
 };
 
-// Reads segments, and seeds from holes and regional attributes.
+// A reader for the segments of a .poly file; holes and regional attributes become seeds.
 template <class Point> class Poly_reader
 {
 public:
@@ -112,12 +114,12 @@ public:
   const Unused_content& unused() const { return m_unused; }
 
 private:
-  // Returns whether there are any.
+  // Returns whether there are points.
   bool read_points(Triangle_lines& lines) {
     const std::size_t points = lines.next();
     if (lines.number<std::size_t>() != 2)
       lines.fail("the points are not in the plane: the second number has to be 2");
-    lines.optional_number<std::size_t>(); // attributes of each point
+    lines.optional_number<std::size_t>(); // number of attributes of each point
     const bool has_markers = lines.optional_number<std::size_t>().value_or(0) > 0;
     lines.end();
     for (std::size_t i = 0; i < points; ++i) {
@@ -179,7 +181,7 @@ private:
     }
   }
 
-  // Returns their number.
+  // Returns the number of regions.
   std::size_t read_regions() {
     const std::size_t regions = m_lines.next();
     m_lines.end();

@@ -28,8 +28,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Reads geometries in the well-known text of the Open Geospatial Consortium: each POLYGON and each
-// MULTIPOLYGON is a curve with the next label, each closed LINESTRING, too.
+// A reader for geometries in the well-known text format of the Open Geospatial Consortium. Each
+// POLYGON, each MULTIPOLYGON and each closed LINESTRING becomes a curve with the next label.
 template <class Point> class Wkt_reader
 {
 public:
@@ -53,9 +53,10 @@ public:
   const Unused_content& unused() const { return m_unused; }
 
 private:
-  static constexpr int most_nested = 100; // collections in collections
+  static constexpr int most_nested = 100; // maximum depth of nested collections
 
-  // How many lists of lists a geometry is, down to its rings; 0 if it bounds nothing.
+  // Returns the depth of nested lists in a geometry, down to its rings; 0 if the geometry bounds no
+  // region.
   static int depth_of(const std::string& type) {
     return type == "LINESTRING" || type == "LINEARRING"                           ? 1
            : type == "POLYGON" || type == "TRIANGLE" || type == "MULTILINESTRING" ? 2
@@ -63,7 +64,7 @@ private:
                                                                                   : 0;
   }
 
-  // One geometry, or a collection of them.
+  // Reads a geometry or a collection of geometries.
   void geometry(int collections) {
     Progress_scope::check();
     const std::string type = word();
@@ -115,9 +116,10 @@ private:
                  1 + std::size_t(std::count(m_text.begin() + std::ptrdiff_t(first), last, ',')));
   }
 
-  // The rings of a geometry become a curve, if they are nested as they should be.
+  // Adds the rings of a geometry as a curve. Throws `File_error` if rings of polygons are not
+  // properly nested.
   void finish_curve(const std::string& type) {
-    if (m_rings.empty()) // its parts are empty
+    if (m_rings.empty()) // all its polygons are empty
       return m_unused.add("empty geometries");
     if (type == "POLYGON" || type == "MULTIPOLYGON")
       if (const std::optional<Ring_fault> fault = find_ring_fault(m_rings))
@@ -132,7 +134,7 @@ private:
     }
   }
 
-  // A list in parentheses of lists in parentheses and so on, of rings at last.
+  // Reads nested lists in parentheses, down to rings.
   void nested(int depth, bool is_hole) {
     if (depth == 1)
       return ring(is_hole);
@@ -168,7 +170,7 @@ private:
     m_rings.push_back({std::move(points), m_polygons, is_hole, line});
   }
 
-  // SRID=4326; and the like.
+  // Skips a prefix such as `SRID=4326;`.
   void skip_reference_system() {
     const std::size_t end = m_text.find(';', m_position);
     std::string begin = m_text.substr(m_position, 5);
@@ -245,7 +247,7 @@ private:
     return *result;
   }
 
-  // Of the place that was read last. Counts on from where it was asked last.
+  // Returns the line of the current position. Counts from the position of the previous call.
   std::size_t line_number() {
     const auto at = [&](std::size_t position) { return m_text.begin() + std::ptrdiff_t(position); };
     m_line += std::size_t(std::count(at(m_line_position), at(m_position), '\n'));
@@ -262,8 +264,8 @@ private:
   std::string m_path, m_text;
   std::size_t m_position = 0;
   std::size_t m_line = 1, m_line_position = 0;
-  std::vector<Polygon_ring> m_rings; // of the present geometry
-  std::size_t m_polygons = 0;        // of it
+  std::vector<Polygon_ring> m_rings; // of the current geometry
+  std::size_t m_polygons = 0;        // of the current geometry
   std::vector<Curve> m_curves;
   Unused_content m_unused;
 };

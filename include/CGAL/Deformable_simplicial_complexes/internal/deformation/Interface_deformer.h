@@ -37,7 +37,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The steps of Algorithm 1, in the order in which deform_interface() takes them.
+// The steps of Algorithm 1, in the order in which `deform_interface()` performs them.
 template <class Complex> class Interface_deformer
 {
 public:
@@ -59,8 +59,9 @@ public:
   Interface_deformer(const Interface_deformer&) = delete;
   Interface_deformer& operator=(const Interface_deformer&) = delete;
 
-  // Those of `interface_vertices()`. Nothing is changed if one is refused. What would leave the box
-  // of the domain goes to the nearest point of it, where the interface stops.
+  // Sets the destinations of the interface vertices. A destination outside the box of the domain is
+  // replaced by the nearest point of the box, where the interface stops. Throws
+  // `Invalid_destination_error` if a destination is not finite; nothing is changed then.
   void set_destinations(const std::vector<Vertex_handle>& vertices,
                         const std::vector<Point>& destinations) {
     std::vector<typename Complex::Approximate_point> positions;
@@ -78,21 +79,24 @@ public:
     }
   }
 
-  // Adds the time since the last call to a part of that of the whole.
+  // Adds the wall-clock time since the last call to one of the times of the report.
   void lap(double Report::Seconds::*part) { m_stopwatch.lap(m_seconds.*part); }
 
   bool is_complete() const { return unfinished().empty(); }
 
-  // Whether the last two passes that had all means brought vertices nearer to their destinations.
+  // Returns whether vertices still approach their destinations. Returns false after two successive
+  // passes that could remove interface facets but reduced the remaining distance by less than 1 %
+  // each.
   bool is_progressing() const { return m_idle_passes < 2; }
 
-  // What the mesh is like before a pass.
+  // Prepares the mesh for a pass.
   void begin_pass() { m_mesh.begin_pass(m_for_each_index); }
 
-  // Interface and free vertices at once: most of most motions. Free vertices follow the flow of
-  // space in the first pass, where it is known.
+  // Moves interface vertices and free vertices simultaneously, which completes the largest part of
+  // most motions. In the first pass, free vertices follow the flow of the space if it is given.
   void move_together(unsigned pass) {
-    static constexpr double far = 100; // times the longest way: nothing to be followed
+    // in lengths of the longest displacement; larger displacements by the flow are ignored
+    static constexpr double far = 100;
     if (is_complete())
       return;
     std::vector<Vertex_handle> vertices = unfinished();
@@ -130,10 +134,11 @@ public:
     update_destinations();
   }
 
-  // Algorithm 2 for those that could not go all the way together. Where a cell is flat enough to be
-  // relabeled, coming still nearer would gain nothing.
+  // Moves the remaining vertices one at a time (Algorithm 2). A vertex of a cell flat enough to be
+  // relabeled moves only if it reaches its destination, since a partial move would gain nothing.
   void move_one_by_one() {
-    static constexpr double margin = .25; // a cell that need not be thin yet can still be improved
+    // fraction of the distance to a flat cell that is left, so that the cell can still be improved
+    static constexpr double margin = .25;
     std::vector<Vertex_handle> vertices = unfinished();
     if (m_options.collision_order)
       sort_by_first_collision(m_complex, m_destinations, vertices);
@@ -153,19 +158,24 @@ public:
     update_destinations();
   }
 
-  // Cells flattened between two parts of the interface: where its topology changes.
+  // Relabels cells that were flattened between two regions of the interface. The topology changes
+  // here.
   void relabel_degenerate_cells(unsigned pass) {
     m_touched.sort();
     relabel(m_touched, m_options.relabeling_threshold);
     find_events(pass);
   }
 
-  // What keeps vertices from their destinations: cells that the interface is about to sweep away,
-  // small angles and short edges where it folds, and free vertices that it traps. An interface that
-  // is to keep its facets does so as long as there is hope that the rest is enough.
+  // Removes obstacles that keep vertices from their destinations:
+  // - cells that the interface is about to sweep over;
+  // - small angles and short edges where the interface folds;
+  // - free vertices trapped by the interface.
+  //
+  // If there is no bound on facet angles, interface facets are removed only after the second pass,
+  // because the other operations often suffice.
   void remove_obstacles(unsigned pass) {
     m_may_remove_facets = m_options.minimum_facet_angle > 0 || pass > 2;
-    static constexpr double swept = .3; // quality below which a cell in the way may be relabeled
+    static constexpr double swept = .3; // quality below which an obstructing cell may be relabeled
     Work_list<Cell_handle> cells;
     for (Vertex_handle v : unfinished()) {
       m_complex.star(v, m_star);
@@ -184,28 +194,28 @@ public:
     }
   }
 
-  // Facets of the interface that the motion has given small angles.
+  // Removes interface facets that got small angles by the motion.
   void remove_degenerating_facets() { m_mesh.remove_degenerating_facets(m_touched); }
 
-  // Reconnection, smoothing, collapses and splits around what moved.
+  // Reconnects, smooths, collapses and splits cells around the moved vertices.
   void improve() {
     m_mesh.improve(std::move(m_touched));
     m_touched.clear();
     update_destinations();
     const double distance = m_destinations.remaining_distance();
-    static constexpr double same = .99; // as good as the distance before
+    static constexpr double same = .99; // maximum ratio of distances that counts as progress
     const bool is_idle = m_may_remove_facets && distance > same * m_last_distance;
     m_idle_passes = is_idle ? m_idle_passes + 1 : 0;
     m_last_distance = distance;
   }
 
-  // In the plane, where phases have come apart and others together.
+  // Exchanges neighbors in 2D, where regions have separated and others have met.
   void exchange_neighbors() {
     m_mesh.exchange_neighbors(m_destinations.moved(), m_trapped_cells.log());
     update_destinations();
   }
 
-  // What the passes have left, but for cells that moved as a whole.
+  // Removes small angles that remain after the passes, except in regions that moved rigidly.
   void remove_small_angles(unsigned pass) {
     static constexpr double any_quality = 2;
     const Work_list<Cell_handle> cells = m_mesh.cells_with_small_angles();
@@ -220,7 +230,7 @@ public:
     update_destinations();
   }
 
-  // Vertices that came to the interface after it was built know from now on how dense it is.
+  // Measures the interface edges at vertices that have joined the interface since it was built.
   void measure_new_spacings() {
     for (Vertex_handle v : m_complex.finite_vertices())
       if (v->is_interface() && !(v->spacing() > 0))
@@ -262,8 +272,8 @@ private:
     return m_complex.quality(c, [&](Vertex_handle v) { return m_destinations.final_position(v); });
   }
 
-  // Relabels trapped cells below a quality, but for those that are flat only on the way, or were so
-  // before in a part that moves as a whole.
+  // Relabels trapped cells below a quality, except for cells that move rigidly and cells that are
+  // flat only during the motion.
   void relabel(const Work_list<Cell_handle>& cells, double threshold) {
     if (!(m_options.relabeling_threshold > 0))
       return;
@@ -273,8 +283,8 @@ private:
     });
   }
 
-  // How far around its source a motion is felt, in edges: the farther it goes, the more space must
-  // give way.
+  // Returns the number of layers of free vertices around a vertex that follow its displacement. A
+  // longer displacement needs more layers, because more space must give way.
   unsigned number_of_layers(Vertex_handle v, double way) const {
     static constexpr double most = 6;
     return unsigned((std::min)(most, 1 + std::ceil(2 * way / local_edge_length(m_complex, v))));

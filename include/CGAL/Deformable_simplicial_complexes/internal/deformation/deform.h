@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Algorithm 1: takes the vertices of the interface to their destinations in passes, until a bound
-// on their number, or `go_further(pass)` says no.
+// Moves interface vertices to their destinations in passes (Algorithm 1). Stops after the maximum
+// number of passes, or if `go_further(pass)` returns false. Returns the report.
 template <class Complex>
 Deformation_report<Complex>
 deform(Complex& dsc, const std::vector<typename Complex::Vertex_handle>& vertices,

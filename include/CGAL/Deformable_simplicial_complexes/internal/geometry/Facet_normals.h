@@ -11,7 +11,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The outward normals of the facets of a cell, as long as d - 1 times what they measure.
+// The outward normals of the facets of a cell. The length of a normal is d - 1 times the measure of
+// its facet.
 template <class Complex> class Facet_normals
 {
 public:
@@ -33,8 +34,8 @@ public:
 
   int largest() const { return m_largest; }
 
-  // Returns the barycentric coordinate, for vertex i of a facet, of the projection of the opposite
-  // vertex to that facet. The normals sum up to 0, so the coordinates sum up to 1.
+  // Returns a barycentric coordinate of the projection of the opposite vertex onto a facet: the one
+  // for vertex i of the cell. The sum of all normals is zero, so the coordinates sum up to 1.
   double coordinate_of_projection(int facet, int i) const {
     return -(m_normals[i] * m_normals[facet]) / m_normals[facet].squared_length();
   }

@@ -14,7 +14,8 @@ namespace internal {
 template <class Complex>
 using Cell_corners = std::array<typename Complex::Approximate_point, Complex::corners>;
 
-// Where the vertices of a finite cell are, as seen from a point near it.
+// Returns the positions of the vertices of a finite cell. In a periodic domain, the images nearest
+// to `near` are returned.
 template <class Complex>
 Cell_corners<Complex> cell_corners(const Complex& complex, typename Complex::Cell_handle c,
                                    const typename Complex::Approximate_point& near) {
@@ -24,7 +25,8 @@ Cell_corners<Complex> cell_corners(const Complex& complex, typename Complex::Cel
   return result;
 }
 
-// The same, as seen from its first vertex.
+// Returns the positions of the vertices of a finite cell. In a periodic domain, the images nearest
+// to the first vertex are returned.
 template <class Complex>
 Cell_corners<Complex> cell_corners(const Complex& complex, typename Complex::Cell_handle c) {
   return cell_corners(complex, c, complex.position(c->vertex(0)));

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The area of a triangle or the volume of a tetrahedron: positive iff the corners are positively
-// oriented, up to rounding.
+// Returns the area of a triangle or the volume of a tetrahedron. It is positive iff the corners are
+// positively oriented, up to rounding.
 template <class Space>
 double signed_measure(const std::array<typename Space::Approximate_point, 3>& t) {
   return Space::frame(t).parallelotope / 2;
@@ -28,10 +28,11 @@ double signed_measure(const std::array<typename Space::Approximate_point, 4>& t)
   return Space::frame(t).parallelotope / 6;
 }
 
-// The heights of a point above n lines or planes, each in a unit of its own.
+// Signed distances of a point to n lines (2D) or planes (3D), one scale each.
 template <std::size_t n> using Heights = std::array<double, n>;
 
-// A positive triangle or tetrahedron, as what is above its facets.
+// A positively oriented triangle or tetrahedron, represented as the intersection of the half-spaces
+// of its facets.
 template <class Space> class Clipping_simplex
 {
 public:
@@ -47,10 +48,12 @@ public:
   const Corners& corners() const { return m_corners; }
   const auto& bbox() const { return m_box; }
 
-  // Finds the heights of as many points, unless all are below one of the facets. Returns whether it
-  // has.
+  // Computes the signed distances of the corners of another simplex to all facets; they are
+  // positive inside. Returns false if all corners lie outside one of the facets; the distances are
+  // incomplete then.
   bool find_heights(const Corners& points, std::array<Heights<n>, n>& heights) const {
-    static constexpr double rounding = 1e-15; // there is hardly any volume below such a height
+    // ratio of distances below which the overlap is negligible
+    static constexpr double rounding = 1e-15;
     for (int k = 0; k < n; ++k) {
       const auto& p = m_corners[(k + 1) % n]; // in the facet
       double lowest = 0, highest = 0;
@@ -71,12 +74,13 @@ private:
   std::array<typename Space::Approximate_vector, n> m_normals; // outward
 };
 
-// Where an edge of a simplex, given by the heights of its vertices, crosses facet k: a ratio of the
-// way from the vertex above to that below.
+// The intersection of an edge of a simplex with the line or plane of facet k. The edge is given by
+// the signed distances of its vertices. `ratio` is the fraction of the edge from the vertex `above`
+// to the intersection.
 template <std::size_t n> struct Cut
 {
   double ratio;
-  Heights<n> heights; // above the facets before
+  Heights<n> heights; // signed distances to the facets before k
 
   Cut(const Heights<n>& above, const Heights<n>& below, int k)
       : ratio(above[k] / (above[k] - below[k])), heights() {
@@ -92,7 +96,8 @@ double part_of(double part, const std::array<Heights<n>, n>& v, int number_of_fa
   return part > 0 ? part * part_above(v, number_of_facets) : 0;
 }
 
-// What is above facet k of a triangle with some vertices, the first, above it: a triangle, or two.
+// Returns the fraction of a triangle inside facet k, if its first `above` vertices lie inside. This
+// part is a triangle, or a quadrilateral that is divided into two triangles.
 inline double part_above(const std::array<Heights<3>, 3>& v, int k, std::ptrdiff_t above) {
   const auto cut = [&](int i, int j) { return Cut<3>(v[i], v[j], k); };
   if (above == 1) {
@@ -104,7 +109,8 @@ inline double part_above(const std::array<Heights<3>, 3>& v, int k, std::ptrdiff
          part_of<3>((1 - a.ratio) * b.ratio, {v[1], a.heights, b.heights}, k);
 }
 
-// The same of a tetrahedron: a tetrahedron, or a prism, which is made of three.
+// Returns the fraction of a tetrahedron inside facet k, if its first `above` vertices lie inside.
+// This part is a tetrahedron, or a prism that is divided into three tetrahedra.
 inline double part_above(const std::array<Heights<4>, 4>& v, int k, std::ptrdiff_t above) {
   const auto cut = [&](int i, int j) { return Cut<4>(v[i], v[j], k); };
   if (above == 1) {
@@ -126,8 +132,9 @@ inline double part_above(const std::array<Heights<4>, 4>& v, int k, std::ptrdiff
                     {v[2], a.heights, b.heights, c.heights}, k);
 }
 
-// The part of a simplex, given by the heights of its vertices, that is above the first few facets.
-// Parts and the heights of their vertices follow from the ratios in which edges are cut.
+// Returns the fraction of a simplex inside the first `number_of_facets` facets. The simplex is
+// given by the signed distances of its vertices. Sub-simplices and their signed distances follow
+// from the ratios in which edges are cut.
 template <std::size_t n> double part_above(std::array<Heights<n>, n> v, int number_of_facets) {
   if (number_of_facets == 0)
     return 1;
@@ -139,7 +146,8 @@ template <std::size_t n> double part_above(std::array<Heights<n>, n> v, int numb
   return above == std::ptrdiff_t(n) ? part_above(v, k) : part_above(v, k, above);
 }
 
-// The measure of the intersection, up to rounding: the error is in proportion to powers of edges.
+// Returns the measure of the intersection of two simplices, up to rounding. The error is
+// proportional to powers of edge lengths.
 template <class Space>
 double overlap_measure(const Clipping_simplex<Space>& s, const Clipping_simplex<Space>& t) {
   static constexpr int n = Space::dimension + 1;

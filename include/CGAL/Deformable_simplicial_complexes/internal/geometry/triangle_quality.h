@@ -15,8 +15,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The area by the squared edges, 1 for an equilateral triangle, 0 for one without area: the twin of
-// the volume-length ratio of a tetrahedron.
+// Returns the normalized ratio of the area to the sum of the squared edge lengths: 1 for an
+// equilateral triangle, 0 for a degenerate one. It corresponds to the volume-length ratio of a
+// tetrahedron.
 template <class Point> double triangle_quality(const std::array<Point, 3>& p) {
   const auto a = p[1] - p[0], b = p[2] - p[0], c = p[2] - p[1];
   const double squares = a.squared_length() + b.squared_length() + c.squared_length();
@@ -24,7 +25,7 @@ template <class Point> double triangle_quality(const std::array<Point, 3>& p) {
   return squares > 0 ? 2 * std::sqrt(3.) * doubled_area / squares : 0;
 }
 
-// The cosine of the smallest angle of a triangle; 1 if a side is 0.
+// Returns the cosine of the smallest angle of a triangle; 1 if an edge has length zero.
 template <class Point> double largest_cosine(const std::array<Point, 3>& p) {
   double result = -1;
   for (int i = 0; i < 3; ++i) {
@@ -35,9 +36,9 @@ template <class Point> double largest_cosine(const std::array<Point, 3>& p) {
   return result;
 }
 
-// The smallest angle of a triangle, in radians; 0 if a side is.
+// Returns the smallest angle of a triangle, in radians; 0 if an edge has length zero.
 template <class Point> double smallest_angle(const std::array<Point, 3>& p) {
-  double result = 4; // more than there is
+  double result = 4; // greater than any angle
   for (int i = 0; i < 3; ++i)
     result = (std::min)(result, angle_between(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]));
   return result;

@@ -12,12 +12,14 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Perpendicular to a triangle, towards its front, as long as its area.
+// Returns the normal of a triangle, towards the side from which it is counterclockwise. Its length
+// is the area of the triangle.
 template <class Point> auto area_vector(const std::array<Point, 3>& p) {
   return cross_product(p[1] - p[0], p[2] - p[0]) / 2;
 }
 
-// In radians; accurate for small angles, and 0 if a vector is.
+// Returns the angle between two vectors, in radians. It is accurate for small angles, and 0 if a
+// vector is zero.
 template <class Vector> double angle_between(const Vector& a, const Vector& b) {
   return std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
 }

@@ -26,14 +26,14 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Reads a mesh of tetrahedra in the MEDIT text format.
+// A reader for tetrahedral meshes in the MEDIT text format.
 class Medit_reader
 {
 public:
-  // `path` is for messages only.
+  // Creates a reader of a stream. `path` is used in messages only.
   Medit_reader(std::istream& in, const std::string& path) : m_scanner(in, path) {}
 
-  // Throws File_error if the text is not as described for `IO::read_MEDIT()`.
+  // Reads the mesh. Throws `File_error` if the text is not as described for `IO::read_MEDIT()`.
   void read() {
     const Progress_phase phase("reading tetrahedra");
     if (!m_scanner.next() || m_scanner.word() != "MeshVersionFormatted")
@@ -48,7 +48,7 @@ public:
     check();
   }
 
-  // Three coordinates of each point.
+  // Returns the points, with three coordinates each.
   const std::vector<std::array<double, 3>>& points() const { return m_points; }
   std::vector<std::array<std::size_t, 4>>& tetrahedra() { return m_tetrahedra; }
   std::vector<int>& labels() { return m_labels; }
@@ -56,13 +56,14 @@ public:
   const Unused_content& unused() const { return m_unused; }
 
 private:
-  // The largest index of a kind that is referred to, which must exist in the end.
+  // The largest index of a kind of element that is referred to. The element must exist at the end
+  // of the file.
   struct Largest_index
   {
     std::size_t index = 0, line = 0;
   };
 
-  // Goes to the keyword of the next section; returns false if there is none.
+  // Reads a section and moves to the keyword of the next one. Returns false if there is none.
   bool read_section(const std::string& keyword) {
     Mesh_entities& e = m_entities;
     if (keyword == "Dimension") {
@@ -109,7 +110,8 @@ private:
     return m_scanner.next();
   }
 
-  // A section that is not used; one of cells that fill space changed the result.
+  // Skips a section that is not used. Throws `File_error` if the section contains other cells of
+  // dimension 3, because the result would have gaps without them.
   bool skip_section(const std::string& keyword) {
     std::size_t number = 1;
     bool is_in_file = m_scanner.next();
@@ -167,7 +169,7 @@ private:
     return static_cast<int>(value);
   }
 
-  // What it refers to may come later in the file.
+  // Returns a zero-based index. The element that it refers to may come later in the file.
   std::size_t read_index(Largest_index& largest) {
     const std::size_t index = m_scanner.number<std::size_t>();
     if (index == 0)

@@ -20,12 +20,14 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A VTK unstructured grid of simplices of one kind, as XML with raw appended data: an array is an
-// element that holds the offset of a block of data, which is its size in bytes and its values.
+// A VTK unstructured grid of simplices of one type, in XML with raw appended data. Each array is an
+// XML element with the offset of a block of data. A block consists of its size in bytes and the
+// values.
 class Vtu_document
 {
 public:
-  enum Cell_type : std::uint8_t { line = 3, triangle = 5, tetrahedron = 10 }; // as VTK numbers them
+  // the numbers used by VTK
+  enum Cell_type : std::uint8_t { line = 3, triangle = 5, tetrahedron = 10 };
 
   Vtu_document(std::size_t number_of_points, std::size_t number_of_cells)
       : m_number_of_points(number_of_points), m_number_of_cells(number_of_cells) {}
@@ -41,14 +43,15 @@ public:
       append_little_endian(m_data, value);
   }
 
-  // pre: the type is one of VTK's, and can hold the numbers
+  // Adds an array.
+  // \pre The type is a number type of VTK and can represent the numbers.
   void array(const Mesh_array& array) {
     const std::string bytes = find_vtk_number_type(array.type)->bytes(array.values);
     add_element(array.type, array.name, array.components, bytes.size());
     m_data += bytes;
   }
 
-  // The section with the coordinates; those of the plane are at height 0.
+  // Adds the section with the coordinates. Points of the plane get the third coordinate 0.
   template <class Point> void points(const std::vector<Point>& points) {
     std::vector<double> coordinates;
     coordinates.reserve(3 * points.size());
@@ -60,7 +63,7 @@ public:
     end("Points");
   }
 
-  // The section with the vertices of the cells.
+  // Adds the section with the vertices of the cells.
   void cells(const std::vector<std::int64_t>& connectivity, Cell_type type) {
     std::vector<std::int64_t> offsets(m_number_of_cells);
     for (std::size_t i = 0; i < offsets.size(); ++i)
@@ -91,7 +94,7 @@ public:
   }
 
 private:
-  // The bytes are to follow.
+  // Adds the element of an array of `size` bytes. The caller appends the bytes.
   void add_element(const std::string& type, const std::string& name, std::size_t components,
                    std::size_t size) {
     m_xml += "        <DataArray type=\"" + type + "\" Name=\"" + name +

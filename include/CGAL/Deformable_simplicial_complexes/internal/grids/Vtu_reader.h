@@ -27,9 +27,10 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The arrays of a VTK unstructured grid of one piece. It is XML, in which numbers are text or
-// base64, or refer to data appended to it: base64 again, or bytes, which make it no XML any more.
-// Binary data begin with their size.
+// A reader for the arrays of a VTK unstructured grid with a single piece. The file is in XML.
+// Numbers are stored in three ways: as text, in base64, or as references into appended data.
+// Appended data are in base64 or raw; with raw data the file is not valid XML. A block of binary
+// data begins with its size.
 class Vtu_reader
 {
 public:
@@ -61,10 +62,11 @@ public:
   std::size_t number_of_points() const { return number(m_piece, "NumberOfPoints"); }
   std::size_t number_of_cells() const { return number(m_piece, "NumberOfCells"); }
 
-  // Of the file: no grid has more numbers than that, unless arrays share data.
+  // Returns the size of the file in bytes. A grid has at most this number of values, unless arrays
+  // share data.
   std::size_t number_of_bytes() const { return (std::max)(m_bytes.size(), m_xml.size()); }
 
-  // The arrays of a section, as they are announced: without their numbers, each name once.
+  // Returns the arrays that a section declares, without their values. Each name occurs once.
   std::vector<Mesh_array> announced_arrays(const std::string& section) const {
     std::vector<Mesh_array> result;
     for_each_array(section, [&](const Xml_element& element) {
@@ -81,7 +83,7 @@ public:
     return result;
   }
 
-  // How many arrays of data that belong to the whole grid there are.
+  // Returns the number of arrays with data of the whole grid.
   std::size_t number_of_global_arrays() const {
     std::size_t result = 0;
     if (const std::optional<Xml_element> arrays = child(m_grid, "FieldData"))
@@ -90,8 +92,8 @@ public:
     return result;
   }
 
-  // The numbers of an array, which must be `components` for each of `size` elements. An empty name
-  // stands for the first array of the section.
+  // Returns the values of an array. Throws `File_error` unless there are `components` values for
+  // each of `size` elements. If the name is empty, the first array of the section is read.
   std::vector<double> array(const std::string& section, const std::string& name, std::size_t size,
                             std::size_t components = 1) const {
     const std::optional<Xml_element> element = find(section, name);
@@ -124,7 +126,7 @@ private:
         [](std::string_view) {});
   }
 
-  // The first of that name.
+  // Returns the first child with a name.
   std::optional<Xml_element> child(const Xml_element& element, std::string_view name) const {
     std::optional<Xml_element> result;
     for_each_child(element, name, [&](const Xml_element& child) {
@@ -134,7 +136,7 @@ private:
     return result;
   }
 
-  // All of it but that of elements within.
+  // Returns the text of an element, without the text of its children.
   std::string text(const Xml_element& element) const {
     std::string result;
     visit_xml(
@@ -143,7 +145,7 @@ private:
     return result;
   }
 
-  // An attribute that must be a number.
+  // Returns the value of an attribute. Throws `File_error` if it is not a non-negative integer.
   std::size_t number(const Xml_element& element, const std::string& name) const {
     const std::string text = element.attribute(name);
     const std::optional<std::size_t> result = number_of_word<std::size_t>(text);
@@ -162,14 +164,15 @@ private:
     return result;
   }
 
-  // "Array" holds words.
+  // Elements named "Array" contain strings.
   template <class Visit> void for_each_array(const std::string& section, const Visit& visit) const {
     if (const std::optional<Xml_element> arrays = child(m_piece, section))
       for (const char* kind : {"DataArray", "Array"})
         for_each_child(*arrays, kind, visit);
   }
 
-  // Leaves the start and the end of the section, between which there may be any bytes, as XML.
+  // Separates appended data, which may contain any bytes, from the XML text. The start tag and the
+  // end tag of the section remain in the text.
   void cut_out_appended_data() {
     const std::size_t start = m_bytes.find("<AppendedData");
     if (start == std::string::npos)
@@ -195,7 +198,7 @@ private:
     if (format != "binary" && format != "appended")
       fail(known_as + " has the format " + in_quotes(format) +
            "; write it as ascii, binary or appended");
-    // Where numbers are text, compressor and byte order may be named but do not matter.
+    // For numbers as text, the attributes `compressor` and `byte_order` have no effect.
     if (!m_file.attribute("compressor").empty())
       fail("the numbers are compressed; write them as text or without compression, which is "
            "compressor type None in ParaView, SetCompressorTypeToNone() in VTK and "
@@ -224,7 +227,7 @@ private:
                  known_as);
   }
 
-  // What comes after its size in bytes.
+  // Returns the bytes of a block, without the size at its beginning.
   std::string block(std::string_view text, bool is_base64, const std::string& known_as) const {
     const auto first_bytes = [&](std::size_t n) {
       return is_base64 ? bytes_of_base64(text, n) : std::string(text.substr(0, n));
@@ -247,7 +250,7 @@ private:
   }
 
   std::string m_path;
-  std::string m_bytes, m_xml; // all views are of these
+  std::string m_bytes, m_xml; // All views refer to these strings.
   Xml_element m_file, m_grid, m_piece;
   std::string_view m_appended;
 };

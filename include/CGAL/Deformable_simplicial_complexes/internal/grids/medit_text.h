@@ -17,14 +17,14 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The triangles of a MEDIT file: those of a mesh, then those of the interface that are not among
-// them, with references for pairs of labels.
+// The triangles of a MEDIT file: the triangles of a mesh, followed by the interface triangles that
+// are not among them. Each pair of labels gets a reference of its own.
 class Medit_triangles
 {
 public:
   using Triangle = Mesh_entities::Simplex<3>;
 
-  // `labels` are the two sides of each triangle of the interface.
+  // Collects the triangles. `labels` contains the two labels at each interface triangle.
   Medit_triangles(const std::vector<Triangle>& listed,
                   const std::vector<std::array<std::size_t, 3>>& interface_,
                   const std::vector<std::array<int, 2>>& labels)
@@ -51,7 +51,7 @@ public:
 
   const std::vector<Triangle>& triangles() const { return m_triangles; }
 
-  // The pairs of labels of the triangles that are added, by increasing reference.
+  // Returns the pairs of labels of the added triangles, in the order of their references.
   const std::vector<std::array<int, 2>>& pairs() const { return m_pairs; }
   int reference(std::size_t pair) const {
     return static_cast<int>(m_first_reference + static_cast<long long>(pair));
@@ -78,7 +78,7 @@ void write_medit_simplices(std::ostream& out,
   }
 }
 
-// Sections without elements are left out.
+// Writes a section, or nothing if there are no elements.
 template <std::size_t n>
 void write_medit_section(std::ostream& out, const char* keyword,
                          const std::vector<Mesh_entities::Simplex<n>>& simplices) {

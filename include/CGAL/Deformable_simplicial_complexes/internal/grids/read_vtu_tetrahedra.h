@@ -26,6 +26,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// The content of a VTU file with tetrahedra.
 struct Vtu_tetrahedra
 {
   std::vector<double> coordinates; // three for each point

@@ -20,10 +20,11 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Numbers of all of VTK's types become `double`: those that have more digits than that are larger
-// than any index or label that can be used.
+// Numbers of all VTK types are converted to `double`. The conversion is inexact only for integers
+// that are larger than every valid index or label.
 
-// pre: the bytes are a whole number of numbers
+// Returns the numbers stored in little-endian bytes.
+// \pre The number of bytes is a multiple of the size of `Number`.
 template <class Number> std::vector<double> numbers_of_bytes(std::string_view bytes) {
   std::vector<double> numbers;
   numbers.reserve(bytes.size() / sizeof(Number));
@@ -32,7 +33,8 @@ template <class Number> std::vector<double> numbers_of_bytes(std::string_view by
   return numbers;
 }
 
-// pre: the type can hold the numbers
+// Returns the little-endian bytes of numbers.
+// \pre `Number` can represent the numbers.
 template <class Number> std::string bytes_of_numbers(const std::vector<double>& numbers) {
   std::string bytes;
   bytes.reserve(numbers.size() * sizeof(Number));
@@ -41,7 +43,7 @@ template <class Number> std::string bytes_of_numbers(const std::vector<double>& 
   return bytes;
 }
 
-// A type of numbers in a VTK file.
+// A number type of VTK files.
 struct Vtk_number_type
 {
   template <class Number> static constexpr Vtk_number_type of(const char* name) {
@@ -54,7 +56,7 @@ struct Vtk_number_type
   std::string (*bytes)(const std::vector<double>& numbers);
 };
 
-// Nothing if there is no type of that name.
+// Returns the number type with a given name, or null if there is none.
 inline const Vtk_number_type* find_vtk_number_type(std::string_view name) {
   static constexpr Vtk_number_type types[] = {
       Vtk_number_type::of<std::int8_t>("Int8"),   Vtk_number_type::of<std::uint8_t>("UInt8"),
@@ -68,11 +70,12 @@ inline const Vtk_number_type* find_vtk_number_type(std::string_view name) {
   return nullptr;
 }
 
-// Numbers with white space between them; nothing if there is anything else.
+// Returns the numbers of a text, separated by white space, or nothing if the text contains anything
+// else.
 inline std::optional<std::vector<double>> numbers_of_text(std::string_view text) {
   constexpr char white_space[] = " \t\r\n";
   std::vector<double> numbers;
-  numbers.reserve(text.size() / 2); // a digit and a space each
+  numbers.reserve(text.size() / 2); // a number has at least a digit and a space
   static constexpr std::size_t between_checks = 1 << 12;
   for (std::size_t begin; (begin = text.find_first_not_of(white_space)) != text.npos;) {
     text.remove_prefix(begin);

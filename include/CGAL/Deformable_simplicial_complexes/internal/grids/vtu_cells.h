@@ -19,14 +19,14 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A type of cells of VTK.
+// A cell type of VTK.
 struct Vtk_cell_type
 {
   int number, dimension;
   const char *name, *plural;
 };
 
-// Nothing if the type is not known.
+// Returns the cell type with a given number, or null if it is unknown.
 inline const Vtk_cell_type* find_vtk_cell_type(double number) {
   static constexpr Vtk_cell_type types[] = {
       {0, 0, "an empty cell", "empty cells"},
@@ -67,8 +67,9 @@ inline const Vtk_cell_type* find_vtk_cell_type(double number) {
   return nullptr;
 }
 
-// The numbers of the tetrahedra among the cells. Cells of lower dimensions are counted as unused,
-// others that fill space are refused.
+// Returns the indices of the tetrahedra among the cells. Counts cells of lower dimension as unused.
+// Throws `File_error` if there are other cells of dimension 3, cells of unknown type, or no
+// tetrahedra.
 inline std::vector<std::size_t>
 vtu_tetrahedra(const Vtu_reader& reader, std::size_t number_of_cells, Unused_content& unused) {
   const std::vector<double> types = reader.array("Cells", "types", number_of_cells);
@@ -89,7 +90,8 @@ vtu_tetrahedra(const Vtu_reader& reader, std::size_t number_of_cells, Unused_con
   return result;
 }
 
-// The vertices of these cells, which are tetrahedra.
+// Returns the vertices of given cells, which are tetrahedra. Throws `File_error` if offsets or
+// indices are invalid.
 inline std::vector<std::array<std::size_t, 4>>
 read_vtu_corners(const Vtu_reader& reader, const std::vector<std::size_t>& cells,
                  std::size_t number_of_cells, std::size_t number_of_points) {

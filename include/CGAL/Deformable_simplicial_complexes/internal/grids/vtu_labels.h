@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Which of the arrays on cells holds the labels.
+// The choice of the cell array that contains the labels.
 class Vtu_label_choice
 {
 public:
@@ -32,8 +32,10 @@ public:
   Vtu_label_choice(const Vtu_reader& reader, const std::vector<Mesh_array>& arrays)
       : m_reader(reader), m_arrays(arrays) {}
 
-  // The index of the array of this name; an empty name stands for the first of those that are
-  // known, "none" for no array. `none` if all labels are 1.
+  // Returns the index of the array with a name. An empty name means the first array with a name
+  // known for labels; "none" means no array. Returns `none` if all labels are 1. Throws
+  // `File_error` if there is no array with the name, or if the name is empty and only arrays with
+  // unknown names may be labels.
   std::size_t find(const std::string& name, Unused_content& unused) const {
     if (name == "none")
       return none;
@@ -57,7 +59,8 @@ public:
     return result;
   }
 
-  // The numbers of the array. `cells` are the numbers of its rows in the file.
+  // Returns the labels in an array. `cells` contains the indices of the cells in the file, for
+  // messages. Throws `File_error` if a value is not a label.
   std::vector<int> labels(std::size_t chosen, const std::vector<std::size_t>& cells) const {
     if (chosen == none)
       return std::vector<int>(cells.size(), 1);
@@ -97,7 +100,7 @@ private:
     return it == m_arrays.end() ? none : static_cast<std::size_t>(it - m_arrays.begin());
   }
 
-  // All arrays, and how to choose one.
+  // Returns a description of all arrays, and advice how to choose one.
   std::string description() const {
     std::ostringstream text;
     text << (m_arrays.empty() ? "there are no others" : "there are ");

@@ -28,15 +28,16 @@ constexpr Vtu_document::Cell_type vtu_simplex(int dimension) {
                           : Vtu_document::line;
 }
 
-// All cells. On a torus, those across its seam are where their first vertex sees them, at further
-// images of their vertices. `add_point_arrays(document, vertices)` adds to the data of points,
-// `add_cell_arrays(document)` to those of cells, which come by increasing time stamp.
+// Writes all cells. On a flat torus, a cell that crosses the seam is written next to its first
+// vertex, with additional images of its other vertices. `add_point_arrays(document, vertices)` adds
+// point data, and `add_cell_arrays(document)` adds cell data. Cells are in the order of time
+// stamps. Throws if the file cannot be written.
 template <class Complex, class AddPointArrays, class AddCellArrays>
 void write_cells_vtu(const std::string& path, const Complex& dsc,
                      const AddPointArrays& add_point_arrays, const AddCellArrays& add_cell_arrays) {
   using Vertex_handle = typename Complex::Vertex_handle;
   const Vertex_numbering<Vertex_handle> number(dsc.vertices());
-  std::vector<typename Complex::Approximate_point> points; // of the complex
+  std::vector<typename Complex::Approximate_point> points; // in the frame of the complex
   std::vector<Vertex_handle> vertices = number.vertices();
   for (const auto v : vertices)
     points.push_back(dsc.position(v));
@@ -99,12 +100,13 @@ template <class Complex> void write_cells_vtu(const std::string& path, const Com
       path, dsc, [](Vtu_document&, const auto&) {}, [](Vtu_document&) {});
 }
 
-// Whether write_cells_vtu() writes an array of this name whatever else there is.
+// Returns whether `write_cells_vtu()` always writes an array with this name.
 inline bool is_computed_vtu_array(const std::string& name) {
   return name == "label" || name == "quality" || name == "boundary_class" || name == "interface";
 }
 
-// The same with arrays that have a row for each vertex or cell, by increasing time stamp.
+// Writes all cells and given arrays. The arrays have a row for each vertex or cell, in the order of
+// time stamps.
 template <class Complex>
 void write_cells_vtu(const std::string& path, const Complex& dsc, const Mesh_arrays& arrays) {
   const Vertex_numbering<typename Complex::Vertex_handle> number(dsc.vertices());
@@ -130,7 +132,7 @@ void write_cells_vtu(const std::string& path, const Complex& dsc, const Mesh_arr
   write_cells_vtu(path, dsc, add_point_arrays, add_cell_arrays);
 }
 
-// All facets of the interface.
+// Writes all interface facets.
 template <class Complex> void write_facets_vtu(const std::string& path, const Complex& dsc) {
   const Extracted_facets<Complex> interface_(dsc, dsc.interface_facets(), false);
   std::vector<std::int64_t> connectivity;

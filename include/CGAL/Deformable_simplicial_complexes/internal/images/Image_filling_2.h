@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Triangles with labels that fill the rectangle of an image, or a box around it.
+// Labelled triangles that fill the rectangle of an image, or a box around it.
 struct Image_filling_2
 {
   std::vector<Planar_kernel::Point_2> points;
@@ -27,8 +27,10 @@ struct Image_filling_2
   std::vector<int> labels;
 };
 
-// Throws `Error` where an image, an edge or a box is none, or there are too many edges between
-// labels. Linear in the pixels, n log n in the edges of pixels between labels.
+// Triangulates an image. `edge` is the target edge length, in pixels. Throws `Error` if the image,
+// the edge length or the box is invalid, or if there are too many pixel edges between labels.
+// Complexity: linear in the number of pixels, and O(n log n) in the number n of pixel edges between
+// labels.
 #ifdef CGAL_DSC_EXTERN // see the component Compiled
 Image_filling_2 fill_image(const Labelled_image_2& image, double edge,
                            const std::optional<Bbox_2>& box);

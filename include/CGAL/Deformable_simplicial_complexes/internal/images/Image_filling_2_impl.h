@@ -39,7 +39,7 @@ public:
 
   const Curve_soup_2& soup() const { return m_soup; }
 
-  // Triangles at the polylines, with their labels.
+  // Returns the triangles incident to polylines, with their labels.
   std::vector<std::pair<std::size_t, int>>
   seeds(const std::vector<std::array<std::size_t, 3>>& triangles) const {
     std::vector<std::pair<std::size_t, int>> result;
@@ -86,7 +86,7 @@ private:
     return m_soup.points.size() - 1;
   }
 
-  // Several chains may end there.
+  // Returns the index of the end of a chain. Several chains may have this end.
   std::size_t end(const Pixel_chain_2::Corner& corner) {
     const auto [place, is_new] = m_ends.emplace(corner, m_soup.points.size());
     return is_new ? add_point({double(corner[0]), double(corner[1])}) : place->second;
@@ -99,7 +99,7 @@ private:
 
 inline void check_image(const Labelled_image_2& image, double edge,
                         const std::optional<Bbox_2>& box) {
-  static constexpr std::size_t largest_side = 1 << 20; // of all images that are read
+  static constexpr std::size_t largest_side = 1 << 20; // also the limit of all image readers
   if (image.width == 0 || image.height == 0 || image.width > largest_side ||
       image.height > largest_side || image.labels.size() != image.width * image.height)
     throw Error("the image has no pixels, more than 2^20 in a row or column, or not a label for "
@@ -120,9 +120,10 @@ inline void check_image(const Labelled_image_2& image, double edge,
 
 Image_filling_2 fill_image(const Labelled_image_2& image, double edge,
                            const std::optional<Bbox_2>& given_box) {
-  static constexpr std::size_t most_edges = 1 << 20; // of pixels, for about 1 GB of triangles
+  // maximum number of pixel edges; bounds the memory of the triangles
+  static constexpr std::size_t most_edges = 1 << 20;
   check_image(image, edge, given_box);
-  // Around the pixels that fill a box there is no label 0.
+  // If the pixels fill the box, there is no label 0 around them.
   const auto box = given_box == image.bbox() ? std::nullopt : given_box;
   const Pixel_chains_2 chains(image, box.has_value());
   if (const std::size_t edges = chains.number_of_edges(); edges > most_edges)
@@ -133,12 +134,13 @@ Image_filling_2 fill_image(const Labelled_image_2& image, double edge,
                 "into parts");
   const Image_curves_2 curves(chains, edge);
   Planar_filling_2 filling = fill_box_between(curves.soup(), box.value_or(image.bbox()));
-  filling.locate = nullptr; // frees the triangulation
+  filling.locate = nullptr; // releases the triangulation
   Image_filling_2 result;
   auto seeds = curves.seeds(filling.triangles);
   if (seeds.empty())
     seeds.emplace_back(0, box ? 0 : image.labels.front());
-  std::optional<Contradicting_seeds> contradicting; // labels on the same side of a chain are equal
+  // remains empty, because the labels on one side of a chain are equal
+  std::optional<Contradicting_seeds> contradicting;
   result.labels =
       label_cells_by_seeds<2>(filling.triangles, curves.soup().walls, seeds, contradicting);
   result.points.swap(filling.points);

@@ -16,8 +16,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A path along edges between pixels of two labels. It ends where other edges between labels meet it
-// and at the border of the image, or is a loop: its last corner is its first one then.
+// A path along edges between pixels of two labels. It ends at the border of the image, or where
+// other edges between labels meet it. If the path is a loop, its last corner equals its first
+// corner.
 struct Pixel_chain_2
 {
   using Corner = std::array<int, 2>;
@@ -27,26 +28,27 @@ struct Pixel_chain_2
   bool is_loop;
 };
 
-// Decomposes the edges between pixels of different labels into chains. Two bits of memory a pixel.
+// The decomposition of the edges between pixels of different labels into chains. It uses two bits
+// of memory for each pixel.
 class Pixel_chains_2
 {
 public:
   using Corner = Pixel_chain_2::Corner;
 
-  // pre: there is a pixel, and each has a label
-  // is_surrounded: whether pixels of label 0 surround the image
+  // Prepares the decomposition. `is_surrounded` tells whether pixels of label 0 surround the image.
+  // \pre There is at least one pixel, and each pixel has a label.
   Pixel_chains_2(const Labelled_image_2& image, bool is_surrounded)
       : m_image(image), m_low(is_surrounded ? -1 : 0), m_right(int(image.width) - m_low),
         m_top(int(image.height) - m_low) {}
 
-  // The number of edges between pixels of different labels.
+  // Returns the number of edges between pixels of different labels.
   std::size_t number_of_edges() const {
     std::size_t result = 0;
     for_each_corner([&](const Corner& c) { result += is_edge(c, 0) + is_edge(c, 1); });
     return result;
   }
 
-  // Calls f(chain) for each chain: first those with ends, in the order of their first ends.
+  // Calls `f(chain)` for each chain. Chains with ends come first, in the order of their first ends.
   template <class Function> void for_each(const Function& f) const {
     std::vector<bool> is_done(2 * index({m_right, m_top}) + 2, false);
     for (const bool loops : {false, true})
@@ -59,7 +61,8 @@ public:
   }
 
 private:
-  // Pixel k at a corner is between the edges in the directions k and k + 1: right, up, left, down.
+  // Pixel k at a corner lies between the edges in the directions k and k + 1. The directions are
+  // right, up, left and down.
   static constexpr int pixel_x[4] = {0, -1, -1, 0}, pixel_y[4] = {0, 0, -1, -1};
   static constexpr int step_x[4] = {1, 0, -1, 0}, step_y[4] = {0, 1, 0, -1};
 
@@ -120,7 +123,7 @@ private:
   }
 
   const Labelled_image_2& m_image;
-  int m_low, m_right, m_top; // of the pixels, with those around the image
+  int m_low, m_right, m_top; // of the pixels, including pixels around the image
 };
 
 } // namespace internal

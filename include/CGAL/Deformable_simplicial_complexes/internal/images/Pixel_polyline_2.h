@@ -18,16 +18,17 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A smooth polyline with the area of a chain of pixels. The line between the centers of the two
-// pixels at an edge of the chain is a gate: the polyline goes through all gates, one after another.
-// So the centers of all pixels keep their labels. Polylines of different chains do not meet but in
-// common ends, as between two gates they are in the squares around the corners of the chain.
+// A smooth polyline with the same area as a chain of pixels. A gate is the segment between the
+// centers of the two pixels at an edge of the chain. The polyline passes through all gates in
+// order. The centers of all pixels therefore keep their labels. Between two gates, the polyline
+// lies in the square around a corner of the chain. Polylines of different chains therefore meet
+// only in common ends.
 class Pixel_polyline_2
 {
 public:
   using Point = std::array<double, 2>;
 
-  // edge: about how long the segments are to be, in pixels
+  // Computes the polyline. `edge` is the target length of the segments, in pixels.
   Pixel_polyline_2(const Pixel_chain_2& chain, double edge)
       : m_chain(chain), m_steps(chain.corners.size() - 1) {
     begin(edge);
@@ -43,7 +44,7 @@ public:
     follow_edges(edge);
   }
 
-  // The first one is not repeated at the end of a loop.
+  // Returns the points of the polyline. The first point of a loop is not repeated at the end.
   std::vector<Point> points() const {
     std::vector<Point> result;
     for (const Vertex& v : m_vertices)
@@ -54,22 +55,26 @@ public:
 private:
   struct Vertex
   {
-    std::size_t index; // of the corner in whose square it is
+    std::size_t index; // of the corner whose square contains the vertex
     Point point;
-    bool is_free; // to leave the corner
+    bool is_free; // whether the vertex may leave the corner
   };
 
-  static constexpr int most_rounds = 40;   // of halving segments, more than lengths of chains have
-  static constexpr std::size_t window = 6; // corners on each side that a vertex is the mean of
-  static constexpr double reach = .45;     // of vertices and gates: polylines keep a distance
-  static constexpr double exactness = 1e-10; // of areas, in pixels
+  // maximum number of halvings of segments, sufficient for any chain
+  static constexpr int most_rounds = 40;
+  // number of corners on each side that are averaged for a vertex
+  static constexpr std::size_t window = 6;
+  // maximum coordinate distance of vertices from corners, and of crossings from the middles of
+  // gates; it separates polylines
+  static constexpr double reach = .45;
+  static constexpr double exactness = 1e-10; // tolerance of areas, in pixels
 
   Point corner(std::size_t i) const {
     const auto& c = m_chain.corners[m_chain.is_loop ? i % m_steps : i];
     return {double(c[0]), double(c[1])};
   }
 
-  // The mean of corners, within reach.
+  // Returns the mean of the corners around corner i, within `reach` of corner i.
   Vertex smooth(std::size_t i) const {
     const std::size_t n = m_steps,
                       w = (std::min)(window, m_chain.is_loop ? n / 8 : (std::min)(i, n - i));
@@ -88,7 +93,7 @@ private:
     return {clamp(p[0], c[0]), clamp(p[1], c[1])};
   }
 
-  // Vertices at equal distances along the smooth line.
+  // Places vertices at equal distances along the smooth line.
   void begin(double edge) {
     std::vector<double> lengths = {0};
     Vertex last = smooth(0);
@@ -113,16 +118,17 @@ private:
     return m_vertices[(segment + 1) % m_vertices.size()];
   }
 
-  // The corner at the end, counted on at the end of a loop.
+  // Returns the index of the corner at the end of a segment. Indices at the end of a loop continue
+  // to increase.
   std::size_t end_index(std::size_t segment) const {
     return segment + 1 < m_vertices.size() ? m_vertices[segment + 1].index
                                            : m_vertices[0].index + m_steps;
   }
 
-  // Whether a segment goes through the gates between its ends, one after another.
+  // Returns whether a segment passes, in order, through the gates between its ends.
   bool passes_gates(std::size_t segment) const {
     const Point p = m_vertices[segment].point, q = end(segment).point;
-    double last = 0; // where, as a part of the segment
+    double last = 0; // parameter of the last crossing on the segment
     for (std::size_t i = m_vertices[segment].index; i < end_index(segment); ++i) {
       const Point a = corner(i), b = corner(i + 1);
       const int along = a[0] != b[0] ? 0 : 1, across = 1 - along;
@@ -143,11 +149,11 @@ private:
     return true;
   }
 
-  // Halves segments that miss gates; those of a single edge of a pixel become that edge. Returns
-  // whether there were any.
+  // Halves segments that miss gates. If such a segment belongs to a single pixel edge, it is
+  // replaced by this edge. Returns whether there were such segments.
   bool refine() {
     std::vector<Vertex> refined;
-    std::vector<std::size_t> fixed; // corners
+    std::vector<std::size_t> fixed; // indices of corners
     bool has_missed = false;
     for (std::size_t s = 0; s < m_vertices.size(); ++s) {
       refined.push_back(m_vertices[s]);
@@ -164,7 +170,7 @@ private:
     for (Vertex& v : refined)
       if (std::binary_search(fixed.begin(), fixed.end(), v.index))
         v = {v.index, corner(v.index), false};
-    if (m_chain.is_loop) { // the middle of the last segment may come before the first vertex
+    if (m_chain.is_loop) { // The vertex that halves the last segment may precede the first vertex.
       for (Vertex& v : refined)
         v.index %= m_steps;
       std::sort(refined.begin(), refined.end(),
@@ -174,7 +180,7 @@ private:
     return has_missed;
   }
 
-  // Twice the area between a closed line and a point on it.
+  // Returns twice the area between a polyline and the segment that closes it.
   template <class PointAt> static double doubled_area(std::size_t n, const PointAt& point) {
     double result = 0;
     const Point origin = point(0);
@@ -185,10 +191,11 @@ private:
     return result;
   }
 
-  // Moves free vertices along their normals, all as far, until the area is that of the pixels.
-  // Returns whether that is possible.
+  // Moves all free vertices by the same distance along their normals, until the area equals the
+  // area of the pixels. Returns false if this is not possible.
   bool keep_area() {
-    static constexpr int most_moves = 20; // the error is squared each time, unless some are held
+    // Convergence is quadratic, unless vertices are constrained.
+    static constexpr int most_moves = 20;
     const std::size_t n = m_vertices.size();
     const double wanted = doubled_area(m_steps + 1, [&](std::size_t i) { return corner(i); });
     for (int move = 0; move < most_moves; ++move) {
@@ -218,10 +225,11 @@ private:
     return false;
   }
 
-  // Makes the polyline the edges of the pixels.
+  // Replaces the polyline by the edges of the pixels.
   void follow_edges(double edge) {
     m_vertices.clear();
-    const auto most = std::size_t((std::min)(edge, double(m_steps))); // in a segment
+    // maximum number of pixel edges in a segment
+    const auto most = std::size_t((std::min)(edge, double(m_steps)));
     for (std::size_t i = 0; i < m_steps; ++i) {
       const Point b = corner(i), c = corner(i + 1),
                   a = i > 0             ? corner(i - 1)
@@ -236,7 +244,7 @@ private:
   }
 
   const Pixel_chain_2& m_chain;
-  std::size_t m_steps; // edges of pixels
+  std::size_t m_steps; // number of pixel edges
   std::vector<Vertex> m_vertices;
 };
 

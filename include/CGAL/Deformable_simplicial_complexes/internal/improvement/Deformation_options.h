@@ -16,12 +16,13 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Where the flow of space takes a vertex.
+// A function that returns the position to which the flow of the space moves a vertex.
 template <class Complex>
 using Space_motion =
     std::function<typename Complex::Approximate_point(typename Complex::Vertex_handle)>;
 
-// Of a function of points or of vertices.
+// Returns the flow as a function of vertices. The given flow is a function of points or of
+// vertices.
 template <class Complex, class Flow>
 Space_motion<Complex> space_motion(const Complex& complex, const Flow& flow) {
   if constexpr (std::is_same<Flow, CGAL::internal_np::Param_not_found>::value)
@@ -33,14 +34,14 @@ Space_motion<Complex> space_motion(const Complex& complex, const Flow& flow) {
     return flow;
 }
 
-// What deform_interface() is asked for.
+// The options of `deform_interface()`.
 template <class Complex> struct Deformation_options
 {
   double quality_threshold, relabeling_threshold;
   double minimum_angle, minimum_facet_angle; // degrees
   bool manifold_interface, collision_order;
   Topology_control<Complex> topology_control;
-  Space_motion<Complex> flow; // of the space around the interface, if it is known
+  Space_motion<Complex> flow; // the flow of the space around the interface; empty if not given
 };
 
 } // namespace internal

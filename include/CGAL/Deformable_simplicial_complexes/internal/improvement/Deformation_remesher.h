@@ -15,18 +15,20 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-What a deformation does to the mesh, made of the operations of one dimension:
+The remeshing of a deformation, composed of dimension-specific operations:
+- `begin_pass(for_each_index)`: prepares a pass; some vertices have not reached their destinations
+- `is_bad(c)`: returns whether a cell should be improved
+- `remove_obstacle(c, may_remove_facets, touched)`: removes a cell that keeps a vertex from its
+  destination
+- `remove_degenerating_facets(touched)`: removes interface facets that the pass made degenerate
+- `improve(cells)`: improves the cells that the pass touched
+- `exchange_neighbors(moved, log)`: after the passes, exchanges neighbors where interface edges
+  between regions have become short
+- `cells_with_small_angles()`, `keeps_small_angles(c)`, `remove_small_angles(relabel)`: find and
+  remove small angles after the passes
+- `report()`, `number_of_relocated()`, `exchanges()`: results
 
-- `begin_pass(for_each_index)`: some vertices have not arrived
-- `is_bad(c)`: a cell is worth being improved
-- `remove_obstacle(c, may_remove_facets, touched)`: a cell keeps a vertex from its destination
-- `remove_degenerating_facets(touched)`: those of the interface that the pass made bad
-- `improve(cells)`: cells that the pass touched
-- `exchange_neighbors(moved, log)`: in the end, where walls between phases have become short
-- `cells_with_small_angles()`, `keeps_small_angles(c)`, `remove_small_angles(relabel)`: in the end
-- `report()`, `number_of_relocated()`, `exchanges()`
-
-Cells that an operation makes or touches go into `touched`.
+Cells that an operation creates or changes are appended to `touched`.
 */
 template <class Complex>
 using Deformation_remesher =

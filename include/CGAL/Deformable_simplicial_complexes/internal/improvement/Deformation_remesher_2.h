@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// In the plane: Algorithm 3, and the removal of short edges, of free vertices that are trapped, and
-// of small angles.
+// The remeshing of a deformation in 2D: Algorithm 3, and the removal of short edges, trapped free
+// vertices and small angles.
 template <class Complex> class Deformation_remesher_2
 {
 public:
@@ -63,9 +63,10 @@ public:
     m_improver.improve(std::move(cells), rounds);
   }
 
-  // Where walls that end in moved vertices are short beside the edges around.
+  // Exchanges neighbors at interface edges that end in moved vertices and are short compared with
+  // the edges around them.
   template <class Log> void exchange_neighbors(const std::vector<Vertex_handle>& moved, Log& log) {
-    static constexpr unsigned junction = 3; // edges of the interface or more
+    static constexpr unsigned junction = 3; // minimum number of interface edges at a junction
     for (Vertex_handle v : moved) {
       if (v->interface_degree() < junction)
         continue;
@@ -73,7 +74,7 @@ public:
       for (Cell_handle c : m_star) {
         if (m_complex.is_infinite(c))
           continue;
-        const int i = (c->index(v) + 2) % 3; // the edge from v that the cell is on the left of
+        const int i = (c->index(v) + 2) % 3; // the edge from `v` with the cell on its left
         const Vertex_handle w = c->vertex((i + 2) % 3);
         if (w->interface_degree() >= junction && exchange_neighbors(c, i, log))
           break;
@@ -84,7 +85,8 @@ public:
   const std::vector<Neighbor_exchange<Complex>>& exchanges() const { return m_exchanges; }
 
   Cells cells_with_small_angles() const { return m_small_angles.bad_cells(); }
-  bool keeps_small_angles(Cell_handle) const { return false; } // nothing is relabeled for them
+  // No cell is relabeled because of small angles.
+  bool keeps_small_angles(Cell_handle) const { return false; }
   template <class Relabel> void remove_small_angles(const Relabel&) { m_small_angles.run(); }
 
   Improvement_report report() const { return m_improver.report() + m_small_angles.report(); }
@@ -92,7 +94,8 @@ public:
 
 private:
   template <class Log> bool exchange_neighbors(Cell_handle c, int i, Log& log) {
-    static constexpr double longest = .5; // wall, of the edges around
+    // maximum length of an exchanged edge, relative to the edges around it
+    static constexpr double longest = .5;
     const auto exchange = propose_neighbor_exchange(m_complex, c, i, longest, m_cavity);
     if (!exchange)
       return false;

@@ -32,7 +32,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// In space: Algorithm 3, and the removal of small angles.
+// The remeshing of a deformation in 3D: Algorithm 3, and the removal of small angles.
 template <class Complex> class Deformation_remesher_3
 {
 public:
@@ -51,8 +51,8 @@ public:
         m_small_angles(complex, visitor, rigid_parts, options.minimum_angle,
                        options.quality_threshold) {}
 
-  // Facets of the interface that will have a small angle at their destinations, and a smaller one
-  // than now: what moves as a whole keeps its facets.
+  // Collects the interface facets that will have a small angle at their destinations, smaller than
+  // the current one. Facets of regions that move rigidly are thus not collected.
   void begin_pass(const For_each_index& for_each_index) {
     const std::vector<Vertex_handle>& unfinished = m_destinations.unfinished();
     m_degenerating.clear();
@@ -93,7 +93,7 @@ public:
   bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
 
   void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {
-    static constexpr double cosine = .94; // of 20 degrees
+    static constexpr double cosine = .94; // the cosine of 20 degrees
     if (may_remove_facets &&
         (remove_degenerate_facet(c, cosine, touched) || m_improver.remove_short_edge(c, touched)))
       return;
@@ -116,7 +116,7 @@ public:
 
   Cells cells_with_small_angles() const { return m_small_angles.bad_cells(); }
 
-  // Whether a cell has small angles now and in the end.
+  // Returns whether a cell has small angles at the current positions and at the destinations.
   bool keeps_small_angles(Cell_handle c) const {
     return m_small_angles.is_bad(c) && m_small_angles.is_bad_with(c, [&](Vertex_handle v) {
       return m_destinations.final_position(v);
@@ -135,21 +135,23 @@ private:
   struct Facet_item
   {
     Cell_handle cell;
-    std::size_t time_stamp; // the cell may have been replaced
+    std::size_t time_stamp; // used to detect that the cell was replaced
     int index;
   };
 
-  // Whether the interface has the facet of a cell, and the cell is on the side of the larger label.
+  // Returns whether a facet lies on the interface and its cell is on the side with the larger
+  // label.
   bool is_interface_from(Cell_handle c, int i) const {
     const Cell_handle n = c->neighbor(i);
     return n->label() < c->label() && !m_complex.is_infinite(n);
   }
 
-  // Whether a facet will have a small angle, and a smaller one than now, by positions of vertices.
+  // Returns whether a facet will have a small angle that is smaller than the current one. `now` and
+  // `final` return positions of vertices.
   template <class Now, class Final>
   bool will_degenerate(const typename Complex::Facet& f, const Now& now, const Final& final) const {
     using Triangle = std::array<typename Complex::Approximate_point, 3>;
-    static constexpr double more = 1 + 1e-6; // than what rounding does
+    static constexpr double more = 1 + 1e-6; // excludes changes by rounding
     const auto v = m_complex.facet_vertices(f);
     const auto cosine_with = [&](const auto& position_of) {
       const auto p = position_of(v[0]);
@@ -160,7 +162,8 @@ private:
     return after > m_degenerate_cosine && after > more * cosine_with(now);
   }
 
-  // Removes one of the facets of a cell.
+  // Removes one degenerate interface facet of a cell. Returns whether there was one that could be
+  // removed.
   bool remove_degenerate_facet(Cell_handle c, double cosine, Cells& touched) {
     for (int i = 0; i < 4; ++i)
       if (m_improver.remove_degenerate_facet(c, i, cosine, touched))
@@ -171,7 +174,7 @@ private:
   Complex& m_complex;
   const Destinations<Complex>& m_destinations;
   double m_relabeling_threshold;
-  double m_degenerate_cosine; // of the smallest angle that a facet may come to have
+  double m_degenerate_cosine; // cosine of the bound on angles of facets
   Mesh_improver_3<Complex> m_improver;
   Small_angle_remover_3<Complex> m_small_angles;
   std::vector<Facet_item> m_degenerating;

@@ -32,7 +32,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Whether two facets of a cell are on the interface, which thus dictates their angle.
+// Returns whether two facets of the cell lie on the interface, so that remeshing cannot change the
+// angle between them.
 template <class Complex>
 bool has_dictated_angle(const Complex& complex, typename Complex::Cell_handle c) {
   int number = 0;
@@ -41,8 +42,8 @@ bool has_dictated_angle(const Complex& complex, typename Complex::Cell_handle c)
   return number > 1;
 }
 
-// The operations of Algorithm 3, each applied to one bad cell: every function tries to improve the
-// cell and says whether it did; cells that an operation made or touched go into `touched`.
+// The operations of Algorithm 3. Each operation tries to improve one bad cell and returns whether
+// it succeeded. Cells that it creates or changes are appended to `touched`.
 template <class Complex> class Mesh_improver
 {
 public:
@@ -51,14 +52,15 @@ public:
   using Cells = Work_list<Cell_handle>;
   using Own = Mesh_operations<Complex>;
 
-  // Where nothing else helps, one that is thorough triangulates sets of facets anew and inserts
-  // vertices. Vertices of the interface may be smoothed within their plane or line.
+  // Creates an improver for cells with a quality less than `threshold`. If `is_thorough` is set, it
+  // also retriangulates sets of facets and inserts vertices where other operations fail. If
+  // `smooths_interface` is set, it also moves interface vertices within their plane or line.
   Mesh_improver(Complex& complex, Any_visitor<Complex>& visitor, double threshold,
                 bool is_thorough = false, bool smooths_interface = false)
       : m_complex(complex), m_visitor(visitor), m_threshold(threshold), m_is_thorough(is_thorough),
         m_smooths_interface(smooths_interface), m_cavity(complex) {}
 
-  // Within a deformation.
+  // Creates an improver for a mesh during a deformation.
   Mesh_improver(Complex& complex, Any_visitor<Complex>& visitor,
                 const Destinations<Complex>& destinations, double threshold)
       : Mesh_improver(complex, visitor, threshold) {
@@ -67,9 +69,10 @@ public:
 
   const Improvement_report& report() const { return m_report; }
 
-  // Improves all cells below a threshold. Those that stay are often held by neighbors that are but
-  // a little better: in a number of attempts, the cells around them are improved to higher ones. A
-  // cell to which smoothing has given another shape is tried again.
+  // Improves all cells below a threshold. The remaining cells often have neighbors that are only
+  // slightly better. Therefore, in `number_of_attempts` further attempts, the cells around the
+  // remaining cells are improved to higher thresholds. A cell whose shape smoothing has changed is
+  // tried again.
   void improve_all(double threshold, unsigned rounds, int number_of_attempts) {
     static constexpr double higher = 1.1;
     m_threshold = threshold;
@@ -86,8 +89,9 @@ public:
     }
   }
 
-  // Improves the cells below the threshold, then those that arose from them, and so on. Cells that
-  // smoothing made but little better count as tried in vain: more of it is not worth it.
+  // Improves the given cells below the threshold, then the cells created or changed by this, and so
+  // on for at most `rounds` rounds. A cell that smoothing improves only slightly is marked as a
+  // failure, because further smoothing would have little effect.
   void improve(Cells cells, unsigned rounds) {
     work_in_rounds(m_complex, std::move(cells), rounds, [&](Cell_handle c, Cells& touched) {
       const double before = c->quality();
@@ -102,7 +106,7 @@ public:
     });
   }
 
-  // Whether the cell is below the threshold and was not tried in vain.
+  // Returns whether a cell is below the threshold and has no recorded failure.
   bool is_bad(Cell_handle c) const {
     return c->quality() < m_threshold && !is_exhausted(c, to_improve_quality);
   }
@@ -129,7 +133,7 @@ public:
         m_qualities.push_back(d->quality());
       smooth_vertex(m_complex, v, m_star, target, m_visitor);
       ++m_report.smoothed;
-      // Only a cell that got another shape is worth a try.
+      // Only cells whose shape has changed are tried again.
       for (std::size_t k = 0; k < m_star.size(); ++k) {
         if (!is_essential_change(m_qualities[k], m_star[k]->quality()))
           continue;
@@ -149,7 +153,8 @@ public:
     return false;
   }
 
-  // Splits the longest edge if it is long and its ends cannot move freely (Algorithm 3, line 1).
+  // Splits the longest edge of a cell if it is long and its ends cannot move freely (Algorithm 3,
+  // line 1).
   bool split(Cell_handle c, Cells& touched) {
     int a = 0, b = 1;
     double longest = 0;
@@ -175,15 +180,15 @@ public:
     return true;
   }
 
-  // Puts a new vertex into the cell and gives it the cells around that it improves.
+  // Inserts a vertex into a cell. Surrounding cells that this improves are replaced, too.
   bool insert(Cell_handle c, Cells& touched) {
     return Own::propose_insertion(m_complex, c, m_cavity) && commit(touched);
   }
 
-  // Collapses an edge of the interface that is short beside those around. What is around may be as
-  // flat as before.
+  // Collapses an interface edge that is short compared with the edges around it. Cells around it
+  // may stay as flat as before.
   bool remove_short_edge(Cell_handle c, Cells& touched) {
-    static constexpr double shortest = .2; // edge, of those around
+    static constexpr double shortest = .2; // maximum length, relative to the edges around it
     const double bound = shortest * local_edge_length<Complex>(m_complex, {c});
     for (int i = 0; i < Complex::corners; ++i)
       for (int j = i + 1; j < Complex::corners; ++j)
@@ -193,8 +198,8 @@ public:
     return false;
   }
 
-  // Collapses a vertex of a flat cell into the interface, which traps it. The cells around may be
-  // as flat as before, but the interface alone holds them then.
+  // Collapses a free vertex of a flat cell into an interface vertex. Cells around it may stay as
+  // flat as before, but only the interface constrains them afterwards.
   bool remove_trapped_vertex(Cell_handle c, Cells& touched) {
     for (int i = 0; i < Complex::corners; ++i)
       for (int j = 0; j < Complex::corners; ++j)
@@ -205,26 +210,26 @@ public:
   }
 
 protected:
-  // Whether an edge of a squared length is long for the interface at its ends, or for that of the
-  // input between two of the boundary.
+  // Returns whether an edge is long compared with the interface edges at its ends. If neither end
+  // has interface edges, it is compared with the mean interface edge of the input.
   bool is_long(Vertex_handle v, Vertex_handle w, double squared_length) const {
-    static constexpr double long_edge = 4; // as long as those of the interface
+    static constexpr double long_edge = 4; // minimum ratio of the lengths
     const double here = local_edge_length(m_complex, v), there = local_edge_length(m_complex, w);
     const double length = here + there == 0 ? m_complex.mean_interface_edge()
                                             : (here + there) / (here * there == 0 ? 1 : 2);
     return length > 0 && squared_length > long_edge * long_edge * length * length;
   }
 
-  // Of a cell that the vertices would have at their destinations.
+  // Returns the quality of a cell with its vertices at their destinations.
   double final_quality(const std::array<Vertex_handle, Complex::corners>& v) const {
     return m_complex.domain().template apply<Complex>(m_complex.quality_measure(), [&](int i) {
       return m_destinations ? m_destinations->final_position(v[i]) : m_complex.position(v[i]);
     });
   }
 
-  // Whether a planned cell, with the interface in place, lies flat on two neighboring facets
-  // of it: it would be in the way until it is relabeled, and the interface would change where it
-  // need not.
+  // Returns whether a planned cell is flat and has two interface facets when its vertices are at
+  // their destinations. Such a cell would obstruct the motion until it is relabeled, and relabeling
+  // it would change the interface unnecessarily.
   bool covers_interface() const {
     const auto& vertices = m_cavity.vertices();
     return std::any_of(m_cavity.planned().begin(), m_cavity.planned().end(), [&](const auto& t) {
@@ -238,7 +243,7 @@ protected:
     });
   }
 
-  // Adds the cells below the threshold around those that stayed below a bound.
+  // Adds the cells below the threshold around cells that remain below `bound`.
   void push_neighbors_of_stuck(double bound, Cells& cells) {
     std::vector<Cell_handle> stuck;
     for (Cell_handle c : m_complex.finite_cells())
@@ -248,14 +253,14 @@ protected:
       push_afresh(c, cells);
   }
 
-  // Adds a cell below the threshold, whether or not it was tried in vain.
+  // Adds a cell below the threshold. Clears a recorded failure of the cell first.
   void push_afresh(Cell_handle c, Cells& cells) {
     clear_exhausted(c, to_improve_quality);
     if (!m_complex.is_infinite(c) && is_bad(c))
       cells.push(c);
   }
 
-  // How many facets of a planned cell are on the interface.
+  // Returns the number of facets of a planned cell that lie on the interface.
   int number_of_interface_facets(
       const std::array<Vertex_handle, Complex::corners>& vertices) const {
     int result = 0;
@@ -272,7 +277,7 @@ protected:
     return result;
   }
 
-  // Collapses vertex i of a cell into vertex j if that makes the cell's surroundings better.
+  // Collapses vertex i of a cell into vertex j if this improves the surrounding cells.
   bool collapse_edge(Cell_handle c, int i, int j, Cells& touched) {
     return propose_edge_collapse(m_complex, c, i, j, better * c->quality(), m_cavity) &&
            !covers_interface() && commit(touched);
@@ -294,8 +299,9 @@ protected:
       touched.push(c);
   }
 
-  static constexpr double flat = 1e-9;  // a quality that is zero up to rounding
-  static constexpr double better = 1.1; // times the quality of a cell that a collapse is to remove
+  static constexpr double flat = 1e-9; // a quality that is zero up to rounding
+  // minimum quality after a collapse, relative to the quality of the cell
+  static constexpr double better = 1.1;
 
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
@@ -304,7 +310,7 @@ protected:
   bool m_is_thorough, m_smooths_interface, m_is_at_rest = false;
   Cavity<Complex> m_cavity;
   std::vector<Cell_handle> m_star;
-  std::vector<double> m_qualities; // of its cells
+  std::vector<double> m_qualities; // of the cells of `m_star`
   Improvement_report m_report;
 };
 

@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// In space, facets of the interface may be degenerate, too.
+// The improver for 3D, which also removes degenerate interface facets.
 template <class Complex> class Mesh_improver_3 : public Mesh_improver<Complex>
 {
   using Base = Mesh_improver<Complex>;
@@ -26,8 +26,8 @@ public:
   using typename Base::Cells;
   using typename Base::Vertex_handle;
 
-  // Removes a facet with an angle below a bound, given by its cosine, if it is on the interface and
-  // that makes the cell's surroundings better.
+  // Removes an interface facet that has an angle below a bound, if this improves the surrounding
+  // cells. `cosine` is the cosine of the bound. Returns whether the facet was removed.
   bool remove_degenerate_facet(Cell_handle c, int i, double cosine, Cells& touched) {
     const double quality = Base::better * c->quality();
     Cavity<Complex>& cavity = this->m_cavity;

@@ -15,15 +15,15 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-What the improvement of a mesh does in one dimension only:
-
-- `propose_reconnection(complex, c, is_thorough, cavity, accept)`: the first proposal of other cells
-  instead of c and those around that makes them better and that `accept()` takes
-- `propose_insertion(complex, c, cavity)`: a new vertex within a cell
-- `propose_degenerate_cell_removal(complex, c, quality, cosine, cavity)`: other cells instead of one
-  that is nearly flat, or has a facet that is; the interface may move
-- `propose_optimal_position(complex, v, star, target)`: where the worst quality of a star is highest
-- `is_interface_edge(complex, c, i, j)`
+The dimension-specific operations of mesh improvement:
+- `propose_reconnection(complex, c, is_thorough, cavity, accept)`: proposes to replace `c` and cells
+  around it by better ones; it returns the first proposal for which `accept()` returns true
+- `propose_insertion(complex, c, cavity)`: proposes to insert a vertex into a cell
+- `propose_degenerate_cell_removal(complex, c, quality, cosine, cavity)`: proposes to replace a cell
+  that is nearly flat, or has a nearly flat facet; the interface may move
+- `propose_optimal_position(complex, v, star, target)`: proposes the position that maximizes the
+  worst quality of a star
+- `is_interface_edge(complex, c, i, j)`: returns whether an edge lies on the interface
 */
 template <class Complex>
 using Mesh_operations = std::conditional_t<Complex::dimension == 2, Mesh_operations_2<Complex>,

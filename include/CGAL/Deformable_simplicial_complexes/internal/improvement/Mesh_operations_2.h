@@ -17,6 +17,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// The operations of `Mesh_operations` for triangles.
 template <class Complex> struct Mesh_operations_2
 {
   using Vertex_handle = typename Complex::Vertex_handle;

@@ -19,6 +19,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// The operations of `Mesh_operations` for tetrahedra.
 template <class Complex> struct Mesh_operations_3
 {
   using Vertex_handle = typename Complex::Vertex_handle;

@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The sine of the smallest angle of a triangle; 0 if two corners coincide.
+// Returns the sine of the smallest angle of a triangle; 0 if two corners coincide.
 template <class Point> double smallest_sine(const std::array<Point, 3>& p) {
   std::array<double, 3> squared; // lengths of the edges
   for (int i = 0; i < 3; ++i)
@@ -38,15 +38,16 @@ template <class Point> double smallest_sine(const std::array<Point, 3>& p) {
   return product > 0 ? std::abs(determinant(p[1] - p[0], p[2] - p[0])) / product : 0;
 }
 
-// Removes triangles with an angle below a bound: each by the flip, the collapse or the insertion of
-// a vertex that raises the smallest angle most. The interface stays.
+// A function object that removes triangles with an angle below a bound. For each triangle, it
+// chooses the flip, collapse or vertex insertion that maximizes the smallest angle. The interface
+// does not change.
 template <class Complex> class Small_angle_remover_2
 {
 public:
   using Cell_handle = typename Complex::Cell_handle;
   using Cells = Work_list<Cell_handle>;
 
-  // The angle is in degrees.
+  // Creates a remover. `angle` is the bound in degrees.
   Small_angle_remover_2(Complex& complex, Any_visitor<Complex>& visitor,
                         const Rigid_components<Complex>& rigid_parts, double angle,
                         double quality_threshold)
@@ -56,8 +57,8 @@ public:
 
   const Improvement_report& report() const { return m_report; }
 
-  // Triangles with a small angle below the quality threshold, except at parts of the interface that
-  // stayed or moved as a whole; by creation.
+  // Returns the triangles below the quality threshold with a small angle, in the order of time
+  // stamps. Triangles at regions of the interface that did not move or moved rigidly are excluded.
   Cells bad_cells() const {
     Cells result;
     if (m_wanted > 0)
@@ -88,7 +89,7 @@ private:
         {m_complex.corner(c, 0), m_complex.corner(c, 1), m_complex.corner(c, 2)});
   }
 
-  // Returns whether anything was done.
+  // Improves a triangle. Returns whether an operation was applied.
   bool improve(Cell_handle c) {
     m_best.clear();
     m_best_sine = 0;
@@ -107,13 +108,15 @@ private:
     return true;
   }
 
-  // The sine that an operation has to exceed: a tenth more than before, unless the bound is less.
+  // Returns the sine that an operation must exceed: the bound or 1.1 times the previous sine,
+  // whichever is smaller, but at least the previous sine.
   double worth_it(double before) const {
     static constexpr double better = 1.1;
     return (std::max)(before, (std::min)(better * before, m_wanted));
   }
 
-  // Keeps the proposal in m_cavity, if there is one, if it is the best so far.
+  // Stores the proposal in `m_cavity` as the best one, if it is better than the best proposal so
+  // far.
   void consider(bool is_proposed) {
     if (!is_proposed)
       return;

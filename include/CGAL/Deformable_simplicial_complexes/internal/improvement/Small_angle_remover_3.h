@@ -40,8 +40,10 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Removes cells with a dihedral angle below a bound or above its supplement, by whatever raises the
-// smallest sine of an angle most. What changes the interface comes last, and changes it by little.
+// A function object that removes cells with a dihedral angle below a bound, or above its
+// supplement. For each cell, it chooses the operation that maximizes the smallest sine of a
+// dihedral angle. Operations that change the interface are tried last, and their changes of the
+// interface are bounded.
 template <class Complex> class Small_angle_remover_3
 {
 public:
@@ -50,7 +52,7 @@ public:
   using Label = typename Complex::Label;
   using Cells = Work_list<Cell_handle>;
 
-  // The angle is in degrees.
+  // Creates a remover. `angle` is the bound in degrees.
   Small_angle_remover_3(Complex& complex, Any_visitor<Complex>& visitor,
                         const Rigid_components<Complex>& rigid_parts, double angle,
                         double quality_threshold)
@@ -61,20 +63,21 @@ public:
   const Improvement_report& report() const { return m_report; }
   std::size_t number_of_relocated() const { return m_homes.size(); }
 
-  // Whether a cell has small angles, did not move as a whole, and was not tried in vain, unless the
-  // interface may change for it: how much of that is allowed differs from time to time.
+  // Returns whether a cell has small angles, did not move rigidly, and has no recorded failure. A
+  // recorded failure is ignored if the interface may change for the cell, because the allowed
+  // change varies.
   bool is_bad(Cell_handle c) const {
     return sine(c) < m_bound && !m_rigid_parts.has_moved_as_a_whole(c) &&
            !(is_exhausted(c, to_remove_small_angles) && !may_change_interface(c));
   }
 
-  // Whether a cell has small angles with its vertices elsewhere.
+  // Returns whether a cell has small angles if its vertices are at given positions.
   template <class Position_of> bool is_bad_with(Cell_handle c, const Position_of& position) const {
     return sine(c, position) < m_bound;
   }
 
-  // Those below the quality threshold, but for those at parts of the interface that stayed; by
-  // creation.
+  // Returns the bad cells below the quality threshold, in the order of time stamps. Cells at
+  // regions of the interface that did not move are excluded.
   Cells bad_cells() const {
     Cells result;
     for (Cell_handle c : m_complex.triangulation().finite_cell_handles())
@@ -84,8 +87,8 @@ public:
     return result;
   }
 
-  // relabel(c, label) gives a cell another label if that keeps the topology, and says whether it
-  // did.
+  // Removes small angles. `relabel(c, label)` changes the label of a cell if this preserves the
+  // topology, and returns whether it did.
   template <class Relabel> void run(const Relabel& relabel) {
     static constexpr unsigned rounds = 10;
     static constexpr int attempts = 6;
@@ -97,7 +100,8 @@ public:
     Cells cells = bad_cells();
     m_handled = cells;
     work_in_rounds(m_complex, std::move(cells), rounds, work);
-    // Those that stay are often held by neighbors that are but a little better.
+    // The remaining cells often have neighbors that are only slightly better; these are improved,
+    // too.
     for (int i = 1; i <= attempts; ++i) {
       cells = stars_of_stuck();
       if (cells.empty())
@@ -112,10 +116,10 @@ public:
 private:
   using Position = typename Complex::Approximate_point_3;
 
-  // The smallest sine of a dihedral angle of a cell with these corners, over that of the regular
-  // tetrahedron.
+  // Returns the smallest sine of a dihedral angle of a cell with given corners, relative to the
+  // sine for the regular tetrahedron.
   template <class Corner> double sine_of(const Corner& corner) const {
-    // Less than 0 by rounding only.
+    // Negative values are caused only by rounding.
     return (std::max)(0., m_complex.domain().template apply<Complex>(m_sine, corner));
   }
 
@@ -127,14 +131,14 @@ private:
     return sine(c, [&](Vertex_handle v) { return m_complex.position(v); });
   }
 
-  // Whether a cell has small angles that no part of the interface that stayed or moved as a whole
-  // may dictate.
+  // Returns whether a cell has small angles that are not determined by a region of the interface
+  // that did not move or moved rigidly.
   bool is_to_be_removed(Cell_handle c) const {
     return sine(c) < m_bound && !m_rigid_parts.has_stayed(c) &&
            !m_rigid_parts.touches_rigid_part(c);
   }
 
-  // Whether it is for this cell that the interface may change.
+  // Returns whether the interface may change to improve a cell.
   bool may_change_interface(Cell_handle c) const {
     return touches_interface(c) && is_to_be_removed(c);
   }
@@ -144,7 +148,7 @@ private:
            c->vertex(2)->is_interface() || c->vertex(3)->is_interface();
   }
 
-  // The cells around those that were worked on and are still to be removed.
+  // Returns the cells around all processed cells whose small angles remain.
   Cells stars_of_stuck() {
     std::vector<Cell_handle> stuck;
     m_handled.sort();
@@ -157,7 +161,7 @@ private:
     return result;
   }
 
-  // Returns whether anything was done.
+  // Improves a cell. Returns whether an operation was applied.
   template <class Relabel> bool improve(Cell_handle c, const Relabel& relabel, Cells& touched) {
     const auto is_free = [](Vertex_handle v) { return !v->is_interface(); };
     const bool may_change = may_change_interface(c);
@@ -181,10 +185,11 @@ private:
                 c, [&](Vertex_handle v) { return m_rigid_parts.has_moved(v); }, 0, touched));
   }
 
-  // Whether the best proposal leaves no angle below the bound.
+  // Returns whether the best proposal leaves no angle below the bound.
   bool is_enough() const { return m_best_sine >= m_bound; }
 
-  // Leaves the best proposal that keeps the interface in m_best, which is empty if there is none.
+  // Stores the best proposal that preserves the interface in `m_best`, which is empty if there is
+  // none.
   void find_best_proposal(Cell_handle c) {
     m_best.clear();
     m_best_sine = 0;
@@ -211,7 +216,8 @@ private:
                            c->vertex(i), c->vertex(j)));
   }
 
-  // Of vertices of the interface that have moved, or of those off it.
+  // Considers collapses of vertices: of moved interface vertices if `of_interface` is set, or else
+  // of free vertices.
   void consider_collapses(Cell_handle c, bool of_interface) {
     for (int i = 0; i < 4; ++i) {
       const Vertex_handle v = c->vertex(i);
@@ -229,18 +235,20 @@ private:
     return Interface_fan_3<Complex>(m_complex, v, m_star);
   }
 
-  // Whether the interface may change as much at two vertices.
+  // Returns whether a change of the interface at two vertices is small enough.
   bool is_little(const Changed_facets& change, Vertex_handle v, Vertex_handle w) const {
-    static constexpr double little = .1; // of the cube of the edges there
+    // maximum swept volume, relative to the cube of the edge length
+    static constexpr double little = .1;
     const double edge = (local_edge_length(m_complex, v) + local_edge_length(m_complex, w)) / 2;
     return change.swept_volume < slack() * little * edge * edge * edge;
   }
 
-  // Where cells stay, the interface may move farther.
+  // Returns the factor for changes of the interface; it is larger in attempts to improve remaining
+  // cells.
   double slack() const { return m_bound / m_wanted; }
 
-  // Keeps the proposal in m_cavity, if there is one, if it is the best so far. Sines say little of
-  // needles: the quality counts, too.
+  // Stores the proposal in `m_cavity` as the best one, if it is better than the best proposal so
+  // far. The quality must be preserved as well, because dihedral angles do not detect needles.
   void consider(bool is_proposed) {
     if (!is_proposed || !m_cavity.keeps_quality())
       return;
@@ -259,8 +267,8 @@ private:
     }
   }
 
-  // Gives a cell that lies in a fold of the interface to the phase beyond, if the area hardly
-  // grows.
+  // Gives a cell in a fold of the interface the label of the other side, if the area of the
+  // interface increases only slightly.
   template <class Relabel>
   bool relabel_fold(Cell_handle c, const Relabel& relabel, Cells& touched) {
     static constexpr double growth = 1.05;
@@ -285,9 +293,10 @@ private:
     return false;
   }
 
-  // Moves one of the vertices for which may_move(v) to where the angles around it are best: the one
-  // for which they become best, if no angle is below a bound then. A vertex of the interface goes a
-  // short way at the most, all in all.
+  // Moves one of the vertices with `may_move(v)` to the position that maximizes the smallest sine
+  // of an angle around it. It chooses the vertex for which this sine is largest, if the sine
+  // exceeds `bound`. The total displacement of an interface vertex from its initial position is
+  // bounded.
   template <class MayMove>
   bool move_vertex(Cell_handle c, const MayMove& may_move, double bound, Cells& touched) {
     static constexpr double better_star = 1.05;
@@ -322,9 +331,10 @@ private:
     return true;
   }
 
-  // The point on the way to p that is not too far from where the vertex had arrived.
+  // Returns the point on the segment from the initial position of a vertex to p that is closest to
+  // p within the bound on the displacement.
   Position near_home(Vertex_handle v, const Position& p) const {
-    static constexpr double longest_way = .05; // of the edges there
+    static constexpr double longest_way = .05; // relative to the edge length
     const auto known = m_homes.find(v->time_stamp());
     const Position home =
         m_complex.domain().near(p, known == m_homes.end() ? m_complex.position(v) : known->second);
@@ -338,12 +348,12 @@ private:
     return m_complex.geom_traits().construct_exact_point_3_object()(p);
   }
 
-  // Of the star m_star if its vertex were at p.
+  // Returns the smallest sine in the star `m_star` if its vertex is moved to p.
   double worst_sine(Vertex_handle v, const Position& p) const {
     return (std::max)(0., star_quality(m_complex, m_sine, v, m_star, p, 0));
   }
 
-  // What was done for the angles is not to be undone for the quality before something changes.
+  // Prevents improvement of the quality from reverting the changes, before the cells change again.
   void keep_from_improvement() {
     for (const auto& item : m_changed)
       if (m_complex.is_alive(item.cell, item.time_stamp))
@@ -359,17 +369,18 @@ private:
       }
   }
 
-  static constexpr double better = 1.1; // factor that makes a change worth it
+  static constexpr double better = 1.1; // minimum factor of an improvement
 
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
   const Rigid_components<Complex>& m_rigid_parts;
   Minimum_sine_3 m_sine;
-  double m_wanted, m_bound; // the latter may be higher around cells that stay
+  double m_wanted, m_bound; // `m_bound` may be larger than `m_wanted` around remaining cells
   double m_quality_threshold;
   Cavity<Complex> m_cavity, m_best;
   double m_best_sine = 0, m_least_sine = 0;
-  boost::container::flat_map<std::size_t, Position> m_homes; // of those relocated, by time stamp
+  // initial positions of relocated vertices, by time stamp
+  boost::container::flat_map<std::size_t, Position> m_homes;
   Cells m_handled, m_changed;
   std::vector<Cell_handle> m_star;
   Improvement_report m_report;

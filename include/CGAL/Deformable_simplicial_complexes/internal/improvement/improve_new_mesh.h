@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What the functions that make a complex read of their named parameters for its improvement.
+// The options for the improvement of a new complex, read from named parameters.
 struct New_mesh_options
 {
   double threshold;
@@ -31,7 +31,8 @@ template <class NP> New_mesh_options new_mesh_options(const NP& np) {
           parameter_or(np, internal_np::improve, true)};
 }
 
-// Improves the mesh as each step of a deformation will. More vertices would only slow that down.
+// Improves a new mesh with the operations of a deformation step. Operations that add vertices
+// inside cells are not used, because more vertices would only make deformations slower.
 template <class Complex> void improve_new_mesh(Complex& dsc, const New_mesh_options& options) {
   const Progress_phase phase("improving the mesh");
   if (options.improve) {

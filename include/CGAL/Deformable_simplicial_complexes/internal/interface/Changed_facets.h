@@ -11,12 +11,12 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What an operation makes of the facets of the interface that it changes.
+// The change of the interface facets by an operation.
 struct Changed_facets
 {
-  double worst_before = std::numeric_limits<double>::infinity(); // quality
-  double worst_after = std::numeric_limits<double>::infinity();  // 0 if a facet turns over
-  double swept_volume = 0; // between the interface before and after; in the plane, area
+  double worst_before = std::numeric_limits<double>::infinity(); // quality of a facet
+  double worst_after = std::numeric_limits<double>::infinity();  // 0 if a facet is inverted
+  double swept_volume = 0; // volume between the interface before and after; in the plane, area
 };
 
 } // namespace internal

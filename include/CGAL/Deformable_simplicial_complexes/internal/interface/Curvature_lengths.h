@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Calls a function with the ends of the edges of facets, in space twice for each edge.
+// Calls a function with the ends of each edge of the facets. In space, each edge is visited twice.
 template <class Facets, class Function>
 void for_each_edge_of(const Facets& facets, const Function& function) {
   for (const auto& facet : facets)
@@ -34,9 +34,10 @@ void for_each_edge_of(const Facets& facets, const Function& function) {
 }
 
 /*
-How long edges may be at the vertices of an interface, by its curvature: those that an edge of a
-length h lies a tolerance below, about curvature * h^2 / 8. Vertices on sharp edges, and where more
-than two labels meet, have no normal and thus no curvature. The angle of sharp edges is in degrees.
+Target edge lengths at the vertices of an interface, from its curvature. The distance of an edge of
+length h from the smooth surface is about curvature * h^2 / 8; the target edge length is the one for
+which this distance equals the tolerance. Vertices on sharp edges, and vertices where more than two
+labels meet, have no normal and thus no curvature. The feature angle is in degrees.
 */
 template <class Complex> class Curvature_lengths
 {
@@ -79,10 +80,11 @@ public:
     });
   }
 
-  // None longer than a bound, nor longer than its neighbors allow, which may differ by a part of
-  // the edge between: the shortest first, as in Dijkstra's algorithm.
+  // Returns the target edge lengths, at most `longest`, with a bounded gradation: the lengths at
+  // the ends of an edge differ by at most `gradation` times the length of the edge. The vertices
+  // are visited by increasing length, as in Dijkstra's algorithm.
   std::vector<double> graded(double longest, double gradation) const {
-    using Entry = std::pair<double, std::size_t>; // the length of a vertex
+    using Entry = std::pair<double, std::size_t>; // the length at a vertex, and the vertex
     std::vector<double> lengths = m_lengths;
     std::vector<Entry> entries;
     for (std::size_t v = 0; v < lengths.size(); ++v) {
@@ -95,7 +97,7 @@ public:
       const auto [length, a] = queue.top();
       queue.pop();
       if (length > lengths[a])
-        continue; // it has become shorter since
+        continue; // outdated: the length was reduced later
       for (std::size_t k = m_first[a]; k < m_first[a + 1]; ++k) {
         const auto& [b, distance] = m_neighbors[k];
         const double bound = length + gradation * distance;
@@ -115,8 +117,8 @@ private:
     double distance;
   };
 
-  std::vector<double> m_lengths;    // without an upper bound
-  std::vector<std::size_t> m_first; // of the neighbors of a vertex, and one more
+  std::vector<double> m_lengths;    // target edge lengths, without an upper bound
+  std::vector<std::size_t> m_first; // first neighbor of each vertex, and their number
   std::vector<Neighbor> m_neighbors;
 };
 

@@ -19,8 +19,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Facets of the interface as an indexed set, in user coordinates. On a torus, each connected part
-// is unwrapped: it is cut open where it goes around, and vertices there have several points.
+// The facets of the interface as an indexed set, in user coordinates. On a torus, each connected
+// component is unwrapped: a component that closes around the torus is cut open, and the vertices on
+// the cut have several points.
 template <class Complex> struct Extracted_facets
 {
   static constexpr int d = Complex::dimension;
@@ -28,9 +29,9 @@ template <class Complex> struct Extracted_facets
   using Point = typename Complex::Approximate_point;
   using Label = typename Complex::Label;
 
-  std::vector<Vertex_handle> vertices;            // by increasing time stamp; further images follow
-  std::vector<Point> points;                      // of these
-  std::vector<std::array<std::size_t, d>> facets; // out of the first label
+  std::vector<Vertex_handle> vertices; // by increasing time stamp, followed by periodic images
+  std::vector<Point> points;           // the points of `vertices`
+  std::vector<std::array<std::size_t, d>> facets; // oriented out of the first label
   std::vector<std::array<Label, 2>> labels;
 
   Extracted_facets(const Complex& complex, const std::vector<typename Complex::Facet>& from,
@@ -63,10 +64,11 @@ template <class Complex> struct Extracted_facets
   }
 
 private:
-  // From facet to facet: each is where it is as seen from a point of the one before.
+  // Unwraps the facets, from facet to facet: the position of each facet is the one nearest to a
+  // point of the previous facet.
   void unwrap(const Complex& complex) {
     const std::size_t n = points.size();
-    std::vector<std::vector<std::size_t>> facets_at(n), images(n); // by vertex
+    std::vector<std::vector<std::size_t>> facets_at(n), images(n); // indexed by vertex
     for (std::size_t f = 0; f < facets.size(); ++f)
       for (std::size_t v : facets[f])
         facets_at[v].push_back(f);
@@ -85,7 +87,7 @@ private:
       return images[v].back();
     };
     std::vector<char> is_found(facets.size(), false);
-    std::vector<std::pair<std::size_t, std::size_t>> found; // a facet and a point it has
+    std::vector<std::pair<std::size_t, std::size_t>> found; // a facet and one of its points
     for (std::size_t first = 0; first < facets.size(); ++first) {
       if (is_found[first])
         continue;

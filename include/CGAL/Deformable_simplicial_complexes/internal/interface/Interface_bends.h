@@ -15,12 +15,12 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-How the interface of a snapshot bends at its vertices. In each dimension:
+The bending of the interface of a snapshot at its vertices. In each dimension:
 
-- `normals(snapshot, positions)`: unit normals, out of the larger label; 0 where facets cancel each
-  other
-- `on_features(snapshot, positions, angle)`: for each vertex, whether facets that meet there differ
-  by more than an angle, in radians
+- `normals(snapshot, positions)`: the unit normals, out of the larger label; 0 where the facet
+  normals cancel each other
+- `on_features(snapshot, positions, angle)`: for each vertex, whether the normals of two incident
+  facets differ by more than `angle`, in radians
 */
 template <class Complex>
 using Interface_bends = std::conditional_t<Complex::dimension == 2, Interface_bends_2<Complex>,

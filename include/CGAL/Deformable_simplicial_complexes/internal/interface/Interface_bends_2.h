@@ -23,15 +23,16 @@ template <class Complex> struct Interface_bends_2
   using Points = std::vector<typename Complex::Approximate_point>;
   using Vector = typename Complex::Approximate_vector;
 
-  // Those of the circle through a vertex and its neighbors, on curves.
+  // Returns the unit normals at the vertices of a curve: the normal of the circle through a vertex
+  // and its two neighbors.
   static std::vector<Vector> normals(const Interface_snapshot<Complex>& interface_,
                                      const Points& positions) {
     std::vector<Vector> result(positions.size(), Vector(0, 0));
     for_each_side(interface_, positions, [&](std::size_t v, const Vector& edge) {
-      // Weights are proportional to the length of the other edge, or inversely to that of this one.
+      // The normal of the circle is the sum of the edge normals, each divided by its edge length.
       result[v] = result[v] + Vector(edge.y(), -edge.x()) / edge.squared_length();
     });
-    static constexpr double rounding = 1e-9; // of sums of weights
+    static constexpr double rounding = 1e-9; // relative to the sum of weights
     std::vector<double> weights(positions.size(), 0);
     for_each_side(interface_, positions, [&](std::size_t v, const Vector& edge) {
       weights[v] += 1 / std::sqrt(edge.squared_length());
@@ -57,7 +58,8 @@ template <class Complex> struct Interface_bends_2
   }
 
 private:
-  // Each vertex with each edge at it, as the edge goes with the larger label on its left.
+  // Calls a function for each vertex with each incident edge, directed so that the larger label is
+  // on the left.
   template <class Function>
   static void for_each_side(const Interface_snapshot<Complex>& interface_, const Points& positions,
                             const Function& function) {

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The facets of the interface around an edge.
+// The interface facets around an edge.
 template <class Complex> class Interface_edge_3
 {
 public:
@@ -41,21 +41,26 @@ public:
     } while (++c != done);
   }
 
-  // Whether two facets meet here, and the same labels lie behind and in front of both.
+  // Returns whether exactly two facets meet at the edge, with the same labels behind and in front
+  // of both.
   bool is_in_sheet() const { return m_facets.size() == 2 && m_is_between_two_labels; }
 
-  // The angle between the normals of the two facets, in radians. \pre is_in_sheet()
+  // Returns the angle between the normals of the two facets, in radians.
+  // \pre is_in_sheet()
   double bend() const { return angle_between(area_vector(m_facets[0]), area_vector(m_facets[1])); }
 
-  // Whether the angles opposite to the edge sum up to more than 180 degrees, by more than rounding.
+  // Returns whether the sum of the two angles opposite to the edge exceeds 180 degrees by more than
+  // rounding errors.
   // \pre is_in_sheet()
   bool violates_delaunay_criterion() const {
     static constexpr double rounding = 1e-6;
     return opposite_angle(0) + opposite_angle(1) > CGAL_PI + rounding;
   }
 
-  // The facets, and those that a flip would make: an end of the edge first, then the two opposite
-  // corners, ordered so that normals of a flat pair are parallel. \pre is_in_sheet()
+  // Return the current facets, and the facets after a flip. Each starts with an end of the edge,
+  // followed by the two opposite corners. The corners are ordered so that the normals of a flat
+  // pair are parallel.
+  // \pre is_in_sheet()
   const std::array<Point, 3>& facet(std::size_t i) const { return m_facets[i]; }
   std::array<Point, 3> flipped_facet(std::size_t i) const {
     return {end(i), m_opposite[i], m_opposite[1 - i]};
@@ -79,7 +84,7 @@ private:
     return angle_between(end(0) - m_opposite[i], end(1) - m_opposite[i]);
   }
 
-  // All as seen from one end of the edge.
+  // Returns the position of a vertex, in the periodic image nearest to the first end of the edge.
   Point seen(Vertex_handle v) const {
     return m_complex.position_near(m_complex.position(m_ends[0]), v);
   }

@@ -15,17 +15,17 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-The facets of the interface at a vertex, its center. In each dimension:
+The interface facets at a vertex, the center of the fan. In each dimension:
 
 - `Interface_fan(complex, v, star)`, with the star of v
 - `center()`
-- `is_disk()`: whether the interface is a single sheet here, between the same two labels, that does
-  not end at the boundary of the domain
-- `rank_by_features(angle)`: in how many directions features hold the center, where facets bend by
-  more than an angle, in radians: 1 in a smooth sheet, as many as there are dimensions where the
-  center is a corner. \pre is_disk()
-- `keeps_features(angle, w)`: whether no feature goes with the center if it goes to the neighbor w.
-  \pre is_disk()
+- `is_disk()`: whether the interface at the center is a single sheet between the same two labels
+  that does not end at the boundary of the domain
+- `rank_by_features(angle)`: the number of directions in which features constrain the center; facets
+  that differ by more than `angle`, in radians, form a feature. The rank is 1 in a smooth sheet, and
+  the dimension at a corner. Precondition: is_disk()
+- `keeps_features(angle, w)`: whether the features are kept when the center is moved to its neighbor
+  w. Precondition: is_disk()
 */
 template <class Complex>
 using Interface_fan =

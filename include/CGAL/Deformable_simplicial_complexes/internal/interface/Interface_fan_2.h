@@ -15,13 +15,13 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The angle by which a way turns that goes along one vector and then along another, in radians; 0
-// if a vector is.
+// Returns the angle between the directions of two vectors, in radians; 0 if one of them is a null
+// vector.
 template <class Vector> double turn_between(const Vector& a, const Vector& b) {
   return std::abs(std::atan2(determinant(a, b), a * b));
 }
 
-// The edges of the interface around a vertex.
+// The interface edges around a vertex.
 template <class Complex> class Interface_fan_2
 {
 public:
@@ -43,7 +43,8 @@ public:
             (m_size == 0 || (c->label() == m_behind && d->label() == m_in_front));
         m_behind = c->label();
         m_in_front = d->label();
-        // With the larger label on its left, an edge comes to the center or leaves it.
+        // Each interface edge has the larger label on its left: one edge ends at the center, the
+        // other one starts there.
         m_neighbors[c->vertex((i + 1) % 3) == v] = c->vertex(3 - i - c->index(v));
         ++m_size;
       }
@@ -52,8 +53,9 @@ public:
 
   Vertex_handle center() const { return m_center; }
 
-  // The neighbors along the interface, the larger label being on the left of the way from the first
-  // to the last. \pre is_disk()
+  // Returns the previous and the next neighbor along the interface. The larger label is on the left
+  // of the direction from the first to the last one.
+  // \pre is_disk()
   const std::array<Vertex_handle, 2>& neighbors() const { return m_neighbors; }
 
   bool is_disk() const {

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The facets of the interface around a vertex.
+// The interface facets around a vertex.
 template <class Complex> class Interface_fan_3
 {
 public:
@@ -52,7 +52,8 @@ public:
   Vertex_handle center() const { return m_center; }
   std::size_t size() const { return m_facets.size(); }
 
-  // The neighbors of the center that follow it in each facet: all, if this is a disk.
+  // Calls a function for the neighbor that follows the center in each facet. If the fan is a disk,
+  // these are all neighbors.
   template <class Function> void for_each_neighbor(const Function& function) const {
     for (const auto& facet : m_facets)
       function(facet[0]);
@@ -62,14 +63,15 @@ public:
     return m_facets[i][0] == v || m_facets[i][1] == v;
   }
 
-  // Facet i with the center at p, counterclockwise seen from the front, p first.
+  // Returns facet i with the center at p. The corners are counterclockwise seen from the front,
+  // starting with p.
   std::array<Point, 3> facet(std::size_t i, const Point& p) const {
     return {p, m_complex.position_near(p, m_facets[i][0]),
             m_complex.position_near(p, m_facets[i][1])};
   }
 
-  // Whether the interface is a single sheet here, between the same two labels, that does not end at
-  // the boundary of the domain.
+  // Returns whether the interface at the center is a single sheet between the same two labels that
+  // does not end at the boundary of the domain.
   bool is_disk() const {
     if (!m_is_between_two_labels || m_facets.empty())
       return false;
@@ -86,7 +88,8 @@ public:
     return false;
   }
 
-  // The neighbors across whose edges the facets bend by more than an angle, in radians.
+  // Returns the neighbors that share a feature edge with the center: the two facets at the edge
+  // differ by more than `angle`, in radians.
   // \pre is_disk()
   std::vector<Vertex_handle> neighbors_along_features(double angle) const {
     std::vector<Vertex_handle> result;
@@ -99,8 +102,9 @@ public:
     return result;
   }
 
-  // In how many directions features hold the center: 1 in a smooth sheet, 2 on a feature that bends
-  // by less than the angle, 3 where features end, meet or turn. \pre is_disk()
+  // Returns the number of directions in which features constrain the center: 1 in a smooth sheet, 2
+  // on a feature that turns by less than `angle`, 3 where features end, meet or turn.
+  // \pre is_disk()
   int rank_by_features(double angle) const {
     const auto neighbors = neighbors_along_features(angle);
     if (neighbors.empty())
@@ -111,8 +115,9 @@ public:
     return goes_on ? 2 : 3;
   }
 
-  // Whether no feature goes with the center if it goes to the neighbor w: that it is in a smooth
-  // sheet, or that it goes along a straight feature. \pre is_disk()
+  // Returns whether the features are kept when the center is moved to its neighbor w: the center is
+  // in a smooth sheet, or it moves along a straight feature.
+  // \pre is_disk()
   bool keeps_features(double angle, Vertex_handle w) const {
     const int rank = rank_by_features(angle);
     const auto neighbors = neighbors_along_features(angle);

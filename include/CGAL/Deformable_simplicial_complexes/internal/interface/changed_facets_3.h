@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What the collapse of the center of a fan into one of its neighbors makes of its facets.
+// Returns the change of the facets of a fan when its center is collapsed into a neighbor.
 template <class Complex>
 Changed_facets facets_changed_by_collapse(const Complex& complex,
                                           const Interface_fan_3<Complex>& fan,
@@ -30,7 +30,7 @@ Changed_facets facets_changed_by_collapse(const Complex& complex,
     const auto before = fan.facet(i, from);
     result.worst_before = (std::min)(result.worst_before, triangle_quality(before));
     if (fan.has_neighbor(i, kept))
-      continue; // it vanishes
+      continue; // the facet is removed
     const auto after = fan.facet(i, to);
     const bool turns_over = !(area_vector(before) * area_vector(after) > 0);
     result.worst_after = (std::min)(result.worst_after, turns_over ? 0 : triangle_quality(after));
@@ -39,7 +39,8 @@ Changed_facets facets_changed_by_collapse(const Complex& complex,
   return result;
 }
 
-// \pre edge.is_in_sheet(), and the proposal is to flip it
+// Returns the change of the two facets at an edge when the edge is flipped.
+// \pre edge.is_in_sheet()
 template <class Complex>
 Changed_facets facets_changed_by_flip(const Interface_edge_3<Complex>& edge) {
   Changed_facets result;
@@ -47,7 +48,8 @@ Changed_facets facets_changed_by_flip(const Interface_edge_3<Complex>& edge) {
     result.worst_before = (std::min)(result.worst_before, triangle_quality(edge.facet(i)));
     result.worst_after = (std::min)(result.worst_after, triangle_quality(edge.flipped_facet(i)));
   }
-  // Flipped facets have the edge between the opposite corners in opposite directions.
+  // The two flipped facets traverse their common edge in opposite directions. The pair is folded
+  // over if their normals are not on the same side.
   if (!(area_vector(edge.flipped_facet(0)) * area_vector(edge.flipped_facet(1)) > 0))
     result.worst_after = 0;
   const auto p = edge.flipped_facet(0);

@@ -20,7 +20,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The normal of the center of a fan, of length 1; 0 if the facets cancel each other.
+// Returns the unit normal at the center of a fan; a null vector if the facet normals cancel each
+// other.
 template <class Complex>
 typename Complex::Approximate_vector_3 normal_of(const Interface_fan_3<Complex>& fan,
                                                  const Complex& complex) {
@@ -38,9 +39,9 @@ typename Complex::Approximate_vector_3 normal_of(const Interface_fan_3<Complex>&
   return length > 0 ? sum / length : sum;
 }
 
-// The middle of a cubic curve between the centers of two fans that is perpendicular to their
-// normals there (A. Vlachos and others, Curved PN triangles, I3D 2001): for surfaces that bend too
-// much to be a height over a plane.
+// Returns the midpoint of a cubic curve between the centers of two fans that is perpendicular to
+// their normals (A. Vlachos and others, Curved PN triangles, I3D 2001). Used for surfaces that are
+// too steep for a height function over a plane.
 template <class Complex>
 typename Complex::Approximate_point_3 midpoint_by_normals(const Complex& complex,
                                                           const Interface_fan_3<Complex>& a,
@@ -50,10 +51,11 @@ typename Complex::Approximate_point_3 midpoint_by_normals(const Complex& complex
   return midpoint(p, q) - (((q - p) * n) * n + ((p - q) * m) * m) / 8;
 }
 
-// Where the middle of an edge would be on the smooth surface that the interface is an image of: on
-// the quadric, as a height over the mean tangent plane of the two fans, that fits their vertices
-// best. Nothing if there are too few of them. Where a facet is inclined to that plane by more than
-// 45 degrees, normals tell more than heights.
+// Returns the estimated position of the midpoint of an edge on the smooth surface that the
+// interface approximates. A quadric, as a height function over the mean tangent plane of the two
+// fans, is fitted to the vertices of the fans. Where a facet is inclined to that plane by more than
+// 45 degrees, midpoint_by_normals() is used instead. Returns `nullopt` if there are too few
+// vertices for the fit, or the facet normals cancel each other.
 template <class Complex>
 std::optional<typename Complex::Approximate_point_3>
 curved_midpoint(const Complex& complex, const Interface_fan_3<Complex>& a,
@@ -95,11 +97,11 @@ curved_midpoint(const Complex& complex, const Interface_fan_3<Complex>& a,
   for (Eigen::Index i = 0; i < n; ++i) {
     const Vector d = (complex.position_near(middle, vertices[std::size_t(i)]) - middle) / length;
     const double x = d * along, y = d * across;
-    const double weight = 1 / (.25 + x * x + y * y); // that of the ends is the highest
+    const double weight = 1 / (.25 + x * x + y * y); // largest at the ends of the edge
     rows.row(i) << weight, weight * x, weight * y, weight * x * x, weight * x * y, weight * y * y;
     heights(i) = weight * (d * normal);
   }
-  // A surface no steeper than that is hardly farther from the edge than a quarter of its length.
+  // Limits the height, in units of the edge length: larger heights are artifacts of the fit.
   static constexpr double highest = .25;
   const double height = rows.colPivHouseholderQr().solve(heights)(0);
   return middle + length * std::clamp(height, -highest, highest) * normal;

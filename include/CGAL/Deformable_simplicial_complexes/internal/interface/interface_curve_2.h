@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What the collapse of the center of a fan into one of its neighbors makes of its edges.
+// Returns the change of the edges of a fan when its center is collapsed into a neighbor.
 template <class Complex>
 Changed_facets facets_changed_by_collapse(const Complex& complex,
                                           const Interface_fan_2<Complex>& fan,
@@ -35,8 +35,9 @@ Changed_facets facets_changed_by_collapse(const Complex& complex,
   return {1, turns_over ? 0. : 1., std::abs(determinant(before, after)) / 2};
 }
 
-// Beside the middle of the edge between the centers of two fans, on the cubic curve, as a function
-// over the edge, through them and their other neighbors. Nothing where that is steep.
+// Returns the point beside the midpoint of the edge between two fan centers on a cubic curve. The
+// curve is a function over the edge, and passes through both centers and their other neighbors.
+// Returns `nullopt` where the curve would be steep.
 template <class Complex>
 std::optional<typename Complex::Approximate_point>
 curved_midpoint(const Complex& complex, const Interface_fan_2<Complex>& a,
@@ -48,23 +49,26 @@ curved_midpoint(const Complex& complex, const Interface_fan_2<Complex>& a,
     return complex.position_near(from, neighbors[neighbors[0] == than ? 1 : 0]) - p;
   };
   const auto before = beyond(a, p, b.center()), after = beyond(b, p + edge, a.center());
-  // With the edge from (0, 0) to (1, 0), a cubic that is 0 at both is x (x - 1) (s + t x).
+  // With the edge from (0, 0) to (1, 0), a cubic that vanishes at both ends is x (x - 1) (s + t x).
   const double squared_length = edge.squared_length();
   const double x = before * edge / squared_length, y = determinant(edge, before) / squared_length,
                u = after * edge / squared_length, v = determinant(edge, after) / squared_length;
-  if (!(-x > std::abs(y) && u - 1 > std::abs(v))) // 45 degrees
+  if (!(-x > std::abs(y) && u - 1 > std::abs(v))) // steeper than 45 degrees
     return std::nullopt;
   const double at_x = y / (x * (x - 1)), at_u = v / (u * (u - 1)),
                at_middle = at_x + (at_u - at_x) * (.5 - x) / (u - x);
-  static constexpr double highest = .25; // above the edge, in its lengths
+  static constexpr double highest = .25; // height above the edge, in edge lengths
   const double height = std::clamp(-.25 * at_middle, -highest, highest);
   return p + .5 * edge + height * typename Complex::Approximate_vector(-edge.y(), edge.x());
 }
 
-// The center of a fan goes parallel to the line through its neighbors, so that no label gains or
-// loses area, towards the mean of the middles of its edges, weighted by their lengths. It stays
-// where it turns so much that the eigenvalues of its quadric, the ratio of which is the squared
-// tangent of half its turn if the edges have one length, tell no direction along the interface.
+// Computes the smoothed position of the center of a fan. The center moves parallel to the line
+// through its neighbors, so that no label gains or loses area. It moves towards the mean of the
+// edge midpoints, weighted by the edge lengths. Returns false if the center must stay: the turning
+// angle is too large to tell the tangent direction from the eigenvalues of the quadric. For edges
+// of equal length, the ratio of these eigenvalues is the squared tangent of half the turning angle.
+// Also returns false if a cell would be inverted, the quality would fall below the bound, or the
+// shorter edge would not become longer.
 template <class Complex>
 bool null_space_position(const Complex& complex, const Interface_fan_2<Complex>& fan,
                          const std::vector<typename Complex::Cell_handle>& star,

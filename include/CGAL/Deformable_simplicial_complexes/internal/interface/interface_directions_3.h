@@ -13,16 +13,17 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Orthogonal directions in which a vertex must not move lest the interface changes: none off the
-// interface, one where it is flat, two where its facets have a line in common. Returns false if the
-// vertex must not move at all. Planes are the same if they are so to seven digits, which is more
-// than what rounding does to moved vertices.
+// Computes orthogonal directions in which a vertex must not move, so that the interface does not
+// change. There is no such direction off the interface, one where the interface is flat, and two
+// where all facets share a line. Returns false if the vertex must not move at all. Two planes count
+// as equal if the sine of the angle between them is at most 1e-7, which is above the rounding
+// errors of moved vertices.
 template <class Complex>
 bool find_blocked_directions(const Complex& complex,
                              const std::vector<typename Complex::Cell_handle>& star,
                              typename Complex::Vertex_handle v,
                              std::vector<typename Complex::Approximate_vector_3>& blocked) {
-  static constexpr double same = 1e-7; // sine of an angle
+  static constexpr double same = 1e-7; // sine of the angle between two planes
   blocked.clear();
   for (auto c : star)
     for (int i = 0; i < 4; ++i) {

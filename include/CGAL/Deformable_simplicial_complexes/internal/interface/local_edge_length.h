@@ -14,15 +14,16 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What limits of lengths are measured by, so that they follow the mesh from place to place and as
-// it is made finer or coarser, but not as motion stretches or shrinks it: what has become smaller
-// than the edges that the user has chosen is to go.
+// Returns the local edge length, the unit of length thresholds at a vertex. It is the spacing of
+// the vertex, which follows the target edge lengths of the user but not the stretching or shrinking
+// by motion. So details that shrink below the target edge length are removed. Without a spacing, it
+// is the length of the interface edges at the vertex.
 template <class Complex>
 double local_edge_length(const Complex& complex, typename Complex::Vertex_handle v) {
   return v->spacing() > 0 ? v->spacing() : complex.interface_edge_length(v);
 }
 
-// The mean of these lengths at those vertices of cells that are on the interface; 0 if none is.
+// Returns the mean local edge length of the interface vertices of the cells; 0 without any.
 template <class Complex>
 double local_edge_length(const Complex& complex,
                          const std::vector<typename Complex::Cell_handle>& cells) {

@@ -18,26 +18,27 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// For each phase, the affine motion that the interface around its free vertices follows best: none
-// for a phase that is held by something else, as the boundary of the domain.
+// For each phase, the affine motion that fits the motion of the surrounding interface best. A phase
+// with other constraints, such as the boundary of the domain, has no affine motion.
 template <int d> class Affine_phases
 {
 public:
   using Vector = Eigen::Matrix<double, d, 1>;
 
-  // The number of a phase, and that of a vertex around it that is not free.
+  // The number of a phase, and the number of a vertex at the phase that is not free.
   using Around = std::pair<std::uint32_t, std::uint32_t>;
 
-  // Free vertices, and then those around them: where they are, how those that are not free move,
-  // and which hold their phases: free ones that cannot go everywhere, others that are not on the
-  // interface.
+  // The free vertices, followed by the vertices around them. `positions` and `are_held` have an
+  // entry for each vertex, `known` has the displacement of each vertex that is not free. `are_held`
+  // marks vertices that constrain their phase: free vertices that cannot move in all directions,
+  // and other vertices that are not on the interface.
   struct Vertices
   {
     std::vector<Vector> positions, known;
     std::vector<char> are_held;
   };
 
-  // A vertex around a phase may come more than once, and counts for more.
+  // A vertex may occur several times at a phase; its weight is the number of occurrences.
   Affine_phases(std::size_t number_of_phases, const std::vector<std::uint32_t>& phase_of_free,
                 const std::vector<Around>& around, const Vertices& vertices)
       : m_vertices(vertices), m_number_of_free(phase_of_free.size()), m_phases(number_of_phases) {
@@ -51,15 +52,17 @@ public:
     find_motions(around);
   }
 
-  // The motion of a phase at a vertex.
+  // Returns the displacement of a vertex by the affine motion of a phase.
   Vector motion(std::uint32_t phase, std::uint32_t v) const { return motion(m_phases[phase], v); }
 
-  // How a vertex that is not free deviates from it.
+  // Returns the difference between the displacement of a vertex that is not free and the affine
+  // motion of the phase.
   Vector deviation(std::uint32_t phase, std::uint32_t v) const {
     return deviation(m_phases[phase], v);
   }
 
-  // Whether one next to the free vertices of the phase does.
+  // Returns whether a vertex next to the free vertices of the phase deviates from the affine
+  // motion.
   bool deviates(std::uint32_t phase) const { return m_phases[phase].deviates; }
 
 private:
@@ -67,7 +70,7 @@ private:
 
   struct Phase
   {
-    double longest = 0; // way around it, squared
+    double longest = 0; // squared length of the longest displacement at the phase
     bool is_held = false, deviates = false;
     double weight = 0;
     Vector center = Vector::Zero(), mean = Vector::Zero();
@@ -79,7 +82,7 @@ private:
   const Vector& position(std::uint32_t v) const { return m_vertices.positions[v]; }
   const Vector& known(std::uint32_t v) const { return m_vertices.known[v - m_number_of_free]; }
 
-  // By least squares.
+  // Fits the affine motions by least squares.
   void find_motions(const std::vector<Around>& around) {
     for (const auto& [i, v] : around) {
       m_phases[i].weight += 1;
@@ -106,7 +109,8 @@ private:
       m_phases[i].deviates = m_phases[i].deviates || !deviation(m_phases[i], v).isZero(0);
   }
 
-  // Of a symmetric matrix on its range: what lies in a plane tells nothing of other directions.
+  // Returns the pseudoinverse of a symmetric matrix. Positions that lie in a plane determine no
+  // motion in the normal direction.
   static Matrix inverse(const Matrix& matrix) {
     static constexpr double negligible = 1e-14;
     const Eigen::SelfAdjointEigenSolver<Matrix> solver(matrix);
@@ -124,7 +128,7 @@ private:
   }
 
   Vector deviation(const Phase& phase, std::uint32_t v) const {
-    static constexpr double negligible = 1e-6; // of the longest way
+    static constexpr double negligible = 1e-6; // relative to the longest displacement
     const Vector result = known(v) - motion(phase, v);
     if (result.squaredNorm() > negligible * negligible * phase.longest)
       return result;

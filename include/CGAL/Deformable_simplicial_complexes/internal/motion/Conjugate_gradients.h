@@ -20,17 +20,17 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-Conjugate gradients for systems that have one symmetric, positive semidefinite matrix and d right
-sides, in one pass over it for all; with its diagonal as preconditioner. Scalar products are summed
-up within blocks of rows, then over these in their order, so that the number of threads changes no
-bit.
+A preconditioned conjugate gradient solver for systems with one symmetric, positive semidefinite
+matrix and d right-hand sides, all solved in the same iterations. The preconditioner is the
+diagonal. The method is deterministic for any number of threads: scalar products are summed within
+blocks of rows, and then over the blocks in their order.
 */
 template <int d> class Conjugate_gradients
 {
 public:
-  using Vector = Eigen::Matrix<double, d, 1>; // of a row, for each right side
+  using Vector = Eigen::Matrix<double, d, 1>; // the values of a row, one for each right-hand side
 
-  struct Entry // beside the diagonal
+  struct Entry // an off-diagonal entry
   {
     std::uint32_t column;
     double value;
@@ -40,9 +40,9 @@ public:
                       const For_each_index& for_each_index)
       : m_matrix(matrix), m_diagonal(diagonal), m_for_each_index(for_each_index) {}
 
-  // Until the residuals, weighted by the inverse of the diagonal, are a part of what they were, or
-  // after a number of iterations. Unknowns stay 0 where `is_held(row, side)`, and where the
-  // diagonal is not positive.
+  // Iterates until the residual norm, weighted by the inverse of the diagonal, is at most `part`
+  // times its initial value, or the maximum number of iterations is reached. Unknowns stay 0 where
+  // `is_held(row, side)`, and where the diagonal is not positive.
   template <class IsHeld>
   std::vector<Vector> solve(std::vector<Vector> residuals, const IsHeld& is_held, double part,
                             int maximum_number_of_iterations) const {
@@ -77,7 +77,7 @@ public:
   }
 
 private:
-  // Of a row with vectors.
+  // Returns the product of a row with the vectors.
   Vector product(std::size_t i, const std::vector<Vector>& vectors) const {
     Vector result = m_diagonal[i] * vectors[i];
     for (const Entry& e : m_matrix.row(i))
@@ -85,7 +85,7 @@ private:
     return result;
   }
 
-  // Of what a function of rows returns.
+  // Returns the sum of f over all rows, in a deterministic order.
   template <class Function> Vector sum(const Function& f) const {
     std::vector<Vector> sums(m_matrix.number_of_blocks(), Vector::Zero());
     m_matrix.for_each_block(m_for_each_index, [&](std::size_t b) {
@@ -99,7 +99,7 @@ private:
     return result;
   }
 
-  // 0 where a side has been solved for.
+  // Returns the quotients of the components; 0 for a right-hand side that is already solved.
   static Vector ratio(const Vector& a, const Vector& b) {
     Vector result = Vector::Zero();
     for (int side = 0; side < d; ++side)

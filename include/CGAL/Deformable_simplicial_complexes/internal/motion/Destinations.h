@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Where vertices are to be at the end of a deformation, and where they were at its beginning.
+// The destinations of vertices at the end of a deformation, and their positions at its beginning.
 template <class Complex> class Destinations
 {
 public:
@@ -25,7 +25,8 @@ public:
 
   explicit Destinations(const Complex& complex) : m_complex(complex) {}
 
-  // A point that v may go to. By increasing time stamp, and before anything moves.
+  // Adds the destination of v, unless v is already there. Must be called by increasing time stamp,
+  // and before anything moves.
   void add(Vertex_handle v, const Point& destination) {
     if (v->point() == destination)
       return;
@@ -34,11 +35,12 @@ public:
     m_ways.push_back({v, v->time_stamp(), m_complex.position(v), destination, true});
   }
 
-  // Those that have not arrived, by increasing time stamp.
+  // Returns the vertices that have not reached their destinations, by increasing time stamp.
   const std::vector<Vertex_handle>& unfinished() const { return m_unfinished; }
 
-  // Finds those that have arrived since the last call. Returns the number of those that will not,
-  // as they are gone or have left the interface.
+  // Removes the vertices that have reached their destinations since the last call. Returns the
+  // number of vertices that can no longer reach their destinations, because they were removed or
+  // are no longer on the interface.
   std::size_t update() {
     std::size_t vanished = 0, kept = 0;
     for (std::size_t k = 0; k < m_open.size(); ++k) {
@@ -59,34 +61,35 @@ public:
     return vanished;
   }
 
-  // Whether v has not arrived.
+  // Returns whether v has a destination that it has not reached yet.
   bool has(Vertex_handle v) const {
     const Way* way = find(v);
     return way && way->is_open;
   }
 
+  // Returns the destination of v.
   // \pre has(v)
   const Point& operator[](Vertex_handle v) const {
     CGAL_precondition(has(v));
     return find(v)->destination;
   }
 
-  // Where v is to be in the end.
+  // Returns the destination of v, or its current position if it has none.
   Position final_position(Vertex_handle v) const {
     const Way* way = find(v);
     return way && way->is_open ? m_complex.approximate(way->destination) : m_complex.position(v);
   }
 
-  // Where v was.
+  // Returns the position of v before the deformation.
   Position position_before(Vertex_handle v) const {
     const Way* way = find(v);
     return way ? way->before : m_complex.position(v);
   }
 
-  // Whether it was at another place than its destination.
+  // Returns whether v had a destination different from its initial position.
   bool had(Vertex_handle v) const { return find(v) != nullptr; }
 
-  // Those that had another place than their destination and are still on the interface.
+  // Returns the vertices with had(v) that are still on the interface.
   std::vector<Vertex_handle> moved() const {
     std::vector<Vertex_handle> result;
     for (const Way& way : m_ways)
@@ -95,7 +98,7 @@ public:
     return result;
   }
 
-  // Where one of the unfinished vertices goes, and how far it still has to.
+  // Return the destination and the remaining distance of the k-th unfinished vertex.
   const Point& destination(std::size_t k) const { return m_ways[m_open[k]].destination; }
   double remaining_distance(std::size_t k) const {
     const Way& way = m_ways[m_open[k]];
@@ -103,7 +106,7 @@ public:
         m_complex.displacement(way.vertex, m_complex.approximate(way.destination)));
   }
 
-  // Of all of them.
+  // Returns the sum of the remaining distances of all unfinished vertices.
   double remaining_distance() const {
     double sum = 0;
     for (std::size_t k = 0; k < m_open.size(); ++k)
@@ -111,7 +114,7 @@ public:
     return sum;
   }
 
-  // The one of them with the longest way, if there is one.
+  // Returns the index of the unfinished vertex with the largest remaining distance; 0 without any.
   std::size_t farthest() const {
     std::size_t result = 0;
     double longest = 0;
@@ -141,9 +144,9 @@ private:
   }
 
   const Complex& m_complex;
-  std::vector<Way> m_ways;                 // by time stamp
-  std::vector<std::size_t> m_open;         // indices of ways
-  std::vector<Vertex_handle> m_unfinished; // their vertices
+  std::vector<Way> m_ways;                 // sorted by time stamp
+  std::vector<std::size_t> m_open;         // indices of unfinished entries of `m_ways`
+  std::vector<Vertex_handle> m_unfinished; // vertices of these entries
 };
 
 } // namespace internal

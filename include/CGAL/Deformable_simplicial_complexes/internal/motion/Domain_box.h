@@ -17,15 +17,15 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The box that is the domain of a complex. Domains of other shapes have none: their boundary is
-// fixed, and what lies outside of them is not decided here.
+// The box that is the domain of a complex. Domains of other shapes have no box: their boundary is
+// fixed, and points are not clamped.
 template <class Complex> class Domain_box
 {
 public:
   using Point = typename Complex::Approximate_point;
   static constexpr int d = Complex::dimension;
 
-  // Linear in the boundary.
+  // Linear in the size of the boundary.
   explicit Domain_box(const Complex& complex) {
     if constexpr (Complex::Domain::has_outside) {
       if (complex.number_of_cells() == 0)
@@ -45,7 +45,8 @@ public:
   bool is_box() const { return m_is_box; }
   const Extent<d>& extent() const { return m_extent; }
 
-  // Moves a point that lies outside the box to the nearest point of it. Returns whether it does.
+  // Moves a point outside the box to the nearest point of the box. Returns whether the point was
+  // moved.
   bool clamp(Point& p) const {
     if (!m_is_box)
       return false;

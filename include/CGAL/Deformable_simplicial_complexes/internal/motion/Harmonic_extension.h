@@ -30,11 +30,12 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-Extends displacements from the interface into the space around: each component solves the Laplace
-equation by linear finite elements, with a conductivity that is inverse to what a cell measures. So
-all cells withstand a change of their shape alike, and small ones, where the interface is fine, keep
-theirs at the cost of large ones. If all of the closed interface around a phase moves affinely, so
-does the phase: what is solved for is the deviation from the affine motion that fits best.
+The harmonic extension of displacements from the interface to the surrounding space. Each component
+of the displacement solves the Laplace equation, by linear finite elements. The conductivity of a
+cell is the inverse of its measure. So all cells resist a change of their shape equally, and small
+cells near a fine interface keep their shape at the cost of large ones. If the closed interface
+around a phase moves affinely, the phase moves in the same way: the unknown is the deviation from
+the affine motion that fits best.
 */
 template <class Complex> class Harmonic_extension
 {
@@ -43,8 +44,8 @@ public:
   using Displacement = typename Complex::Approximate_vector;
   static constexpr int d = Complex::dimension;
 
-  // `free` are the vertices to which displacements are extended; `displacement(v)` tells those of
-  // the others next to them, and is asked once for each.
+  // `free` are the vertices to which displacements are extended. `displacement(v)` returns the
+  // displacement of each other vertex next to them, and is called once for each.
   template <class Known>
   Harmonic_extension(const Complex& complex, const std::vector<Vertex_handle>& free,
                      const Known& displacement, const For_each_index& for_each_index)
@@ -54,7 +55,8 @@ public:
     const std::vector<Vertex_handle> vertices = number_vertices();
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       const Vertex_handle v = vertices[i];
-      // On a torus, where no linear map but that to zero is, phases follow the mean motion.
+      // On a torus, no linear map except zero is well defined, so phases follow the mean
+      // displacement.
       m_vertices.positions.push_back(Complex::Domain::has_outside ? coordinates(complex.position(v))
                                                                   : Vector::Zero().eval());
       m_vertices.are_held.push_back(i < free.size() ? complex.is_boundary(v) : !v->is_interface());
@@ -63,8 +65,8 @@ public:
     }
   }
 
-  // The displacements of the free vertices. Those on the boundary of the domain go within its
-  // sides.
+  // Returns the displacements of the free vertices. Vertices on the boundary of the domain move
+  // within their sides.
   std::vector<Displacement> solve() const {
     const Phases phases(m_number_of_phases, m_phases, m_around, m_vertices);
     const Unknowns unknowns(phases, m_phases);
@@ -106,7 +108,7 @@ private:
         }
     }
 
-    std::vector<std::uint32_t> row; // of a free vertex
+    std::vector<std::uint32_t> row; // row of each free vertex
     std::vector<std::uint32_t> vertices;
   };
 
@@ -114,7 +116,8 @@ private:
     return Vector(coordinates_of<d>(p).data());
   }
 
-  // Finds those of a free vertex by its star, and notes the label around it.
+  // Returns a function that computes the neighbors of a free vertex from its star, and stores the
+  // label around the vertex.
   auto neighbors() {
     using Cell_handle = typename Complex::Cell_handle;
     return [this, star = std::vector<Cell_handle>(), found = std::vector<Vertex_handle>(),
@@ -142,7 +145,8 @@ private:
             positions.push_back(m_complex.position_near(positions.front(), w));
             weights.push_back(0);
           }
-          // On a torus from where all rows see the cell, so that they agree on it to the last bit.
+          // On a torus, the position of a cell must not depend on the row, so that all rows compute
+          // the same values.
           corners[j] = Complex::Domain::has_outside ? positions[number[j]] : m_complex.corner(c, j);
         }
         const auto stiffness = Linear_element<Complex>(corners).evened_stiffness(own);
@@ -161,10 +165,11 @@ private:
     m_number_of_phases = numbers.size();
   }
 
-  // Free ones first. Notes which of the others are around which phases.
+  // Numbers the vertices, free vertices first. Records which of the other vertices are at which
+  // phases.
   std::vector<Vertex_handle> number_vertices() {
     std::vector<Vertex_handle> vertices = m_free;
-    std::vector<std::uint32_t> last_phase; // of those that are not free
+    std::vector<std::uint32_t> last_phase; // the last phase of each vertex that is not free
     for (std::uint32_t i = 0; i < m_free.size(); ++i)
       for (const Neighbor& n : m_neighbors.row(i)) {
         const std::uint32_t number = m_numbers.add(n.vertex, vertices);
@@ -178,9 +183,10 @@ private:
     return vertices;
   }
 
-  // The extension only guides: what it proposes is checked, so that a rough solution will do.
+  // Computes the deviations. A low accuracy is sufficient, because each proposed motion is checked
+  // later.
   std::vector<Vector> deviations_of(const Phases& phases, const Unknowns& unknowns) const {
-    static constexpr double part = 5e-3; // of the residuals
+    static constexpr double part = 5e-3; // relative reduction of the residuals
     static constexpr int maximum_number_of_iterations = 200;
     using Entry = typename Solver::Entry;
     std::vector<Vector> right(unknowns.vertices.size(), Vector::Zero());
@@ -208,14 +214,14 @@ private:
             part, maximum_number_of_iterations);
   }
 
-  // In the order in which the constructor needs them.
+  // The order of the members is the order of their construction.
   const Complex& m_complex;
   const std::vector<Vertex_handle>& m_free;
   const For_each_index& m_for_each_index;
-  std::vector<typename Complex::Label> m_labels; // around free vertices
+  std::vector<typename Complex::Label> m_labels; // labels around free vertices
   Row_blocks<Neighbor> m_neighbors;
   Vertex_numbers m_numbers;
-  std::vector<std::uint32_t> m_phases; // of free vertices
+  std::vector<std::uint32_t> m_phases; // phases of free vertices
   std::size_t m_number_of_phases = 0;
   std::vector<typename Phases::Around> m_around;
   typename Phases::Vertices m_vertices;

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Points proposed for vertices, and what the complex would be like with them. Vertices are known by
-// their place in the list.
+// Proposed points for a list of vertices, and the validity and quality of the complex with these
+// points. Vertices are identified by their index in the list.
 template <class Complex> class Proposed_motion
 {
 public:
@@ -50,14 +50,15 @@ public:
   bool has(Vertex_handle v) const { return m_numbers.has(v); }
   Number number(Vertex_handle v) const { return m_numbers(v); }
 
-  // The finite cells around all vertices.
+  // Returns the finite cells around all vertices.
   const std::vector<Cell_handle>& cells() const { return m_cells; }
 
-  // Where any vertex would be.
+  // Returns the proposed position of a vertex of the list, or the current position of any other
+  // vertex.
   Approximate_point position(Vertex_handle v) const { return m_complex.approximate(point_of(v)); }
 
-  // Returns the cells that would not be positive. Also measures all cells as they are, so that each
-  // is looked at once.
+  // Returns the cells that would not be positively oriented. Also stores the current measures of
+  // all cells, so that each cell is visited once.
   std::vector<Cell_handle> inverted_cells() {
     std::vector<char> is_inverted(m_cells.size());
     m_measures.resize(m_cells.size());
@@ -68,8 +69,9 @@ public:
     return chosen(m_cells, is_inverted);
   }
 
-  // Returns the cells that would not keep their quality. Measures the qualities that have changed
-  // since the last call. \pre all cells would be positive
+  // Returns the cells whose quality would fall below the floor. Tests all cells in the first call,
+  // and then the cells that have changed since the previous call.
+  // \pre all cells would be positively oriented
   std::vector<Cell_handle> degraded_cells() {
     std::vector<char> is_degraded(m_cells.size());
     const bool is_first = m_qualities.empty();
@@ -84,7 +86,8 @@ public:
     return chosen(m_cells, is_degraded);
   }
 
-  // Of some cells, those that would not be positive or not keep their quality.
+  // Returns those of the given cells that would not be positively oriented, or whose quality would
+  // fall below the floor.
   std::vector<Cell_handle> bad_cells(const std::vector<Cell_handle>& cells) const {
     std::vector<char> is_bad(cells.size());
     m_for_each_index(cells.size(), [&](std::size_t i) {
@@ -94,7 +97,7 @@ public:
     return chosen(cells, is_bad);
   }
 
-  // The finite cells around vertices, each once.
+  // Returns the finite cells around vertices, each once.
   std::vector<Cell_handle> stars(std::vector<Number> numbers) const {
     std::sort(numbers.begin(), numbers.end());
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
@@ -104,7 +107,8 @@ public:
     return stars_of(m_complex, vertices);
   }
 
-  // The moving vertices of cells for which a condition on the number holds, increasing.
+  // Returns the moving vertices of cells for which a condition on the number holds, in increasing
+  // order.
   template <class Condition>
   std::vector<Number> vertices_of(const std::vector<Cell_handle>& cells,
                                   const Condition& condition) const {
@@ -118,19 +122,21 @@ public:
     return result;
   }
 
-  // The worst quality that cells would have, or the bound if that is not above it.
+  // Returns the worst quality of the cells after the motion, or `bound` if a quality is not above
+  // it.
   double worst_quality(const std::vector<Cell_handle>& cells, double bound) const {
     double worst = std::numeric_limits<double>::infinity();
     for (Cell_handle c : cells) {
       const double after = quality(c);
-      if (!(after > bound)) // or not a number
+      if (!(after > bound)) // or is not a number
         return bound;
       worst = (std::min)(worst, after);
     }
     return worst;
   }
 
-  // \pre there are no inverted cells and no degraded ones, by the functions above
+  // Moves the vertices to the proposed points.
+  // \pre inverted_cells() and degraded_cells() are empty
   void commit() {
     m_complex.set_points(m_vertices, m_points, m_cells, m_measures, m_qualities, m_for_each_index);
   }
@@ -153,7 +159,7 @@ private:
     return m_complex.is_positive(c, [&](Vertex_handle v) -> const Point& { return point_of(v); });
   }
 
-  // Whether a vertex of a cell has another point than when qualities were measured.
+  // Returns whether a vertex of the cell has a new point since the qualities were computed.
   bool is_changed(Cell_handle c) const {
     for (int i = 0; i < Complex::corners; ++i)
       if (has(c->vertex(i)) && m_are_changed[number(c->vertex(i))])
@@ -170,11 +176,11 @@ private:
   const For_each_index& m_for_each_index;
   const std::vector<Vertex_handle>& m_vertices;
   std::vector<Point> m_points;
-  std::vector<char> m_are_changed; // since the qualities were measured
+  std::vector<char> m_are_changed; // points that changed since the qualities were computed
   Vertex_numbers m_numbers;
   std::vector<Cell_handle> m_cells;
-  std::vector<double> m_measures;  // of the cells, as they are
-  std::vector<double> m_qualities; // of the cells, as they would be
+  std::vector<double> m_measures;  // current measures of the cells
+  std::vector<double> m_qualities; // qualities of the cells after the motion
 };
 
 } // namespace internal

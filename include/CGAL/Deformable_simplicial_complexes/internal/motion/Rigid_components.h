@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Tells which parts of the interface stay or move as a whole in a deformation, and so keep their
-// facets.
+// Tests which connected components of the interface stay or move rigidly in a deformation, and
+// therefore keep their facets.
 template <class Complex> class Rigid_components
 {
 public:
@@ -31,7 +31,7 @@ public:
 
   bool has_moved(Vertex_handle v) const { return v->is_interface() && m_destinations.had(v); }
 
-  // Whether a cell has vertices on the interface, none of which moved.
+  // Returns whether a cell has vertices on the interface, and none of them has moved.
   bool has_stayed(Cell_handle c) const {
     bool result = false;
     for (int i = 0; i < Complex::corners; ++i) {
@@ -42,21 +42,22 @@ public:
     return result;
   }
 
-  // Whether all vertices of a cell are on the interface and are as far from each other as they were
-  // before the motion.
+  // Returns whether all vertices of a cell are on the interface and have kept their mutual
+  // distances.
   bool has_moved_as_a_whole(Cell_handle c) const {
     return number_of_rigid_vertices(c, now()) == Complex::corners;
   }
 
-  // Whether they will be so in the end.
+  // Returns whether all vertices of a cell are on the interface and will keep their mutual
+  // distances until the end of the deformation.
   bool moves_as_a_whole(Cell_handle c) const {
     return number_of_rigid_vertices(c, [&](Vertex_handle v) {
              return m_destinations.final_position(v);
            }) == Complex::corners;
   }
 
-  // Whether the part of the interface that a cell touches has moved as a whole: the vertices of the
-  // cell, or, around a single one, those next to it.
+  // Returns whether the interface touched by a cell has moved rigidly. The test uses the vertices
+  // of the cell or, if only one is on the interface, the interface vertices around it.
   bool touches_rigid_part(Cell_handle c) const {
     const int number = number_of_rigid_vertices(c, now());
     if (number != 1)
@@ -72,7 +73,7 @@ private:
     return [this](Vertex_handle v) { return m_complex.position(v); };
   }
 
-  // The number of vertices of a cell on the interface if they move as a whole, else -1.
+  // Returns the number of vertices of a cell on the interface if they move rigidly, -1 otherwise.
   template <class Position_of>
   int number_of_rigid_vertices(Cell_handle c, const Position_of& position) const {
     int number = 0;
@@ -97,8 +98,8 @@ private:
     });
   }
 
-  // Whether two vertices at their positions are as far from each other as before the motion, but
-  // for what coordinates are rounded by.
+  // Returns whether the distance of two vertices at the given positions equals their distance
+  // before the motion, up to a small relative tolerance and rounding of the coordinates.
   template <class Position_of>
   bool are_as_far(Vertex_handle v, Vertex_handle w, const Position_of& position) const {
     static constexpr double same = 1e-6, precision = 1e-15;

@@ -19,9 +19,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The fraction of the way of a vertex to its destination at which its star first has a flat cell,
-// if nothing else moves: rational, without rounding, for points with coordinates of type `double`.
-// At least 1 if it can go all the way.
+// Returns the fraction of the displacement of a vertex at which a cell of its star first becomes
+// flat, if nothing else moves. The fraction is computed exactly for points with coordinates of type
+// `double`. Returns at least 1 if the vertex can reach its destination.
 template <class Complex>
 Exact_rational first_collision(const Complex& complex, const Destinations<Complex>& destinations,
                                typename Complex::Vertex_handle v,
@@ -44,7 +44,7 @@ Exact_rational first_collision(const Complex& complex, const Destinations<Comple
             return Exact_rational(link[row][column]) - Exact_rational(p[column]);
           });
     };
-    // What a cell measures is linear along the way.
+    // The measure of a cell is linear in the displacement of one vertex.
     const Exact_rational here = measure_with(from), there = measure_with(to);
     if (CGAL::sign(there) != CGAL::sign(here))
       first = (std::min)(first, Exact_rational(here / (here - there)));
@@ -52,7 +52,7 @@ Exact_rational first_collision(const Complex& complex, const Destinations<Comple
   return first;
 }
 
-// Sorts vertices by their first collisions; those that collide at the same time keep their order.
+// Sorts vertices by the fraction of their first collision. The sort is stable.
 template <class Complex>
 void sort_by_first_collision(const Complex& complex, const Destinations<Complex>& destinations,
                              std::vector<typename Complex::Vertex_handle>& vertices) {

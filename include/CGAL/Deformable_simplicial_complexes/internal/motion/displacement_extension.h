@@ -23,11 +23,15 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-How free vertices go while the interface does: where the flow of space is known, they follow it, and
-deviate from it only as interface and boundary do; elsewhere they follow the interface and those.
+Computes the displacements of free vertices from the displacement of the interface.
 
-`way(v)` is what a vertex of the interface has before it, and nothing for those of the boundary;
-`flow(v)` where any vertex is taken by the flow, if that is known; the longest way is known.
+Free vertices at which the flow is known follow the flow; their deviation from it is the harmonic
+extension of the deviation of the interface and the boundary. The other free vertices get the
+harmonic extension of the displacements around them.
+
+`way(v)` is the remaining displacement of an interface vertex, and zero for boundary vertices.
+`flow(v)` is the displacement of any vertex by the flow, if it is known. `longest` is the length of
+the longest displacement.
 */
 template <class Complex, class Way, class Flow>
 std::vector<typename Complex::Approximate_vector>
@@ -36,12 +40,12 @@ displacement_extension(const Complex& complex,
                        const Flow& flow, double longest, const For_each_index& for_each_index) {
   using Vertex_handle = typename Complex::Vertex_handle;
   using Vector = typename Complex::Approximate_vector;
-  static constexpr double part = 1e-6; // of the longest way: differences below count as none
+  static constexpr double part = 1e-6; // relative to the longest displacement
   const double negligible = part * longest;
   if (auto followed = motion_by_flow(complex, free, way, flow, longest, negligible))
     return *std::move(followed);
   std::vector<Vertex_handle> guided, others;
-  std::vector<Vector> flows; // of guided ones
+  std::vector<Vector> flows; // displacements of guided vertices by the flow
   for (Vertex_handle v : free)
     if (const std::optional<Vector> known = flow(v)) {
       guided.push_back(v);

@@ -17,9 +17,10 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Free vertices near moving ones: those within a number of layers of edges, or all of them if much
-// of the interface moves. Those on the boundary of the domain are free if their sides permit and
-// one of these has a moving vertex, too: a line of contact takes its surroundings along.
+// Returns the free vertices near moving vertices, by increasing time stamp: the vertices within a
+// number of layers of edges, or all free vertices if many vertices move. A vertex on the boundary
+// of the domain is free if it can move within its sides and one of these sides has a moving vertex:
+// a contact line moves the boundary vertices around it.
 template <class Complex>
 std::vector<typename Complex::Vertex_handle>
 free_vertices_near(const Complex& complex,

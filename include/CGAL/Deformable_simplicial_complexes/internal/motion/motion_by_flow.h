@@ -19,13 +19,18 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-How all free vertices go if the whole interface goes with a flow of space that is known everywhere:
-with it, too. If it would take along the boundary of the domain, a box, it fades towards that, but
-not before half-way between the boundary and the interface where that is nearest to it. Nothing if
-that is not so, or there is too little room to fade.
+Computes the displacements of all free vertices if the whole interface follows a flow that is known
+everywhere: the free vertices follow the flow, too.
 
-`way(v)` is what a vertex of the interface has before it, the longest way is known; `flow(v)` where
-any vertex is taken by the flow; differences below a length count as none.
+If the flow would move the boundary of the domain, a box, the displacement is scaled down to zero
+towards the boundary. The scaling begins at half of the smallest distance between the interface and
+the boundary. Returns `nullopt` if the flow is not known everywhere, the interface deviates from the
+flow, the boundary is fixed, some inner vertices are not free, or that distance is too small for the
+longest displacement.
+
+`way(v)` is the remaining displacement of an interface vertex, `flow(v)` the displacement of any
+vertex by the flow. `longest` is the length of the longest displacement. Differences up to
+`negligible` are ignored.
 */
 template <class Complex, class Way, class Flow>
 std::optional<std::vector<typename Complex::Approximate_vector>>
@@ -33,8 +38,8 @@ motion_by_flow(const Complex& complex, const std::vector<typename Complex::Verte
                const Way& way, const Flow& flow, double longest, double negligible) {
   using Vertex_handle = typename Complex::Vertex_handle;
   using Vector = typename Complex::Approximate_vector;
-  static constexpr double fading = .5;     // of the room: cells at the interface keep their shape
-  static constexpr double steepest = .125; // the longest way over that part of the room
+  static constexpr double fading = .5; // of the distance: cells at the interface keep their shape
+  static constexpr double steepest = .125; // longest displacement relative to the fading distance
   const auto is_negligible = [&](const Vector& d) {
     return d.squared_length() <= negligible * negligible;
   };

@@ -18,10 +18,10 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-Holds vertices back where cells would invert: each goes half of its way, then a quarter, and so on.
-So that a vertex held back does not shear the cells around it, its neighbors get ahead of it by a
-part of the edge between them at the most, theirs again, and so on; farther away nothing is held
-back.
+A reduction of displacements where cells would be inverted. The displacement of a vertex is halved,
+then halved again, and so on. The neighbors of the vertex are reduced, too, so that the cells around
+it are not sheared: along each edge, the moved fractions differ by at most a quarter of the edge
+length relative to the displacement. Vertices farther away keep their displacements.
 */
 template <class Complex> class Holding_back
 {
@@ -38,18 +38,20 @@ public:
       m_targets.push_back(motion.point(i));
   }
 
-  // Runs until no cell inverts or degrades, given those that would. The rounds end because in each
-  // a vertex is held back further, and cells whose vertices all stay are positive.
+  // Runs until no cell is inverted or degraded, starting with the given bad cells. This terminates:
+  // each round reduces a displacement further, and cells whose vertices all stay are positively
+  // oriented.
   void run(std::vector<Cell_handle> bad) {
     while (!bad.empty())
       bad = m_motion.bad_cells(m_motion.stars(hold_back(bad)));
   }
 
 private:
-  static constexpr double shortest_way = 1. / 16; // below, a vertex stays
-  static constexpr double lead = .25;             // of an edge, by which one end may get ahead
+  static constexpr double shortest_way = 1. / 16; // smaller fractions are set to 0
+  static constexpr double lead = .25; // of the edge length: maximum difference along an edge
 
-  // Holds back the moving vertices of cells, and those around. Returns all of them.
+  // Halves the displacements of the moving vertices of cells, and reduces the displacements of the
+  // vertices around them. Returns all vertices with a reduced displacement.
   std::vector<Number> hold_back(const std::vector<Cell_handle>& cells) {
     std::vector<Number> held = m_motion.vertices_of(cells, [&](Number i) { return m_way[i] > 0; });
     for (Number i : held)
@@ -69,7 +71,8 @@ private:
     return held;
   }
 
-  // Bounds the way of a vertex by that of its neighbor. Returns whether it got shorter.
+  // Bounds the moved fraction of a vertex by the fraction of its neighbor. Returns whether the
+  // fraction was reduced.
   bool follow(Number i, Number neighbor, const typename Complex::Approximate_vector& edge) {
     const double length = std::sqrt(edge.squared_length());
     const double distance = std::sqrt(displacement(i).squared_length());
@@ -96,16 +99,16 @@ private:
 
   Motion& m_motion;
   std::vector<Point> m_targets;
-  std::vector<double> m_way; // the part of the way that each vertex goes
+  std::vector<double> m_way; // fraction of the displacement of each vertex
 };
 
 /*
-Moves vertices towards their targets all at once, as far as no cell inverts or falls below the
-quality floor. Where a cell would, its free vertices look for a better place; if there is none, its
-moving vertices are held back. Returns the cells around the vertices.
+Moves vertices simultaneously towards their targets, as far as no cell is inverted or falls below
+the quality floor. Where a cell would be inverted, its free vertices are relocated. If this does not
+help, the displacements of its moving vertices are reduced. Returns the cells around the vertices.
 
-With every cell positive and the boundary of the domain in place, the map from the old to the new
-complex is a homeomorphism: nothing was passed through on the way.
+All cells stay positively oriented and the boundary of the domain stays in place. Thus the map from
+the old to the new complex is a homeomorphism.
 */
 template <class Complex>
 std::vector<typename Complex::Cell_handle>

@@ -18,8 +18,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Proposes other points to a free vertex, and takes what is best for its star: going along with the
-// interface around, and the mean of the neighbors, each all the way and half of it.
+// Proposes other points for a free vertex, and keeps the point with the best star quality. The
+// candidates are the mean motion of the interface vertices around and the mean of the neighbors,
+// each with step lengths 1 and 1/2.
 template <class Complex>
 void relocate(Proposed_motion<Complex>& motion, typename Proposed_motion<Complex>::Number i) {
   using Cell_handle = typename Complex::Cell_handle;
@@ -71,12 +72,12 @@ void relocate(Proposed_motion<Complex>& motion, typename Proposed_motion<Complex
   }
 }
 
-// Lets the free vertices of cells that would invert look for better places. Returns the cells that
-// still would.
+// Relocates the free vertices of cells that would be inverted. Returns the cells that would still
+// be inverted.
 template <class Complex>
 std::vector<typename Complex::Cell_handle>
 untangle(Proposed_motion<Complex>& motion, std::vector<typename Complex::Cell_handle> cells) {
-  static constexpr int rounds = 2; // more, or their neighbors, too, take long and help few
+  static constexpr int rounds = 2; // more rounds are slow and seldom help
   const auto is_free = [&](auto i) { return !motion.vertex(i)->is_interface(); };
   auto suspects = cells;
   for (int round = 0; round < rounds && !cells.empty(); ++round) {

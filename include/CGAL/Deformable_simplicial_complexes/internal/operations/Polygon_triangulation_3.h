@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The triangulation of a polygon for which the worst quality of the tetrahedra over and under it,
-// to the apices b and a, is best: Klincsek's dynamic programme.
+// The triangulation of a polygon that maximizes the worst quality of the tetrahedra that join its
+// triangles to the apices b and a. Computed by Klincsek's dynamic program.
 template <class Complex> class Polygon_triangulation_3
 {
 public:
@@ -29,20 +29,20 @@ public:
   using Cavity = Deformable_simplicial_complexes::Cavity<Complex>;
   using Index = typename Cavity::Index;
 
-  // Of a polygon: bounds the cubic cost. Meshes that are improved hardly have rings of half as
-  // many.
+  // The maximum number of polygon vertices, which bounds the cubic cost. Polygons around edges of
+  // improved meshes are much smaller.
   static constexpr std::size_t maximum_number_of_vertices = 52;
 
   Polygon_triangulation_3(Cavity& cavity, Index a, Index b) : m_cavity(cavity), m_a(a), m_b(b) {}
 
-  // Plans the tetrahedra in the cavity. The polygon has n vertices, vertex(0), ..., vertex(n - 1),
-  // counterclockwise seen from b. Returns false if the worst quality is not above `bound`.
+  // Plans the tetrahedra in the cavity. The vertices vertex(0), ..., vertex(n - 1) of the polygon
+  // are counterclockwise seen from b. Returns false if the worst quality is not above `bound`.
   // \pre n <= maximum_number_of_vertices
   template <class Vertex>
   bool create(std::size_t n, const Vertex& vertex, double bound, Cell_handle parent) {
     CGAL_precondition(n <= maximum_number_of_vertices);
-    // best[p * n + q]: quality of the best triangulation of the polygon from p to q > p, in which
-    // the triangle (p, apex, q) lies on the edge (p, q).
+    // best[p * n + q]: quality of the best triangulation of the polygon from p to q > p. The
+    // triangle (p, apex, q) is incident to the edge (p, q).
     m_best.assign(n * n, std::numeric_limits<double>::infinity());
     m_apex.assign(n * n, 0);
     for (std::size_t length = 2; length < n; ++length) {
@@ -64,8 +64,8 @@ public:
         }
         is_one_good = is_one_good || value > bound;
       }
-      // Each triangulation has two ears, triangles of three successive vertices, and so at least
-      // one without the edge (0, n - 1).
+      // Each triangulation has at least two ears, that is, triangles of three successive vertices.
+      // At least one of them does not contain the edge (0, n - 1).
       if (length == 2 && !is_one_good)
         return false;
     }
@@ -90,7 +90,7 @@ public:
 private:
   Cavity& m_cavity;
   Index m_a, m_b;
-  // Most polygons have fewer than eight vertices.
+  // Sized for polygons with up to eight vertices, which is the usual case.
   template <class T> using Table = boost::container::small_vector<T, 64>;
   Table<double> m_best;
   Table<std::size_t> m_apex;

@@ -11,8 +11,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The facets that are sandwiched between two vertices a and b: each has a cell with a below and one
-// with b above it. A first facet determines a and b.
+// The facets that are sandwiched between two vertices a and b: each facet has a cell with a below
+// it and a cell with b above it. The first facet determines a and b.
 template <class Complex> class Sandwich_3
 {
 public:
@@ -21,11 +21,11 @@ public:
 
   struct Sheet
   {
-    Cell_handle below, above; // the cells of a facet
+    Cell_handle below, above; // the cells at a facet
   };
   struct Directed_edge
   {
-    Vertex_handle source, target; // its facet is on the left, seen from b
+    Vertex_handle source, target; // the facet is on the left, seen from b
   };
 
   Sandwich_3(const Complex& complex, Cell_handle below, int i)
@@ -41,8 +41,9 @@ public:
     return {{{v[0], v[1]}, {v[1], v[2]}, {v[2], v[0]}}};
   }
 
-  // The sandwiched facet g behind e, an edge of f, if the four cells around e are f's two and its
-  // own two, all of one label; `apex` is its third vertex.
+  // Finds the sandwiched facet g on the other side of the edge e of f. It exists if the four cells
+  // around e are the two cells of f and the two cells of g, all with the same label. `apex` becomes
+  // the third vertex of g.
   bool find_neighbor(const Sheet& f, const Directed_edge& e, Sheet& g, Vertex_handle& apex) const {
     const auto opposite = [&](Cell_handle c, Vertex_handle tip) {
       return 6 - c->index(e.source) - c->index(e.target) - c->index(tip);

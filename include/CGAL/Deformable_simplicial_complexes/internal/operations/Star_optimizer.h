@@ -23,19 +23,19 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The worst quality of a star as a function of the position of its vertex, to be maximised
-// (Freitag, Jones and Plassmann 1995): a minimum of smooth functions, whose steepest ascent is the
-// shortest convex combination of the gradients of those that are active.
+// The worst quality of a star as a function of the position of its vertex, which is maximized
+// (Freitag, Jones and Plassmann 1995). It is a minimum of smooth functions. The direction of
+// steepest ascent is the shortest convex combination of the gradients of the active functions.
 template <class Complex, class Measure = typename Complex::Quality_measure> class Star_optimizer
 {
 public:
   using Point = typename Complex::Approximate_point;
   using Vector = typename Complex::Approximate_vector;
 
-  // A star whose vertex is at p, without cells.
+  // An empty star with its vertex at p.
   Star_optimizer(const Measure& measure, const Point& p) : m_measure(measure), m_position(p) {}
 
-  // The star of v.
+  // The star of v, with its finite cells.
   Star_optimizer(const Complex& complex, const Measure& measure, typename Complex::Vertex_handle v,
                  const std::vector<typename Complex::Cell_handle>& star)
       : Star_optimizer(measure, complex.position(v)) {
@@ -50,16 +50,16 @@ public:
     }
   }
 
-  // The vertex shall not move in a direction, of unit length. Several are orthogonal.
+  // Forbids motion in a direction, given by a unit vector. Several directions must be orthogonal.
   void block(const Vector& direction) { m_blocked.push_back(direction); }
 
-  // Adds a cell of the star, of which the vertex with this index moves.
+  // Adds a cell of the star. The corner `vertex` is the moving one.
   void add(const std::array<Point, Complex::corners>& points, int vertex) {
     add(points, vertex, 0);
     m_functions.back().value = value(m_functions.back(), m_position);
   }
 
-  // The same if the quality of the cell is known.
+  // Adds a cell of the star with known quality.
   void add(const std::array<Point, Complex::corners>& points, int vertex, double quality) {
     Function f;
     f.points = points;
@@ -71,7 +71,7 @@ public:
         std::sqrt((points[(vertex + 1) % Complex::corners] - m_position).squared_length()));
   }
 
-  // A better position, or the present one.
+  // Returns a better position, or the current one if none is found.
   Point run() {
     static constexpr int maximum_number_of_steps = 8;
     for (int i = 0; i < maximum_number_of_steps && step(); ++i) {
@@ -84,7 +84,7 @@ private:
   {
     std::array<Point, Complex::corners> points;
     int vertex;
-    double value, next_value; // at the position, and at one that is tried
+    double value, next_value; // at the current position, and at the tried one
     Vector gradient;
   };
 
@@ -103,8 +103,8 @@ private:
                                               [&](int i) -> const Point& { return f.points[i]; });
   }
 
-  // Whether all functions are above a bound at p. The one that was not the last time is asked
-  // first.
+  // Returns whether all functions are above a bound at p. The function that failed last time is
+  // tested first.
   bool are_above(double bound, const Point& p) {
     const auto is_above = [&](Function& f) { return (f.next_value = value(f, p)) > bound; };
     if (!is_above(m_functions[m_suspect]))
@@ -124,7 +124,8 @@ private:
       f.gradient = f.gradient - (f.gradient * direction) * direction;
   }
 
-  // Of a measure that knows its gradient by the first vertex: with the moving one there.
+  // Returns the gradient for a measure that provides its gradient with respect to the first corner:
+  // the moving corner is passed first.
   template <class M>
   auto gradient_of(const M& measure, const Function& f, int) const
       -> decltype(gradient_by_first(measure, f.points, Corner_sequence())) {
@@ -134,7 +135,7 @@ private:
     return gradient_by_first(measure, points, Corner_sequence());
   }
 
-  // Of any other: by differences.
+  // Returns the gradient for any other measure, by differences.
   template <class M> Vector gradient_of(const M&, const Function& f, long) const {
     static constexpr double part = 1e-6; // of the longest edge
     const double h = part * m_length;
@@ -148,7 +149,8 @@ private:
     return vector_of<Complex>(slopes);
   }
 
-  // The point of the convex hull of the active gradients that is nearest to the origin (Gilbert).
+  // Returns the point of the convex hull of the active gradients that is nearest to the origin
+  // (Gilbert's algorithm).
   Vector steepest_ascent(double bound) const {
     static constexpr int maximum_number_of_iterations = 30;
     static constexpr double tolerance = 1e-2;
@@ -172,21 +174,22 @@ private:
     return d;
   }
 
-  // One step of steepest ascent with a line search. Returns whether it was worth it.
+  // Does one step of steepest ascent with a line search. Returns whether the improvement was
+  // sufficient to continue.
   bool step() {
-    static constexpr double close = .05;          // to the worst value: active, too
-    static constexpr double flat = 1e-3;          // slope over the longest edge: not worth a step
+    static constexpr double close = .05;          // relative to the worst value: also active
+    static constexpr double flat = 1e-3;          // slope times the longest edge; below, no step
     static constexpr double longest_way = .5;     // of the longest edge
-    static constexpr double shortest_part = 1e-3; // of the longest way
-    static constexpr double worth = .02;          // of the worst value: to go on
+    static constexpr double shortest_part = 1e-3; // of the longest step
+    static constexpr double worth = .02;          // least relative gain of a step
     static constexpr int maximum_number_of_halvings = 6;
     double before = std::numeric_limits<double>::infinity();
     for (const Function& f : m_functions)
       before = (std::min)(before, f.value);
-    if (!std::isfinite(before)) // a measure that gives no number
+    if (!std::isfinite(before)) // the measure is not finite
       return false;
-    // Those that are much better than the worst will not become the worst in one step. The worst
-    // may be zero or less by rounding.
+    // Functions far above the worst value cannot become the worst one in this step. The worst value
+    // may be zero or negative because of rounding.
     const double relevant = before + std::abs(before), active = before + close * std::abs(before);
     for (Function& f : m_functions)
       if (f.value <= relevant)
@@ -195,7 +198,7 @@ private:
     const double rate = d.squared_length();
     if (!(std::sqrt(rate) * m_length > flat))
       return false;
-    // As far as another function becomes the worst, by linear prediction.
+    // Limits the step length to where another function becomes the worst one, by linear prediction.
     double way = longest_way * m_length / std::sqrt(rate);
     for (const Function& f : m_functions) {
       if (!(f.value <= relevant))
@@ -219,7 +222,7 @@ private:
     return false;
   }
 
-  static constexpr std::size_t usual_size = 32; // cells of a star, at the most
+  static constexpr std::size_t usual_size = 32; // usual maximum number of cells of a star
 
   const Measure& m_measure;
   Point m_position;

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Lengths from which edges are split and up to which they are collapsed, in edge units.
+// Thresholds for edge lengths, in edge units: longer edges are split, shorter edges are collapsed.
 struct Detail_thresholds
 {
   double split, collapse, collapse_quality;
@@ -39,15 +39,15 @@ inline void check_detail_thresholds(const Detail_thresholds& t) {
     throw Error("a length up to which edges are collapsed is out of range: use 0 or more");
 }
 
-// Splits long edges and collapses short ones, cell by cell. No collapse makes an edge that would be
-// split.
+// Splits long edges and collapses short edges, cell by cell. No collapse creates an edge that would
+// be split.
 template <class Complex> class Detail_controller
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
 
-  // Interface edges are collapsed by `short_unit`, everything else is measured by `unit`.
+  // Lengths are measured by `unit`; lengths of interface edges to be collapsed, by `short_unit`.
   Detail_controller(Complex& complex, Any_visitor<Complex>& visitor,
                     const Detail_thresholds& thresholds, const Edge_unit<Complex>& unit,
                     const Edge_unit<Complex>& short_unit)
@@ -56,7 +56,8 @@ public:
 
   const Improvement_report& report() const { return m_report; }
 
-  // Works on all cells where that is wanted, then on those that arose from them, and so on.
+  // Processes all cells for which `where` holds, then the cells created by these operations, and so
+  // on, for at most `rounds` rounds.
   void run(unsigned rounds, const std::function<bool(Cell_handle)>& where) {
     Work_list<Cell_handle> cells;
     for (Cell_handle c : m_complex.finite_cells())
@@ -69,7 +70,7 @@ public:
   }
 
 private:
-  // Splits the edge of the cell that exceeds its threshold most.
+  // Splits the edge of the cell that exceeds its threshold most. Returns false if none was split.
   bool split(Cell_handle c) {
     int a = 0, b = 0;
     double longest = 1;
@@ -104,7 +105,8 @@ private:
     return true;
   }
 
-  // 0 for an edge that is never split.
+  // Returns the length of an edge relative to its split threshold; 0 for an edge that is never
+  // split.
   double length_by_split_threshold(Cell_handle c, int i, int j) const {
     const Vertex_handle v = c->vertex(i), w = c->vertex(j);
     const bool is_interface = v->is_interface() && w->is_interface() &&
@@ -116,7 +118,7 @@ private:
     if (is_interface)
       return m_thresholds.change_interface ? length(v, w, m_unit) / m_thresholds.interface_split
                                            : 0;
-    // Far from the interface, the input has no length that an edge could be long by.
+    // Far from the interface, the input has no target edge length unless there is a sizing field.
     const bool is_wanted = m_unit.is_sizing_field() || (v->is_interface() && is_tied(w)) ||
                            (w->is_interface() && is_tied(v));
     return is_wanted ? length(v, w, m_unit) / m_thresholds.split : 0;
@@ -131,8 +133,9 @@ private:
            Mesh_operations<Complex>::is_interface_edge(m_complex, c, i, j);
   }
 
-  // All vertices around the vanishing vertex become neighbors of the other one. Between vertices of
-  // the interface the edge may be on it.
+  // Returns whether the planned collapse creates an edge that would be split. All vertices around
+  // the vanishing vertex become neighbors of the kept vertex. An edge between interface vertices is
+  // tested with both thresholds, because it may become an interface edge.
   bool makes_long_edge() const {
     const Vertex_handle kept = m_cavity.kept_vertex();
     return std::any_of(m_cavity.vertices().begin(), m_cavity.vertices().end(), [&](const auto& u) {
@@ -144,7 +147,7 @@ private:
     });
   }
 
-  // Whether a vertex is on the interface or on the boundary of the domain.
+  // Returns whether a vertex is on the interface or on the boundary of the domain.
   bool is_tied(Vertex_handle v) const { return v->is_interface() || m_complex.is_boundary(v); }
 
   double length(Vertex_handle v, Vertex_handle w, const Edge_unit<Complex>& unit) const {
@@ -159,7 +162,7 @@ private:
   Improvement_report m_report;
 };
 
-// `control_detail()` with the parameters that it has read.
+// Implements `control_detail()` after its parameters are read.
 template <class Complex>
 Improvement_report
 run_detail_control(Complex& dsc, const Detail_thresholds& thresholds,

@@ -19,9 +19,9 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-An `Interface_remesher` with the operations of one dimension:
+An `Interface_remesher` with its dimension-specific operations:
 
-- `reconnect()`: joins the vertices of the interface by other facets
+- `reconnect()`: replaces interface facets without moving vertices
 - `split_junctions()`: splits vertices where too many phases meet
 */
 template <class Complex>
@@ -29,7 +29,7 @@ using Interface_improver =
     std::conditional_t<Complex::dimension == 2, Interface_improver_2<Complex>,
                        Interface_improver_3<Complex>>;
 
-// Improves the interface as `improve_interface()` does, with parameters that have been read.
+// Implements `improve_interface()` after its parameters are read.
 template <class Complex>
 Improvement_report remesh_interface(Complex& dsc, const Interface_thresholds& thresholds,
                                     const Edge_unit<Complex>& unit, unsigned iterations,

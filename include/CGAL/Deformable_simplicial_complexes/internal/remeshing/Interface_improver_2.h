@@ -15,7 +15,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Vertices of a curve can be joined in one way only.
+// The interface improvement in the plane. The vertices of a curve can be connected in one way only,
+// so nothing is reconnected.
 template <class Complex> class Interface_improver_2 : public Interface_remesher<Complex>
 {
 public:
@@ -23,7 +24,7 @@ public:
 
   void reconnect() {}
 
-  // A junction of many phases becomes several ones of three.
+  // Splits each junction of more than three phases into several junctions of three.
   void split_junctions() {
     for (auto v : this->m_complex.interface_vertices()) {
       Progress_scope::check();

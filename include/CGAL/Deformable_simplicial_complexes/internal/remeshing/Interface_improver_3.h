@@ -26,7 +26,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// In space, facets have angles, and edges between them can be flipped.
+// The interface improvement in space, where edges between facets can be flipped and small facet
+// angles can be removed.
 template <class Complex> class Interface_improver_3 : public Interface_remesher<Complex>
 {
   using Base = Interface_remesher<Complex>;
@@ -40,7 +41,7 @@ public:
     remove_small_angles();
   }
 
-  void split_junctions() {} // there is no such operation in space
+  void split_junctions() {} // no such operation in space
 
 private:
   void flip_edges() {
@@ -54,8 +55,8 @@ private:
     });
   }
 
-  // Flips or collapses an edge of a facet with a small angle, whichever sweeps least, if that makes
-  // the worst of the facets it changes better.
+  // Removes small angles of facets. An edge of the facet is flipped or collapsed, whichever sweeps
+  // the smaller volume, if this improves the worst of the changed facets.
   void remove_small_angles() {
     work_in_rounds(this->m_complex, this->cells_at_interface(), 1,
                    [&](Cell_handle c, Work_list<Cell_handle>&) {

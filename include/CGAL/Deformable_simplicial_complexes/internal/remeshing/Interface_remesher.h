@@ -29,16 +29,16 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What improve_interface() is asked for.
+// The thresholds of improve_interface().
 struct Interface_thresholds
 {
   double aggressiveness;
-  double split, collapse;   // in edge units
-  double swept_volume;      // in cubes of edge units, in the plane squares
+  double split, collapse;   // edge lengths, in edge units
+  double swept_volume;      // in cubes of edge units; in squares in the plane
   double flip_angle;        // between the normals of two facets, in radians
   double feature_angle;     // between the normals of two facets, in radians
   double smallest_angle;    // of a facet, in radians
-  double quality_threshold; // of cells
+  double quality_threshold; // quality of cells
   bool splits_curved;
   bool splits_junctions;
 };
@@ -55,7 +55,7 @@ inline void check_interface_thresholds(const Interface_thresholds& t) {
   check_threshold(t.quality_threshold);
 }
 
-// The passes over the interface that improve_interface() takes in any dimension.
+// The passes of improve_interface() that do not depend on the dimension.
 template <class Complex> class Interface_remesher
 {
 public:
@@ -63,7 +63,7 @@ public:
   using Cell_handle = typename Complex::Cell_handle;
   using Fan = Interface_fan<Complex>;
 
-  // Lengths of edges are measured by `unit`.
+  // Edge lengths are measured by `unit`.
   Interface_remesher(Complex& complex, Any_visitor<Complex>& visitor,
                      const Interface_thresholds& thresholds, const Edge_unit<Complex>& unit)
       : m_complex(complex), m_visitor(visitor), m_thresholds(thresholds), m_unit(unit),
@@ -72,7 +72,7 @@ public:
   Improvement_report report() const { return m_report + m_improver.report(); }
 
   void split_long_edges() {
-    static constexpr unsigned rounds = 10; // each halves what is too long
+    static constexpr unsigned rounds = 10; // each round halves long edges
     work_in_rounds(m_complex, cells_at_interface(), rounds,
                    [&](Cell_handle c, Work_list<Cell_handle>& touched) {
                      const auto [i, j] = longest_edge(c);
@@ -109,14 +109,14 @@ public:
     }
   }
 
-  // Brings the cells around all that has changed back to quality.
+  // Improves the cells around all changes.
   void improve_cells() {
     m_improver.improve(std::move(m_touched), 3);
     m_touched.clear();
   }
 
 protected:
-  // The cells behind the facets of the interface.
+  // Returns the cells behind the interface facets.
   Work_list<Cell_handle> cells_at_interface() const {
     Work_list<Cell_handle> cells;
     for (const auto& facet : m_complex.interface_facets())
@@ -124,7 +124,7 @@ protected:
     return cells;
   }
 
-  // Calls `work` for the edges of the interface until it has changed the cell.
+  // Calls `work` for the interface edges of each cell, until `work` has changed the cell.
   template <class Work> void for_each_interface_edge(const Work& work) {
     work_in_rounds(m_complex, cells_at_interface(), 1, [&](Cell_handle c, Work_list<Cell_handle>&) {
       for (int i = 0; i <= Complex::dimension; ++i)
@@ -134,11 +134,12 @@ protected:
     });
   }
 
-  // Proposes to collapse vertex i into vertex j if little of the interface moves, and no facet
-  // comes to be bad that was not.
+  // Proposes to collapse vertex i into vertex j. Returns `nullopt` if the collapse would remove
+  // features, sweep too much volume, or create a facet that is degenerate or worse than `good` and
+  // than all facets before.
   std::optional<Changed_facets> propose_collapse(Cell_handle c, int i, int j) {
     static constexpr double good = .5;   // quality of facets
-    static constexpr double worst = .05; // quality of a cell that a collapse may make
+    static constexpr double worst = .05; // least quality of a cell created by a collapse
     const Fan fan = this->fan(c->vertex(i));
     if (!fan.is_disk() || !fan.keeps_features(m_thresholds.feature_angle, c->vertex(j)))
       return std::nullopt;
@@ -165,13 +166,13 @@ protected:
   }
 
 private:
-  // Leaves the star of the vertex in `m_star`.
+  // Returns the fan of a vertex, and stores the star of the vertex in `m_star`.
   Fan fan(Vertex_handle v) {
     m_complex.star(v, m_star);
     return Fan(m_complex, v, m_star);
   }
 
-  // Whether the edge belongs to a facet of the cell that is on the interface.
+  // Returns whether the edge belongs to an interface facet of the cell.
   bool is_interface_edge(Cell_handle c, int i, int j) const {
     for (int k = 0; k <= Complex::dimension; ++k)
       if (k != i && k != j && m_complex.is_interface(typename Complex::Facet(c, k)))
@@ -183,7 +184,8 @@ private:
     return length_in_units(m_complex, v, w, m_unit);
   }
 
-  // The edge of the interface that exceeds its threshold most; twice the same vertex if none does.
+  // Returns the interface edge of the cell that exceeds the split threshold most; twice the same
+  // vertex if there is none.
   std::pair<int, int> longest_edge(Cell_handle c) const {
     std::pair<int, int> result(0, 0);
     double longest = m_thresholds.split;
@@ -210,8 +212,9 @@ private:
     return true;
   }
 
-  // Nothing where the interface is not a single smooth sheet, has a feature, or touches the
-  // boundary of the domain.
+  // Returns the midpoint of an interface edge on the smooth surface. Returns `nullopt` where the
+  // interface is not a single smooth sheet, has a feature, or both ends are on the boundary of the
+  // domain.
   std::optional<typename Complex::Approximate_point> curved_middle(Cell_handle c, int i, int j) {
     if (m_complex.is_boundary(c->vertex(i)) && m_complex.is_boundary(c->vertex(j)))
       return std::nullopt;
@@ -224,8 +227,9 @@ private:
     return curved_midpoint(m_complex, a, b);
   }
 
-  // Whether the planned collapse makes an edge that would be split. On a curve this does no harm:
-  // the halves of a long edge are not collapsed again, and vertices near junctions find room.
+  // Returns whether the planned collapse creates an edge that would be split. In the plane, long
+  // edges are accepted if the split threshold is at least twice the collapse threshold: the halves
+  // of a long edge are then not collapsed again, and vertices near junctions can be removed.
   bool makes_long_edge() const {
     if (Complex::dimension == 2 && m_thresholds.split >= 2 * m_thresholds.collapse)
       return false;

@@ -23,10 +23,10 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A step of Loop's scheme on an interface, which need not be manifold, on the patches that are left
-// when the interface is cut along its curves, where sheets meet or end. What lies on a curve goes
-// where the curve alone tells, and is thus the same for all patches there. Can be stopped, which
-// CGAL's subdivision cannot be.
+// A step of Loop's subdivision scheme on an interface, which need not be manifold. The interface is
+// cut into patches along the curves where sheets meet or end. The new position of a point on a
+// curve depends on the curve only, and is thus the same for all incident patches. Unlike CGAL's
+// subdivision, the step can be interrupted.
 template <class Surface> class Loop_subdivider_3
 {
   using Point = typename Surface::Point_3;
@@ -43,7 +43,8 @@ public:
     sum_up_around();
   }
 
-  // Triangle t becomes 4 t to 4 t + 3, and the points of edges follow those that were there.
+  // Returns the subdivided surface. Triangle t becomes the triangles 4 t to 4 t + 3. The points of
+  // edges follow the existing points.
   Surface subdivided() const {
     const std::size_t n = m_surface.points.size();
     Surface result;
@@ -75,15 +76,15 @@ public:
 private:
   struct Edge
   {
-    Pair points;             // the smaller one first
-    std::size_t side, other; // the first and the last one of those it consists of
-    bool is_border;          // of a single triangle
-    bool is_smooth;          // and not on a curve
+    Pair points;             // the smaller index first
+    std::size_t side, other; // the first and the last side on the edge
+    bool is_border;          // incident to a single triangle
+    bool is_smooth;          // exactly two triangles, oriented and labelled alike
   };
   struct Sum
   {
     double x = 0, y = 0, z = 0;
-    std::size_t number = 0; // of points
+    std::size_t number = 0; // number of points in the sum
 
     void add(const Point& p) {
       x += p.x();
@@ -93,7 +94,8 @@ private:
     }
   };
 
-  // Corner k of triangle t is 3 t + k, and so is the side from there to the next corner.
+  // Triangle t has the corners 3 t + k, with k = 0, 1, 2. A corner is also the index of the side
+  // from this corner to the next one.
   static std::size_t next(std::size_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
   const std::size_t& point(std::size_t corner) const {
     return m_surface.triangles[corner / 3][corner % 3];
@@ -102,7 +104,8 @@ private:
     return m_surface.points[point(next(next(side)))];
   }
 
-  // Edges, ordered by their points, and fans: corners at a point that are joined by smooth edges.
+  // Finds the edges, ordered by their points, and the fans. A fan is a set of corners at a point
+  // that are connected by smooth edges.
   void find_edges() {
     std::vector<std::pair<Pair, std::size_t>> sides;
     sides.reserve(m_edge.size());
@@ -128,14 +131,14 @@ private:
     }
     for (std::size_t corner = 0; corner < m_fan.size(); ++corner) {
       Progress_scope::check();
-      const std::size_t first = fans.find(corner).first; // the first one of the fan
+      const std::size_t first = fans.find(corner).first; // the first corner of the fan
       m_fan[corner] = first == corner ? m_corner_of_fan.size() : m_fan[first];
       if (first == corner)
         m_corner_of_fan.push_back(corner);
     }
   }
 
-  // The other points of the two edges on curves that a fan ends with; none if it is closed.
+  // Finds the other points of the two curve edges at which a fan ends; `none` for a closed fan.
   void find_ends() {
     m_ends.assign(m_corner_of_fan.size(), {none, none});
     const auto add = [&](std::size_t corner, std::size_t p) {
@@ -149,7 +152,8 @@ private:
       }
   }
 
-  // The points around a fan that is closed.
+  // Computes the sums of the points that follow the center of each fan. For a closed fan, these are
+  // all points around the center.
   void sum_up_around() {
     m_around.resize(m_corner_of_fan.size());
     for (std::size_t corner = 0; corner < m_fan.size(); ++corner) {
@@ -158,7 +162,7 @@ private:
     }
   }
 
-  // Loop's rule for points of closed fans.
+  // Returns the new position of the point of a closed fan, by Loop's rule.
   Point moved_point(std::size_t fan) const {
     const Point& p = m_surface.points[point(m_corner_of_fan[fan])];
     const Sum& around = m_around[fan];
@@ -178,25 +182,29 @@ private:
                  (3 * (a.z() + b.z()) + c.z() + d.z()) / 8);
   }
 
-  // An edge between points of the boundary may cross the domain, unless the interface ends there.
+  // Returns the boundary class of the new point of an edge. An edge between two boundary points is
+  // on the boundary only if the interface ends there. Otherwise it may cross the interior of the
+  // domain.
   Boundary_class::Bits boundary_class(const Edge& edge) const {
     const auto& classes = m_surface.boundary_classes;
     return edge.is_border ? classes[edge.points[0]] & classes[edge.points[1]]
                           : Boundary_class::inside;
   }
 
-  // Within a side of a box, points follow their curve; on its edges, and on the boundary of other
-  // domains, they stay.
+  // Returns whether a point is fixed by the boundary. Points in the interior of a side of a box
+  // follow their curve. Points on edges of the box, and on the boundary of other domains, are
+  // fixed.
   bool is_held_by_boundary(std::size_t p) const {
     const Boundary_class::Bits sides = m_surface.boundary_classes[p];
     return sides == Boundary_class::fixed || (sides & (sides - 1)) != 0;
   }
 
-  // Points where curves branch or end, or sheets touch in the point alone, stay: only where all
-  // fans at a point end with the same two edges do these form a curve that all patches know.
+  // Returns the new positions of the existing points. A point moves along a curve only if all fans
+  // at the point end with the same two edges. Points where curves branch or end, or where sheets
+  // touch in a single point, stay.
   std::vector<Point> moved_points() const {
     std::vector<Point> points = m_surface.points;
-    std::vector<std::size_t> fan(points.size(), none); // the first one at a point
+    std::vector<std::size_t> fan(points.size(), none); // the first fan at each point
     std::vector<char> stays(points.size(), false);
     for (std::size_t f = 0; f < m_corner_of_fan.size(); ++f) {
       const std::size_t p = point(m_corner_of_fan[f]);
@@ -219,7 +227,8 @@ private:
     return points;
   }
 
-  // Loop's rule for borders, the same to the bit if a and b are exchanged.
+  // Returns the new position of p by Loop's boundary rule. The result is bitwise independent of the
+  // order of a and b.
   static Point along_curve(const Point& a, const Point& p, const Point& b) {
     return Point((a.x() + b.x() + 6 * p.x()) / 8, (a.y() + b.y() + 6 * p.y()) / 8,
                  (a.z() + b.z() + 6 * p.z()) / 8);
@@ -227,11 +236,11 @@ private:
 
   const Surface& m_surface;
   std::vector<Edge> m_edges;
-  std::vector<std::size_t> m_edge; // of a side
-  std::vector<std::size_t> m_fan;  // of a corner
+  std::vector<std::size_t> m_edge; // edge of each side
+  std::vector<std::size_t> m_fan;  // fan of each corner
   std::vector<std::size_t> m_corner_of_fan;
-  std::vector<Pair> m_ends;  // of a fan
-  std::vector<Sum> m_around; // a fan that is closed
+  std::vector<Pair> m_ends;  // ends of each fan
+  std::vector<Sum> m_around; // sums of points of each fan
 };
 
 } // namespace internal

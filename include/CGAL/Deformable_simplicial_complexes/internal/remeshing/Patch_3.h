@@ -21,15 +21,15 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Some finite cells of a complex, which operations may change in a copy before they replace what is
-// there. Their boundary and the interface among them stay.
+// A set of finite cells of a complex. Operations can change a copy of the patch before it replaces
+// the cells. The boundary of the patch and the interface inside it do not change.
 template <class Complex> class Patch_3
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
 
-  // The cells must stay in the complex as long as the patch is used.
+  // The cells must stay in the complex during the lifetime of the patch.
   Patch_3(const Complex& complex, const std::vector<Cell_handle>& cells) {
     add_by_parts(complex, cells);
     m_origins = vertices_of(complex, m_replaced);
@@ -40,8 +40,8 @@ public:
       m_tetrahedra.push_back(corners_of(c, numbers));
   }
 
-  // Makes `copy` a complex of the patch alone, in which each part of one label has its own.
-  // Returns whether the patch is a ball; there is no copy of another.
+  // Makes `copy` a complex of the patch alone, with a separate label for each connected component
+  // of equal label. Returns whether the patch is a ball; there is no copy otherwise.
   bool copy_to(Complex& copy) {
     try {
       m_copied = copy.assign(m_points, m_tetrahedra, m_parts);
@@ -57,7 +57,7 @@ public:
     return true;
   }
 
-  // The patch becomes what the last copy has become.
+  // Replaces the content of the patch by the modified copy.
   void take(const Complex& copy) {
     std::vector<Vertex_handle> vertices, origins;
     for (std::size_t i = 0; i < m_copied.size(); ++i)
@@ -68,7 +68,7 @@ public:
     Vertex_numbers numbers(copy, vertices);
     for (Vertex_handle v : copy.vertices())
       numbers.add(v, vertices);
-    origins.resize(vertices.size()); // null for new ones
+    origins.resize(vertices.size()); // null for new vertices
     m_origins = std::move(origins);
     m_points.clear();
     for (Vertex_handle v : vertices)
@@ -81,7 +81,7 @@ public:
     }
   }
 
-  // Plans that the patch takes the place of its cells.
+  // Plans the replacement of the cells by the patch.
   void propose(Cavity<Complex>& cavity) const {
     cavity.begin(Proposal_kind::replacement);
     for (Cell_handle c : m_replaced)
@@ -106,8 +106,8 @@ private:
     return {index(0), index(1), index(2), index(3)};
   }
 
-  // Takes the cells part by part: sets of one label that are connected through facets. The first
-  // cell of a part becomes the parent of what will be there.
+  // Adds the cells, component by component. A component is a set of cells of one label that are
+  // connected through facets. The first cell of a component becomes the parent of the new cells.
   void add_by_parts(const Complex& complex, const std::vector<Cell_handle>& cells) {
     Marks unseen = cell_marks(complex);
     for (Cell_handle c : cells)
@@ -132,12 +132,12 @@ private:
   }
 
   std::vector<Cell_handle> m_replaced, m_parents;
-  std::vector<Vertex_handle> m_origins; // by vertex; null if it is new
+  std::vector<Vertex_handle> m_origins; // origin of each vertex; null for a new vertex
   std::vector<typename Complex::Point_3> m_points;
   std::vector<Indices> m_tetrahedra;
-  std::vector<typename Complex::Label> m_parts; // by tetrahedron
+  std::vector<typename Complex::Label> m_parts; // component of each tetrahedron
   std::vector<Vertex_handle> m_copied;          // vertices of the last copy
-  std::vector<std::size_t> m_time_stamps;       // theirs
+  std::vector<std::size_t> m_time_stamps;       // time stamps of `m_copied`
 };
 
 } // namespace internal

@@ -14,8 +14,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Improves cells where no single operation helps any more: `run()`, then `report()` of what was
-// done.
+// Improves cells that no single operation improves further: `run()`, then `report()` returns what
+// was done.
 template <class Complex>
 using Patch_improver = std::conditional_t<Complex::dimension == 2, Patch_improver_2<Complex>,
                                           Patch_improver_3<Complex>>;

@@ -13,8 +13,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// In the plane, flips lead from any triangulation of points to any other: nothing is to be
-// disturbed.
+// In the plane, any triangulation of a point set can be reached by flips. So there is nothing to
+// do.
 template <class Complex> class Patch_improver_2
 {
 public:

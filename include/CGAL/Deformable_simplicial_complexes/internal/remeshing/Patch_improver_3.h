@@ -26,21 +26,21 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Improves cells where no single operation helps any more: their surroundings are replaced whole
-// where better ones are found.
+// Improves cells that no single operation improves further: the patch around a cell is replaced
+// where a better patch is found.
 template <class Complex> class Patch_improver_3
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
 
-  // Each improvement of a copy takes a number of rounds at the most.
+  // `rounds` is the maximum number of rounds in each improvement of a copy.
   Patch_improver_3(Complex& complex, Any_visitor<Complex>& visitor, double threshold,
                    unsigned rounds, const For_each_index& for_each_index)
       : m_complex(complex), m_visitor(visitor),
         m_for_each_index(for_each_index), m_goal{threshold, 1, 2, (std::min)(rounds, 5u), 0},
         m_cavity(complex) {
-    static constexpr unsigned places_of_thread = 4; // so that all have work as patches differ
+    static constexpr unsigned places_of_thread = 4; // patches differ in cost
     const unsigned threads = for_each_index.number_of_threads();
     for (unsigned i = 0; i < (threads == 1 ? 1 : places_of_thread * threads); ++i)
       m_optimizers.emplace_back(complex);
@@ -48,12 +48,12 @@ public:
 
   const Improvement_report& report() const { return m_report; }
 
-  // Improves the surroundings of all cells below the threshold, worst ones first, in several
-  // passes: large and small ones in turn; at first for what they lack to the threshold all in all,
-  // then above all for what the worst ones lack.
+  // Improves the patches around all cells below the threshold, worst cells first, in several
+  // passes. Larger and smaller patches alternate. The first passes minimize the total deficit to
+  // the threshold, the later passes emphasize the worst cells.
   void run() {
     static constexpr int passes = 4;
-    m_complex.update_components(); // a patch keeps the numbers of its parts
+    m_complex.update_components(); // a patch keeps the component numbers of its cells
     for (double emphasis : {1., 3.}) {
       m_goal.emphasis = emphasis;
       for (int pass = 0; pass < passes; ++pass) {
@@ -83,8 +83,9 @@ private:
     return result;
   }
 
-  // Improves the surroundings of cells, one after the other. Threads look ahead: what they find is
-  // taken where nothing has changed meanwhile, so that it is what had been found without them.
+  // Improves the patches around cells in sequence. Threads compute patches in advance. Such a
+  // result is used only if none of the cells it depends on has changed meanwhile, so that the
+  // outcome is deterministic.
   void improve(const std::vector<Item>& items) {
     static constexpr std::size_t worthwhile = 2;
     std::vector<std::optional<Patch_3<Complex>>> found(m_optimizers.size());
@@ -166,7 +167,7 @@ private:
   const For_each_index& m_for_each_index;
   Patch_goal m_goal;
   Cavity<Complex> m_cavity;
-  std::deque<Patch_optimizer_3<Complex>> m_optimizers; // which are not to be moved
+  std::deque<Patch_optimizer_3<Complex>> m_optimizers; // optimizers must not be moved
   Improvement_report m_report;
 };
 

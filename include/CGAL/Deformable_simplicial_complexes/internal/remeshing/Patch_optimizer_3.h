@@ -26,25 +26,26 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What is wanted of patches.
+// The objective of the optimization of a patch.
 struct Patch_goal
 {
-  double threshold;   // cells below are bad
-  double emphasis;    // on what the worst ones lack: a power
-  int rings;          // of cells around a bad one
-  unsigned rounds;    // of each improvement of a copy, at the most
-  unsigned variation; // another one makes other random changes
+  double threshold;   // quality below which a cell is bad
+  double emphasis;    // exponent of the deficit of a cell
+  int rings;          // layers of cells around a bad cell
+  unsigned rounds;    // maximum for each improvement of a copy
+  unsigned variation; // selects the random changes
 };
 
-// Whether a cell is below a threshold, and not by the interface.
+// Returns whether a cell is below a threshold and no dihedral angle of the cell is fixed by the
+// interface.
 template <class Complex>
 bool is_bad_at_rest(const Complex& complex, typename Complex::Cell_handle c, double threshold) {
   return c->quality() < threshold && !has_dictated_angle(complex, c);
 }
 
-// Finds better patches for the surroundings of bad cells: a copy is disturbed and improved again
-// and again. The complex is only looked at, so that several optimizers may look at once, each on a
-// thread. What is found depends on nothing else.
+// A search for better patches around bad cells. A copy of the patch is disturbed and improved
+// again, several times. The complex is only read, so that several optimizers can run concurrently.
+// The result depends on the cell, the complex and the goal only.
 template <class Complex> class Patch_optimizer_3
 {
 public:
@@ -56,8 +57,8 @@ public:
       : m_complex(complex), m_copy(complex.geom_traits(), complex.quality_measure()),
         m_copy_cavity(m_copy) {}
 
-  // A better patch around the cell, or where that is no ball, around one of its vertices; nothing
-  // if none is found.
+  // Returns a better patch around the cell. If this patch is not a ball, the patches around the
+  // vertices of the cell are tried. Returns `nullopt` if no better patch is found.
   std::optional<Patch_3<Complex>> run(Cell_handle c, const Patch_goal& goal) {
     static constexpr unsigned variations = 16;
     m_goal = goal;
@@ -76,7 +77,7 @@ public:
     return result;
   }
 
-  // Whether all that the last run has looked at is still there.
+  // Returns whether all cells that the last run has read are still in the complex.
   bool is_up_to_date() const {
     return std::all_of(m_seen.begin(), m_seen.end(), [&](const auto& item) {
       return m_complex.is_alive(item.cell, item.time_stamp);
@@ -84,11 +85,12 @@ public:
   }
 
 private:
-  // Cells that are no ball are left as they are.
+  // Returns a better patch for the cells; `nullopt` if none is found or the cells do not form a
+  // ball.
   std::optional<Patch_3<Complex>> better_patch(const std::vector<Cell_handle>& cells,
                                                bool& is_ball) {
     static constexpr int tries = 10, attempts = 1;
-    static constexpr double less = 1 - 1e-6; // than what rounding does
+    static constexpr double less = 1 - 1e-6; // a reduction above rounding errors
     Patch_3<Complex> patch(m_complex, cells);
     Any_visitor<Complex> nobody;
     double best = deficit(cells);
@@ -118,14 +120,15 @@ private:
     return {};
   }
 
-  // The cells and those around them, in a number of steps.
+  // Returns the cells and the given number of layers around them.
   std::vector<Cell_handle> cells_around(std::vector<Cell_handle> cells, int rings) const {
     for (int i = 0; i < rings; ++i)
       cells = sorted_star_union(m_complex, vertices_of(m_complex, cells));
     return cells;
   }
 
-  // What cells lack to the threshold, the worst ones with an emphasis.
+  // Returns the sum of the deficits of the cells to the threshold, each raised to the power
+  // `emphasis`.
   double deficit(const std::vector<Cell_handle>& cells) const {
     double result = 0;
     for (Cell_handle c : cells)
@@ -140,7 +143,7 @@ private:
     return result;
   }
 
-  // One or two changes of the copy, for better or worse.
+  // Applies one or two random changes to the copy.
   void disturb() {
     const int changes = m_random.get_int(1, 3);
     for (int i = 0; i < changes; ++i)
@@ -176,7 +179,7 @@ private:
     }
   }
 
-  // All free ones, by a part of their shortest edges.
+  // Moves all free vertices randomly, by a fraction of their shortest edges.
   void move_vertices() {
     static constexpr double farthest = .4, nearest = .02;
     const auto exact = m_copy.geom_traits().construct_exact_point_3_object();

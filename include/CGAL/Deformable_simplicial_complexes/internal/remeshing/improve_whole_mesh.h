@@ -25,7 +25,7 @@ struct Mesh_improvement_options
   unsigned number_of_threads;
 };
 
-// `improve_mesh()` with the parameters that it has read.
+// Implements `improve_mesh()` after its parameters are read.
 template <class Complex>
 Improvement_report improve_whole_mesh(Complex& dsc, const Mesh_improvement_options& options,
                                       Any_visitor<Complex>& visitor) {

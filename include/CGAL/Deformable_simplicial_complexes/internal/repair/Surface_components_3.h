@@ -23,9 +23,11 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The parts of a surface: triangles that are connected through edges of two triangles. The closed
-// ones are oriented: outwards or, where they are cavities, inwards. A cavity has an odd number of
-// closed parts around it that it does not cross. Triangles must have an area.
+// The connected components of a surface: triangles that are connected through edges with exactly
+// two triangles. The closed components are oriented: outwards, or inwards if they are cavities. A
+// component is a cavity if it is nested in an odd number of closed components that it does not
+// intersect.
+// \pre no triangle is degenerate
 class Surface_components_3
 {
 public:
@@ -36,17 +38,17 @@ public:
     orient_closed_parts();
   }
 
-  // Its triangles are those of the input.
+  // Returns the input with oriented triangles.
   const Triangle_soup_3& oriented_soup() const { return m_soup; }
 
   std::size_t of(std::size_t triangle) const { return m_parts[triangle]; }
 
-  // A part bounds a solid: it can be oriented, and its edges cancel.
+  // Returns whether a component bounds a solid: it can be oriented, and it has no boundary edges.
   bool is_closed(std::size_t part) const { return m_is_closed[part]; }
 
-  std::size_t number_of_crossing_pairs() const { return m_crossing_pairs; } // of triangles
+  std::size_t number_of_crossing_pairs() const { return m_crossing_pairs; } // pairs of triangles
 
-  // Those that cross others or themselves.
+  // Returns the number of components that intersect others or themselves.
   std::size_t number_of_crossing_parts() const {
     std::set<std::size_t> parts;
     for (const auto& pair : m_crossings)
@@ -55,14 +57,15 @@ public:
   }
 
 private:
-  // The corners a and b of a triangle, one after the other, in its order: true if a is before b.
+  // Returns whether the side runs from its smaller to its larger vertex index in the orientation of
+  // the triangle.
   bool runs_forward(const Triangle_side& side) const {
     const Triangle_indices& t = m_soup.triangles[side.triangle];
     const std::size_t i = std::find(t.begin(), t.end(), side.vertices[0]) - t.begin();
     return t[(i + 1) % 3] == side.vertices[1];
   }
 
-  // Numbers parts, and gives neighbors the same orientation where that is possible.
+  // Numbers the components, and orients neighbors consistently where possible.
   void connect() {
     m_sides = sorted_sides(m_soup.triangles);
     std::vector<std::vector<Neighbor>> neighbors(m_soup.triangles.size());
@@ -99,7 +102,8 @@ private:
 
   void turn(std::size_t t) { std::swap(m_soup.triangles[t][1], m_soup.triangles[t][2]); }
 
-  // In each edge, as many triangles of the part run forward as backward.
+  // Finds the closed components: in each edge, the triangles of the component cancel in
+  // orientation.
   void find_closed_parts() {
     m_is_closed.assign(m_first_triangles.size(), 1);
     for (auto side = m_sides.cbegin(); side != m_sides.cend();) {
@@ -122,7 +126,7 @@ private:
 
   void orient_closed_parts() {
     const std::vector<int> depths = depths_of_parts();
-    std::vector<double> volumes(m_first_triangles.size(), 0); // six times
+    std::vector<double> volumes(m_first_triangles.size(), 0); // six times the volume
     for (std::size_t t = 0; t < m_parts.size(); ++t)
       volumes[m_parts[t]] += cone(t);
     for (std::size_t t = 0; t < m_parts.size(); ++t) {
@@ -132,8 +136,8 @@ private:
     }
   }
 
-  // Six times the volume between a triangle and a point of its part, where there is less rounding
-  // than far from it.
+  // Returns six times the signed volume of the tetrahedron of a triangle and a point of its
+  // component. Such a point reduces rounding errors.
   double cone(std::size_t t) const {
     const Coordinates_3& o = m_soup.points[m_soup.triangles[m_first_triangles[m_parts[t]]][0]];
     std::array<Coordinates_3, 3> p;
@@ -145,12 +149,13 @@ private:
            p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0]);
   }
 
-  // The number of closed parts around each part that it does not cross.
+  // Returns, for each component, the number of closed components that contain it and that it does
+  // not intersect.
   std::vector<int> depths_of_parts() const {
     const std::vector<Soup_ray_3> rays = shoot_rays(m_soup, m_first_triangles);
     std::vector<int> depths(rays.size(), 0);
     for (std::size_t part = 0; part < rays.size(); ++part) {
-      std::map<std::size_t, int> crossed; // how often each part is
+      std::map<std::size_t, int> crossed; // number of crossings with each component
       for (const Ray_crossing_3& crossing : rays[part].crossings)
         ++crossed[m_parts[crossing.triangle]];
       for (const auto& [other, times] : crossed)
@@ -163,15 +168,15 @@ private:
   struct Neighbor
   {
     std::size_t triangle;
-    bool agrees; // in the orientation
+    bool agrees; // whether the orientations agree
   };
 
   Triangle_soup_3 m_soup;
   std::vector<Triangle_side> m_sides;
-  std::vector<std::size_t> m_parts;           // of triangles
-  std::vector<std::size_t> m_first_triangles; // of parts
+  std::vector<std::size_t> m_parts;           // component of each triangle
+  std::vector<std::size_t> m_first_triangles; // first triangle of each component
   std::vector<char> m_is_closed;
-  std::set<std::pair<std::size_t, std::size_t>> m_crossings; // of parts
+  std::set<std::pair<std::size_t, std::size_t>> m_crossings; // pairs of components
   std::size_t m_crossing_pairs = 0;
 };
 

@@ -9,8 +9,8 @@
 #include <CGAL/Deformable_simplicial_complexes/Surface_repair_options_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Surface_repair_report_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/check_surfaces_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/refuse_surface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/checks/check_surfaces_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/checks/refuse_surface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/repair/clean_soup_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/repair/distance_of_samples_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/repair/remove_fins_3.h>
@@ -54,7 +54,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Makes a soup bound a solid by steps that change more and more; ends as soon as it does.
+// Makes a soup bound a solid, by repair steps of increasing strength. Ends as soon as the soup
+// bounds a solid.
 class Surface_repairer_3
 {
 public:
@@ -63,7 +64,7 @@ public:
     check_options(options);
   }
 
-  // Throws Invalid_surface_error if nothing helps.
+  // Repairs the soup. Throws Invalid_surface_error if no step succeeds.
   void run() {
     check_numbers(m_soup, 0);
     if (m_options.merge_distance == 0 && !flaw())
@@ -88,7 +89,8 @@ public:
     throw *flaw();
   }
 
-  // The wrap alone, even if the soup bounds a solid. Throws Invalid_surface_error if there is none.
+  // Replaces the soup by its wrap, even if it bounds a solid. Throws Invalid_surface_error if there
+  // is no wrap.
   void run_wrap() {
     check_numbers(m_soup, 0);
     prepare();
@@ -108,9 +110,9 @@ private:
   using Mesh = Surface_mesh<Point>;
   using Halfedge = Mesh::Halfedge_index;
 
-  static constexpr double farthest = 2; // mean edges: what is left out does not stand out more
+  static constexpr double farthest = 2; // in mean edges: removed triangles are not farther away
 
-  // A step that CGAL cannot do is left out.
+  // Runs a step. Undoes the step if CGAL throws an error or no triangle is left.
   void attempt(void (Surface_repairer_3::*step)()) {
     const Triangle_soup_3 soup = m_soup;
     const Surface_repair_report_3 report = m_report;
@@ -124,9 +126,10 @@ private:
     m_report = report;
   }
 
-  // Squares and reciprocals of lengths are numbers then.
+  // Computes the mean edge length. Throws if squares or reciprocals of lengths would overflow or
+  // underflow.
   void prepare() {
-    static constexpr double least = 1e-30, largest = 1e30; // mean edges
+    static constexpr double least = 1e-30, largest = 1e30; // in mean edges
     m_report.mean_edge = mean_side(m_soup);
     if (m_report.mean_edge == 0)
       throw *flaw();
@@ -135,7 +138,7 @@ private:
                   "than 1e-30 and an extent of less than 1e30");
   }
 
-  // What is wrong with the soup as it is.
+  // Returns the error that describes why the soup does not bound a solid; `nullopt` if it does.
   std::optional<Invalid_surface_error> flaw() const {
     try {
       check_surfaces({m_soup});
@@ -168,7 +171,7 @@ private:
     remove_flat_triangles();
   }
 
-  // Triangles with three corners on a line: their neighbors are joined along it.
+  // Removes degenerate triangles. Their neighbors are joined along the common line.
   void remove_flat_triangles() {
     const auto is_flat = [this](std::size_t t) {
       return exact_triangle(m_soup, t).is_degenerate();
@@ -184,7 +187,8 @@ private:
     m_report.degenerate_triangles += number;
   }
 
-  // Borders that are a thousandth of an edge apart were one before coordinates were rounded.
+  // Stitches open edges whose ends differ by rounding of the coordinates only: up to a thousandth
+  // of the mean edge length.
   void stitch() {
     static constexpr double distance = 1e-3; // in mean edges
     m_report.stitched_points =
@@ -193,14 +197,14 @@ private:
       merge_equal_points();
   }
 
-  // What is left open has vertices of one side on edges of the other.
+  // Splits open edges at vertices that lie on them, and thus closes T-junctions.
   void split_at_t_junctions() {
     m_report.split_edges = T_junction_splitter_3(m_soup).run();
     if (m_report.split_edges > 0)
       merge_equal_points();
   }
 
-  // All or nothing: they go if what they are attached to is closed and they do not stand out far.
+  // Removes all fins or none. They are removed if the remaining surface is closed and near to them.
   void remove_fins() {
     const Triangle_soup_3 before = merge_points(m_soup);
     m_soup.points = before.points;
@@ -219,7 +223,7 @@ private:
     if (open.empty())
       return;
     Mesh mesh = oriented_mesh();
-    std::vector<Halfedge> cycles, holes; // where the mesh was cut there is none
+    std::vector<Halfedge> cycles, holes; // not holes where the mesh was cut
     Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(cycles));
     for (Halfedge h : cycles) {
       const auto around = halfedges_around_face(h, mesh);
@@ -250,7 +254,8 @@ private:
 #endif
   }
 
-  // Parts with a border that is too long beside their extent.
+  // Throws if a hole has a boundary that is too long, absolutely or relative to the extent of its
+  // component.
   void refuse_sheets(Mesh& mesh, const std::vector<Halfedge>& holes) const {
     const auto parts = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part", 0).first;
     std::vector<Bbox_3> boxes(Polygon_mesh_processing::connected_components(mesh, parts));
@@ -283,7 +288,7 @@ private:
     return text;
   }
 
-  // What is inside the united parts counts as input no more.
+  // Unites intersecting components. Triangles inside the union no longer count as input.
   void unite() {
     const Progress_phase phase("uniting parts of a surface");
     Triangle_soup_3 soup = merge_points(m_soup);
@@ -302,7 +307,8 @@ private:
     merge_rounded_points();
   }
 
-  // Rounded points of intersection may nearly coincide with others: tetrahedralizers fail then.
+  // Merges intersection points that nearly coincide with others after rounding. Such points would
+  // make tetrahedralizers fail.
   void merge_rounded_points() {
     static constexpr double distance = 1e-9; // in mean edges
     const Triangle_soup_3 soup = m_soup;
@@ -329,11 +335,11 @@ private:
     if (m_options.wrap_alpha == 0)
       return;
     const Progress_phase phase("wrapping a surface");
-    static constexpr double finest = 1e-3; // in diagonals: millions of triangles
+    static constexpr double finest = 1e-3; // in diagonals; bounds the number of triangles
     m_report.alpha =
         (std::max)(m_options.wrap_alpha * m_report.mean_edge, finest * diagonal(m_soup));
     m_report.offset = m_options.wrap_offset * m_report.mean_edge;
-    static constexpr double largest = 1e6; // diagonals: CGAL fails with numbers that are too large
+    static constexpr double largest = 1e6; // in diagonals; CGAL fails for larger values
     if (!((std::max)(m_report.alpha, m_report.offset) <= largest * diagonal(m_soup)) ||
         !(m_report.offset > 0))
       throw Error("the alpha or the offset of the wrap is out of range: use about 1 and 0.1");
@@ -348,9 +354,10 @@ private:
     m_report.is_wrapped = true;
   }
 
-  // Distances of the steps before and after parts are united add up.
+  // Adds the distances between the input and the soup to the report. The distances before and after
+  // the union of components are added up.
   void measure() {
-    static constexpr double spacing = .5; // of samples, in mean edges
+    static constexpr double spacing = .5; // distance of samples, in mean edges
     const double s = spacing * m_report.mean_edge;
     m_report.distance_from_input += distance_of_samples(m_input, m_soup, s);
     m_report.distance_to_input += distance_of_samples(m_soup, m_input, s);
@@ -360,7 +367,7 @@ private:
     return a < b ? std::array<Coordinates_3, 2>{a, b} : std::array<Coordinates_3, 2>{b, a};
   }
 
-  // Edges of a single triangle.
+  // Returns the edges with a single triangle.
   std::set<std::array<Coordinates_3, 2>> open_edges() const {
     std::set<std::array<Coordinates_3, 2>> result;
     const auto sides = sorted_sides(m_soup.triangles);
@@ -377,7 +384,7 @@ private:
     return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
   }
 
-  // Of the points that are in triangles.
+  // Returns the diagonal of the bounding box of the points that belong to triangles.
   static double diagonal(const Triangle_soup_3& soup) {
     Bbox_3 box;
     for (const Triangle_indices& t : soup.triangles)
@@ -386,7 +393,8 @@ private:
     return diagonal(box);
   }
 
-  // Cut along edges with other than two triangles, and where triangles cannot be turned alike.
+  // Returns the soup as an oriented mesh. It is cut along edges whose number of triangles is not
+  // two, and along edges where the orientations are incompatible.
   Mesh oriented_mesh() const {
     std::vector<Point> points;
     for (const Coordinates_3& p : m_soup.points)

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Removes triangles that have a corner twice. Returns their number.
+// Removes triangles in which a vertex occurs twice. Returns their number.
 inline std::size_t remove_collapsed_triangles(Triangle_soup_3& soup) {
   auto& t = soup.triangles;
   const auto end = std::remove_if(t.begin(), t.end(), [](const Triangle_indices& v) {
@@ -31,8 +31,10 @@ inline std::size_t remove_collapsed_triangles(Triangle_soup_3& soup) {
   return removed;
 }
 
-// Keeps one of the triangles with the same corners. Where an even number of them are a wall that
-// more edges can do without, as between parts that touch, all go. Returns how many were removed.
+// Removes repeated triangles: one of several triangles with the same vertices is kept. Sheets of
+// triangles that occur an even number of times, such as walls between touching components, are
+// removed completely if this reduces the number of edges with an odd number of triangles. Returns
+// the number of removed triangles.
 inline std::size_t remove_repeated_triangles(Triangle_soup_3& soup) {
   const std::size_t before = soup.triangles.size();
   std::map<Triangle_indices, std::vector<std::size_t>> groups;
@@ -54,7 +56,7 @@ inline std::size_t remove_repeated_triangles(Triangle_soup_3& soup) {
     is_even.push_back(groups[v].size() % 2 == 0);
   }
 
-  // Walls: even triangles that share edges.
+  // The sheets: triangles that occur an even number of times and share edges.
   std::vector<std::size_t> wall(triangles.size());
   std::iota(wall.begin(), wall.end(), std::size_t(0));
   const auto find = [&wall](std::size_t t) {
@@ -80,7 +82,7 @@ inline std::size_t remove_repeated_triangles(Triangle_soup_3& soup) {
       wall[(std::max)(find(t), find(even.front()))] = (std::min)(find(t), find(even.front()));
   });
   std::vector<long> gain(triangles.size(),
-                         0); // edges that get even without a wall, less those lost
+                         0); // odd edges that become even without a sheet, less the reverse
   for_each_wall_edge([&](const std::vector<std::size_t>& even, std::size_t number) {
     gain[find(even.front())] += long(number % 2) - long((number - even.size()) % 2);
   });
@@ -88,18 +90,19 @@ inline std::size_t remove_repeated_triangles(Triangle_soup_3& soup) {
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (!is_even[t] || gain[find(t)] <= 0)
       soup.triangles.push_back(triangles[t]);
-  if (soup.triangles.empty()) // a sheet with two sides
+  if (soup.triangles.empty()) // the soup is a single sheet with two sides
     soup.triangles = triangles;
   return before - soup.triangles.size();
 }
 
 enum class Merged_points { OF_OPEN_EDGES, ALL };
 
-// Merges points that are nearer to each other than a distance: all, or those of open edges if they
-// are also nearer than a tenth of the open edges there. A point is merged with the first one near.
-// Returns how many were merged.
+// Merges points closer to each other than a distance. All points are merged, or only the ends of
+// open edges. For the latter, the distance is also bounded by a tenth of the length of the open
+// edges at the point. A point is merged with the first point found near it. Returns the number of
+// merged points.
 inline std::size_t merge_near_points(Triangle_soup_3& soup, double distance, Merged_points which) {
-  static constexpr double part = .1; // of the shortest edge: its ends are never merged
+  static constexpr double part = .1; // of the shortest open edge: its ends are never merged
   std::map<std::size_t, double> squared_limits;
   const auto sides = sorted_sides(soup.triangles);
   for (auto side = sides.begin(); side != sides.end();) {
@@ -116,7 +119,7 @@ inline std::size_t merge_near_points(Triangle_soup_3& soup, double distance, Mer
     side = end;
   }
 
-  // Points near each other are in the same or in neighboring boxes of a grid.
+  // Points close to each other are in the same or in adjacent boxes of a grid.
   using Box = std::array<double, 3>;
   std::map<Box, std::vector<std::size_t>> grid;
   const auto find_near = [&](std::size_t v, const Box& box, double limit) {
@@ -147,7 +150,7 @@ inline std::size_t merge_near_points(Triangle_soup_3& soup, double distance, Mer
   return merged;
 }
 
-// The mean length of the sides of triangles with an area; 0 without any.
+// Returns the mean side length of non-degenerate triangles; 0 without any.
 inline double mean_side(const Triangle_soup_3& soup) {
   double sum = 0;
   std::size_t number = 0;

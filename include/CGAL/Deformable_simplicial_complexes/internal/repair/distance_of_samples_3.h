@@ -20,20 +20,21 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// From the farthest sample of a soup to the triangles of another one. Samples are the corners of
-// triangles and, where edges are longer than a spacing, a grid in them.
+// Returns the largest distance of a sample of a soup from the triangles of another soup. The
+// samples are the corners of the triangles and, where edges are longer than `spacing`, the points
+// of a grid in the triangle.
 inline double distance_of_samples(const Triangle_soup_3& soup, const Triangle_soup_3& other,
                                   double spacing) {
   using Kernel = Predicates_kernel;
   using Triangles = std::vector<Kernel::Triangle_3>;
-  static constexpr double most_parts = 20; // of an edge: needles are long
+  static constexpr double most_parts = 20; // maximum along an edge, for needles
   Triangles triangles;
   for (std::size_t t = 0; t < other.triangles.size(); ++t)
     if (!exact_triangle(other, t).is_degenerate())
       triangles.push_back(exact_triangle(other, t));
   AABB_tree<Tree_traits_3<Kernel, Triangles::const_iterator>> tree(triangles.cbegin(),
                                                                    triangles.cend());
-  tree.do_not_accelerate_distance_queries(); // where many corners are equal, it recurses for ever
+  tree.do_not_accelerate_distance_queries(); // does not terminate for many equal corners
 
   double largest = 0;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t) {

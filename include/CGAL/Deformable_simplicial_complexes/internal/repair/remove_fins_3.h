@@ -16,8 +16,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The triangles of a soup without fins: sheets that are connected through edges of two triangles,
-// have open edges, and are attached to other triangles. Equal points must be merged.
+// Returns the triangles of a soup without its fins. A fin is a sheet of triangles connected through
+// edges with exactly two triangles that has open edges and is attached to other triangles.
+// \pre equal points are merged
 inline std::vector<Triangle_indices> triangles_without_fins(const Triangle_soup_3& soup) {
   Disjoint_sets sheets(soup.triangles.size());
   const auto sides = sorted_sides(soup.triangles);

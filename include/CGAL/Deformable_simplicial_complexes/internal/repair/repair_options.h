@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Throws Error if a number is out of range.
+// Checks the options. Throws `Error` if a number is out of range.
 inline void check_options(const Surface_repair_options_3& options) {
   if (!(options.merge_distance >= 0 && std::isfinite(options.merge_distance)))
     throw Error("the distance of vertices that become one must be a number from 0 on");

@@ -7,8 +7,8 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/check_surfaces_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/refuse_surface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/checks/check_surfaces_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/checks/refuse_surface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/soups/Soup_regions_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/soups/Triangle_soup_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/soups/split_at_crossings_3.h>
@@ -26,15 +26,16 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A closed surface, and what it was made of.
+// A closed surface, and the input surface it belongs to.
 struct Cell_surface_3
 {
   Triangle_soup_3 soup;
-  std::size_t surface; // of the input
+  std::size_t surface; // index of the input surface
 };
 
-// Keeps the first one of the triangles with the same corners; `index[t]` becomes the place of
-// triangle t. Equal points must be merged.
+// Returns the triangles without repetitions: the first of several triangles with the same corners.
+// `index[t]` becomes the new index of triangle t.
+// \pre equal points are merged
 inline std::vector<Triangle_indices>
 distinct_triangles(const std::vector<Triangle_indices>& triangles,
                    std::vector<std::size_t>& index) {
@@ -51,9 +52,9 @@ distinct_triangles(const std::vector<Triangle_indices>& triangles,
   return result;
 }
 
-// The surfaces of the regions that a surface with walls encloses: walls are triangles that are
-// there several times, or meet two others or more in an edge. A surface without walls is left as it
-// is.
+// Returns the surfaces of the regions that a surface with walls encloses. Walls are triangles that
+// occur several times, or that share an edge with at least two other triangles. A surface without
+// walls is returned unchanged.
 inline std::vector<Triangle_soup_3> surfaces_of_cells(const Triangle_soup_3& input,
                                                       std::size_t surface) {
   check_numbers(input, surface);
@@ -83,29 +84,29 @@ inline std::vector<Triangle_soup_3> surfaces_of_cells(const Triangle_soup_3& inp
       for (std::size_t r : {regions.in_front_of(t), regions.behind(t)})
         result[r].triangles.push_back(soup.triangles[t]);
   result.erase(result.begin() + Soup_regions_3::unbounded);
-  if (result.size() < 2) // nothing is divided: triangles are repeated by mistake
+  if (result.size() < 2) // no wall divides a region: triangles are repeated by mistake
     return {input};
   for (Triangle_soup_3& cell : result)
     cell = merge_points(cell);
   return result;
 }
 
-// Closed surfaces that share walls, as regions of space.
+// The regions of space that closed surfaces with common walls enclose.
 struct Walled_regions_3
 {
   struct Sides
   {
-    std::size_t behind, in_front; // of a triangle: the cell there, or `outside`
+    std::size_t behind, in_front; // cell on each side of a triangle, or `outside`
   };
 
   static constexpr std::size_t outside = std::size_t(-1);
 
-  Triangle_soup_3 soup;     // triangles meet only in common vertices and edges
-  std::vector<Sides> sides; // of the triangles
+  Triangle_soup_3 soup;     // triangles meet in common vertices and edges only
+  std::vector<Sides> sides; // sides of each triangle
 };
 
-// The innermost of the cells that enclose each region. Throws Invalid_surface_error if two of them
-// overlap, and none is inside the other.
+// Returns the innermost of the cells that enclose each region. Throws Invalid_surface_error if two
+// cells enclose the same regions, or overlap and neither contains the other.
 inline std::vector<std::size_t> innermost_cells(const std::vector<std::vector<char>>& enclosed,
                                                 const std::vector<Cell_surface_3>& cells,
                                                 std::size_t number_of_regions) {
@@ -118,7 +119,7 @@ inline std::vector<std::size_t> innermost_cells(const std::vector<std::vector<ch
   std::vector<std::size_t> result(number_of_regions, Walled_regions_3::outside);
   std::vector<std::size_t> outermost(number_of_regions, Walled_regions_3::outside);
   for (std::size_t c : order) {
-    // What was enclosed by a smaller cell must be so entirely.
+    // All regions enclosed by the smaller cell must be enclosed by the larger one.
     std::map<std::size_t, std::size_t> overlaps;
     for (std::size_t r = 0; r < number_of_regions; ++r)
       if (enclosed[c][r] && outermost[r] != Walled_regions_3::outside)
@@ -138,8 +139,8 @@ inline std::vector<std::size_t> innermost_cells(const std::vector<std::vector<ch
   return result;
 }
 
-// Divides space by closed surfaces that may share walls, however these are triangulated. Throws
-// Invalid_surface_error if surfaces are not closed, or overlap.
+// Divides space by closed surfaces that may share walls. The walls need not have the same
+// triangulation. Throws Invalid_surface_error if surfaces are not closed, or overlap.
 inline Walled_regions_3 divide_by_walls(const std::vector<Cell_surface_3>& cells) {
   std::vector<Merged_soup_3> merged;
   for (const Cell_surface_3& cell : cells) {

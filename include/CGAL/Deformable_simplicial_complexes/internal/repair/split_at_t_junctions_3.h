@@ -24,14 +24,15 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Splits open edges, which are in an odd number of triangles, at the ends of other open edges that
-// lie on them or nearly so. Triangles of split edges are triangulated again. Points do not move.
+// Splits open edges at the ends of other open edges that lie on them, within a tolerance. An edge
+// is open if its number of triangles is odd. The triangles of split edges are triangulated again.
+// Points do not move.
 class T_junction_splitter_3
 {
 public:
   explicit T_junction_splitter_3(Triangle_soup_3& soup) : m_soup(soup) {}
 
-  // Returns the number of edges that were split.
+  // Splits the edges. Returns the number of split edges.
   std::size_t run() {
     collect_open_edges();
     collect_points_on_edges();
@@ -43,12 +44,13 @@ public:
   }
 
 private:
-  using Edge = std::array<std::size_t, 2>;              // increasing
-  using Point_on_edge = std::pair<double, std::size_t>; // its place along the edge, from 0 to 1
+  using Edge = std::array<std::size_t, 2>;              // indices in increasing order
+  using Point_on_edge = std::pair<double, std::size_t>; // parameter in [0, 1], and the vertex
   using Point = Predicates_kernel::Point_3;
 
-  // A vertex is on an edge if its distance is less than this part of the edge, and of the shortest
-  // open edge at the vertex. Coordinates of six digits are rounded by less.
+  // A vertex is on an edge if its distance is less than this fraction of the edge, and of the
+  // shortest open edge at the vertex. The tolerance exceeds the rounding of coordinates with six
+  // digits.
   static constexpr double tolerance = 1e-3;
 
   Point point(std::size_t v) const { return exact_point(m_soup.points[v]); }
@@ -99,7 +101,8 @@ private:
       m_points[edge].emplace_back(place, v);
   }
 
-  // The points between two corners of a triangle, on the way from the first to the second.
+  // Returns the points on the side between two corners of a triangle, in the direction from the
+  // first to the second corner.
   std::vector<std::size_t> points_between(std::size_t a, std::size_t b) const {
     std::vector<std::size_t> result;
     const auto found = m_points.find({(std::min)(a, b), (std::max)(a, b)});
@@ -111,8 +114,9 @@ private:
     return result;
   }
 
-  // A triangle with points on an edge becomes a fan about the opposite corner, the outer ones of
-  // which may have points on their edges, too. A point that is a corner is left out.
+  // Replaces each triangle with points on an edge by a fan around the opposite corner. The first
+  // and the last triangle of the fan may have points on their edges, too. A point that is a corner
+  // of the triangle is skipped.
   void split_triangles() {
     std::vector<Triangle_indices> todo(m_soup.triangles.rbegin(), m_soup.triangles.rend()), done;
     while (!todo.empty()) {
@@ -144,8 +148,8 @@ private:
   }
 
   Triangle_soup_3& m_soup;
-  std::vector<Edge> m_edges;                // open
-  std::map<std::size_t, double> m_shortest; // open edge at a vertex
+  std::vector<Edge> m_edges;                // open edges
+  std::map<std::size_t, double> m_shortest; // length of the shortest open edge at each vertex
   std::map<Edge, std::vector<Point_on_edge>> m_points;
 };
 

@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Lets a wrap end early.
+// A visitor that makes a wrap interruptible.
 struct Stopping_wrap_visitor : Alpha_wraps_3::internal::Wrapping_default_visitor
 {
   template <class Wrap, class Gate> void before_facet_treatment(const Wrap&, const Gate&) {
@@ -22,7 +22,7 @@ struct Stopping_wrap_visitor : Alpha_wraps_3::internal::Wrapping_default_visitor
   }
 };
 
-// Lets the filling of a hole end early.
+// A visitor that makes hole filling interruptible.
 struct Stopping_hole_visitor : Polygon_mesh_processing::Hole_filling::Default_visitor
 {
   void quadratic_step() const { Progress_scope::check(); }

@@ -21,16 +21,17 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A triangle with two sides, and how often it is there: less those of opposite orientation.
+// Distinct triangles with multiplicities: the number of occurrences minus the number of occurrences
+// in the opposite orientation.
 struct Counted_triangles_3
 {
   Triangle_soup_3 soup; // no two triangles have the same corners
   std::vector<int> multiplicities;
   std::vector<char> is_of_closed_parts;
-  std::vector<std::size_t> of_pieces; // the triangle that each piece of a split soup became
+  std::vector<std::size_t> of_pieces; // the triangle for each triangle of the split soup
 };
 
-// The number of transpositions that sort the corners is even.
+// Returns whether the permutation that sorts the corners is even.
 inline bool is_even_permutation(const Triangle_indices& t) {
   return (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]) == 2;
 }
@@ -62,12 +63,13 @@ inline Counted_triangles_3 count_triangles(const Split_soup_3& split,
   return counted;
 }
 
-// Which regions are inside the solid: those that are enclosed more than zero times if what divides
-// regions are closed parts, else those that an odd number of nested components enclose.
+// Returns which regions are inside the solid. These are the regions with a positive winding number
+// if all dividing triangles belong to closed components and the winding numbers are consistent.
+// Otherwise they are the regions enclosed by an odd number of nested components.
 inline std::vector<char> solid_regions(const Soup_regions_3& regions,
                                        const Counted_triangles_3& triangles) {
   std::vector<char> result(regions.size());
-  bool has_walls = false; // of parts that are not closed
+  bool has_walls = false; // triangles of components that are not closed
   for (std::size_t t = 0; t < triangles.soup.triangles.size(); ++t)
     has_walls |= !triangles.is_of_closed_parts[t] && regions.in_front_of(t) != regions.behind(t);
   const auto numbers = regions.winding_numbers(triangles.multiplicities);
@@ -78,14 +80,15 @@ inline std::vector<char> solid_regions(const Soup_regions_3& regions,
 
 struct United_surface_3
 {
-  Triangle_soup_3 soup;          // corners are counterclockwise as seen from outside
-  Triangle_soup_3 sheets;        // outside the solid, with the outside on both sides: left out
-  std::size_t crossing_pairs;    // of triangles
-  std::size_t crossing_parts;    // that crossed others or themselves
-  std::size_t removed_triangles; // of the input, of which nothing is left
+  Triangle_soup_3 soup;          // corners are counterclockwise seen from outside
+  Triangle_soup_3 sheets;        // removed triangles that have the outside on both sides
+  std::size_t crossing_pairs;    // pairs of triangles
+  std::size_t crossing_parts;    // components that intersected others or themselves
+  std::size_t removed_triangles; // triangles of the input without any remaining part
 };
 
-// The triangles between the solid and the outside, and those that have the outside on both sides.
+// Returns the triangles between the solid and the outside, and the triangles with the outside on
+// both sides.
 inline United_surface_3 boundary_of_solid(const Split_soup_3& split,
                                           const Counted_triangles_3& triangles,
                                           std::size_t size_of_input) {
@@ -113,14 +116,15 @@ inline United_surface_3 boundary_of_solid(const Split_soup_3& split,
   return result;
 }
 
-// Makes one solid of parts that cross each other or themselves, and removes all triangles that do
-// not bound it. A closed part is a solid or, if an odd number of parts that it does not cross is
-// around it, a cavity. A point is in the result if more solids than cavities enclose it. Where
-// triangles that belong to no closed part divide space, such as walls inside a solid, everything
-// that they enclose is in the result, except nested cavities. Triangles must have an area.
+// Makes one solid of components that intersect each other or themselves, and removes all triangles
+// that do not bound the solid. A closed component is a solid or, if it is nested in an odd number
+// of components that it does not intersect, a cavity. A point is in the result if more solids than
+// cavities contain it. Triangles of no closed component may divide space, such as walls inside a
+// solid. In this case everything they enclose is in the result, except nested cavities.
 //
-// The result meets itself in common vertices and edges only; an even number of triangles is in each
-// edge. Returns nothing if there is no such solid.
+// The triangles of the result meet in common vertices and edges only, with an even number of
+// triangles in each edge. Returns `nullopt` if there is no such solid.
+// \pre no triangle is degenerate
 inline std::optional<United_surface_3> unite_components(const Triangle_soup_3& input) {
   const Surface_components_3 parts(input);
   const std::optional<Split_soup_3> split = split_at_crossings(parts.oriented_soup());

@@ -23,12 +23,13 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The regions into which triangles divide space. Triangles may meet only in common vertices and
-// edges, no two may have the same corners, and each must have an area. n log n.
+// The regions into which triangles divide space. Takes time O(n log n).
+// \pre triangles meet in common vertices and edges only, no two have the same corners, and none is
+// degenerate
 class Soup_regions_3
 {
 public:
-  static constexpr std::size_t unbounded = 0; // region
+  static constexpr std::size_t unbounded = 0; // number of the unbounded region
 
   explicit Soup_regions_3(const Triangle_soup_3& soup)
       : m_sets(2 * soup.triangles.size() + 1), m_regions(2 * soup.triangles.size()) {
@@ -38,16 +39,16 @@ public:
     number_regions();
   }
 
-  // The number of regions, the unbounded one included.
+  // Returns the number of regions, including the unbounded one.
   std::size_t size() const { return m_size; }
 
-  // Regions are numbered by the triangles at them.
+  // Return the region on each side of a triangle.
   std::size_t in_front_of(std::size_t triangle) const { return m_regions[2 * triangle]; }
   std::size_t behind(std::size_t triangle) const { return m_regions[2 * triangle + 1]; }
 
-  // How often each region is enclosed if triangle t is to be counted `multiplicities[t]` times: the
-  // number increases by that from its front to its back. Nothing if different ways into a region
-  // lead to different numbers.
+  // Returns the winding number of each region if triangle t is counted `multiplicities[t]` times:
+  // the number increases by the multiplicity from the front to the back of the triangle. Returns
+  // `nullopt` if the numbers are inconsistent.
   std::optional<std::vector<int>> winding_numbers(const std::vector<int>& multiplicities) const {
     std::vector<int> numbers(m_size, 0);
     visit_regions([&](std::size_t t, bool to_back) {
@@ -61,8 +62,8 @@ public:
     return numbers;
   }
 
-  // Which regions the given triangles enclose: those that are reached through an odd number of
-  // them. Nothing if different ways lead to different numbers.
+  // Returns which regions the given triangles enclose: a path from the unbounded region crosses
+  // them an odd number of times. Returns `nullopt` if different paths give different parities.
   std::optional<std::vector<char>> enclosed_by(const std::vector<char>& is_given) const {
     std::vector<char> result(m_size, 0);
     visit_regions([&](std::size_t t, bool to_back) {
@@ -75,14 +76,14 @@ public:
     return result;
   }
 
-  // How many connected components of the triangles enclose each region, however they do it.
+  // Returns the number of connected components of the triangles that enclose each region.
   const std::vector<int>& depths() const { return m_depths; }
 
 private:
-  // Calls `visit` once for each bounded region, with a triangle through which it is reached from a
-  // region that was visited before, and whether it lies behind that triangle.
+  // Calls `visit` once for each bounded region, with a triangle between this region and a region
+  // visited before, and whether the region is behind the triangle.
   template <class Visit> void visit_regions(const Visit& visit) const {
-    std::vector<std::vector<std::size_t>> triangles(m_size); // at each region
+    std::vector<std::vector<std::size_t>> triangles(m_size); // triangles at each region
     for (std::size_t t = 0; t < m_regions.size() / 2; ++t) {
       triangles[in_front_of(t)].push_back(t);
       triangles[behind(t)].push_back(t);
@@ -104,12 +105,13 @@ private:
 
   std::size_t front_side(std::size_t t) const { return 2 * t; }
   std::size_t back_side(std::size_t t) const { return 2 * t + 1; }
-  std::size_t infinity() const { return m_regions.size(); } // a side, too
+  std::size_t infinity() const { return m_regions.size(); } // also a side
 
-  // Between neighbors around an edge there is no other triangle.
+  // Joins the facing sides of triangles that are neighbors around an edge: no other triangle is
+  // between them.
   void join_at_edges(const Triangle_soup_3& soup, Disjoint_sets& parts) {
-    // The side of a triangle that is met first by a turn about an edge from its first vertex to its
-    // second one, by the right hand.
+    // Returns the side of a triangle that is met first in a right-handed rotation about the edge
+    // from its first to its second vertex.
     const auto first_side = [&](const Triangle_side& side) {
       const Triangle_indices& t = soup.triangles[side.triangle];
       const std::size_t i = std::find(t.begin(), t.end(), side.vertices[0]) - t.begin();
@@ -130,14 +132,15 @@ private:
     }
   }
 
-  // Each part is in the region that a ray from its farthest crossing with it meets.
+  // Joins the regions of different connected components. The region around a component is found by
+  // a ray: it is the region of the next component behind the last crossing with its own.
   void join_parts(const Triangle_soup_3& soup, Disjoint_sets& parts) {
-    std::vector<std::size_t> first; // triangle of each part
+    std::vector<std::size_t> first; // first triangle of each component
     for (std::size_t t = 0; t < soup.triangles.size(); ++t)
       if (parts.find(t) == t)
         first.push_back(t);
     const std::vector<Soup_ray_3> rays = shoot_rays(soup, first);
-    std::vector<std::size_t> outsides; // a side of each part
+    std::vector<std::size_t> outsides; // the outermost side of each component
     for (std::size_t p = 0; p < first.size(); ++p) {
       std::size_t outside = rays[p].starts_in_front ? front_side(first[p]) : back_side(first[p]);
       std::size_t beyond = infinity();
@@ -155,12 +158,13 @@ private:
     count_depths(first, parts, outsides);
   }
 
-  // Regions of a part other than that around it are one deeper than it.
+  // Computes the depths: the regions of a component, except the region around it, are one level
+  // deeper than that region.
   void count_depths(const std::vector<std::size_t>& first, Disjoint_sets& parts,
                     const std::vector<std::size_t>& outsides) {
     number_regions();
-    std::vector<std::vector<std::size_t>> inner(m_size); // regions of the parts in each region
-    std::vector<std::size_t> outside_of(m_regions.size() / 2); // of the first triangle of a part
+    std::vector<std::vector<std::size_t>> inner(m_size); // regions of the components in each region
+    std::vector<std::size_t> outside_of(m_regions.size() / 2); // for first triangles of components
     for (std::size_t p = 0; p < first.size(); ++p)
       outside_of[first[p]] = m_regions[outsides[p]];
     for (std::size_t side = 0; side < m_regions.size(); ++side) {
@@ -193,7 +197,7 @@ private:
     }
   }
 
-  Disjoint_sets m_sets; // of sides, and infinity
+  Disjoint_sets m_sets; // sides, and infinity
   std::vector<std::size_t> m_regions;
   std::vector<int> m_depths;
   std::size_t m_size = 0;

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What is passed to tetrahedralizers.
+// The types in which soups are passed to tetrahedralizers.
 using Coordinates_3 = std::array<double, 3>;
 using Triangle_indices = std::array<std::size_t, 3>;
 
@@ -33,7 +33,7 @@ struct Triangle_soup_3
   std::vector<Triangle_indices> triangles;
 };
 
-// What exact predicates are asked about.
+// The kernel of exact predicates on soups.
 using Predicates_kernel = Exact_predicates_inexact_constructions_kernel;
 
 inline Predicates_kernel::Point_3 exact_point(const Coordinates_3& p) { return {p[0], p[1], p[2]}; }
@@ -44,14 +44,16 @@ inline Predicates_kernel::Triangle_3 exact_triangle(const Triangle_soup_3& soup,
           exact_point(soup.points[t[2]])};
 }
 
-// Triangle i is triangle i of the input, point j is point `input_points[j]` of the input.
+// A soup with unique points. Triangle i is triangle i of the input, point j is point
+// `input_points[j]` of the input.
 struct Merged_soup_3 : Triangle_soup_3
 {
-  std::vector<std::size_t> input_points; // increasing
+  std::vector<std::size_t> input_points; // in increasing order
 };
 
-// Keeps the first one of equal points, and no points that are in no triangle. Indices must be valid
-// and coordinates finite. n log n.
+// Merges equal points, keeping the first one, and removes points that belong to no triangle. Takes
+// time O(n log n).
+// \pre indices are valid and coordinates are finite
 inline Merged_soup_3 merge_points(const Triangle_soup_3& input) {
   std::vector<char> is_used(input.points.size(), 0);
   for (const Triangle_indices& t : input.triangles)
@@ -93,16 +95,16 @@ inline void append(Triangle_soup_3& soup, const Triangle_soup_3& other) {
     soup.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
 }
 
-// The triangles of several surfaces, one surface after the other. Points that are equal are one,
-// also those of different surfaces.
+// The triangles of several surfaces, one surface after the other. Equal points are merged, also
+// points of different surfaces.
 struct Joined_soup_3 : Triangle_soup_3
 {
-  // What is point or triangle `index` of surface `surface` of the input.
+  // The origin of a point or triangle: item `index` of surface `surface` of the input.
   struct Origin
   {
     std::size_t surface, index;
   };
-  std::vector<Origin> point_origins; // the first one of equal points; surfaces increase
+  std::vector<Origin> point_origins; // the first of equal points; surfaces increase
   std::vector<Origin> triangle_origins;
 };
 
@@ -125,14 +127,15 @@ inline Joined_soup_3 join(const std::vector<Merged_soup_3>& surfaces) {
   return joined;
 }
 
-// One side of a triangle.
+// A side of a triangle.
 struct Triangle_side
 {
-  std::array<std::size_t, 2> vertices; // increasing
+  std::array<std::size_t, 2> vertices; // in increasing order
   std::size_t triangle, opposite_vertex;
 };
 
-// The sides of all triangles, those along one edge next to each other by increasing triangles.
+// Returns the sides of all triangles, sorted so that the sides on an edge are consecutive, by
+// increasing triangle index.
 inline std::vector<Triangle_side> sorted_sides(const std::vector<Triangle_indices>& triangles) {
   std::vector<Triangle_side> sides;
   sides.reserve(3 * triangles.size());
@@ -147,7 +150,7 @@ inline std::vector<Triangle_side> sorted_sides(const std::vector<Triangle_indice
   return sides;
 }
 
-// The end of the sides along the same edge as the first one of a range of sorted sides.
+// Returns the end of the range of sides on the same edge as `first`, in a range of sorted sides.
 inline std::vector<Triangle_side>::const_iterator
 end_of_edge(std::vector<Triangle_side>::const_iterator first,
             std::vector<Triangle_side>::const_iterator end) {

@@ -18,8 +18,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Orders the triangles at an edge as they follow each other around it, beginning with one of them.
-// Exact. No two may overlap.
+// Orders the triangles at an edge by their angle around the edge, starting with a given triangle.
+// Exact.
+// \pre no two triangles overlap
 class Less_around_edge_3
 {
 public:
@@ -32,7 +33,8 @@ public:
   }
 
 private:
-  // The turn is split into where it begins, its first half, the middle, and its second half.
+  // Returns the part of the full angle in which a triangle lies: the start, the first half, the
+  // opposite direction, or the second half.
   int part(const Triangle_side& side) const {
     if (side.triangle == m_first.triangle)
       return 0;
@@ -51,12 +53,13 @@ private:
   Triangle_side m_first;
 };
 
-// Pairs of triangles of different surfaces that cross in a common edge, the smaller index first;
-// sorted. Triangles may meet only in common vertices and edges, each surface having an even number
-// of them in each edge.
+// Returns the pairs of triangles of different surfaces that cross in a common edge, the smaller
+// index first; sorted.
 //
-// Surfaces touch in an edge, and do not cross, if neighbors of the same surface can be taken away
-// from the circle of triangles around it until none is left, as with brackets.
+// Surfaces touch in an edge, without crossing, if the cyclic sequence of triangles around the edge
+// becomes empty when neighbors of the same surface are removed repeatedly, like matching brackets.
+// \pre triangles meet in common vertices and edges only, and each surface has an even number of
+// triangles in each edge
 inline std::vector<std::pair<std::size_t, std::size_t>>
 crossings_at_edges(const Joined_soup_3& soup) {
   const auto surface = [&soup](const Triangle_side& side) {
@@ -76,7 +79,7 @@ crossings_at_edges(const Joined_soup_3& soup) {
           unmatched.push_back(*side);
       auto first = unmatched.begin(), last = unmatched.end();
       for (; first != last && surface(*first) == surface(*(last - 1)); ++first)
-        --last; // neighbors across the beginning of the circle
+        --last; // neighbors across the start of the cycle
       for (; first != last && first + 1 != last; ++first)
         pairs.push_back(std::minmax({first->triangle, (first + 1)->triangle}));
     }

@@ -15,9 +15,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// All pairs of triangles of a soup that meet anywhere but in a common vertex or a common edge, the
-// smaller index first; sorted. Exact. Triangles must have an area, and points with different
-// indices must differ.
+// Returns all pairs of triangles of a soup that intersect anywhere except in a common vertex or a
+// common edge, the smaller index first; sorted. Exact.
+// \pre no triangle is degenerate, and points with different indices differ
 #ifdef CGAL_DSC_EXTERN // see the component Compiled
 std::vector<std::pair<std::size_t, std::size_t>> crossing_triangles(const Triangle_soup_3& soup);
 #else

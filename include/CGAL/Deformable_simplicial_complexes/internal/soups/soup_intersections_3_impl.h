@@ -20,18 +20,19 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Tells whether two triangles of a soup meet anywhere but in a common vertex or a common edge.
-// Exact. Triangles must have an area, and points with different indices must differ.
+// Tests whether two triangles of a soup intersect anywhere except in a common vertex or a common
+// edge. Exact.
 //
-// Works on the soup, and not on a halfedge mesh as Polygon_mesh_processing does, because surfaces
-// that intersect themselves may have no consistent orientation.
+// Works on a soup, not on a halfedge mesh as Polygon_mesh_processing does, because
+// self-intersecting surfaces may have no consistent orientation.
+// \pre no triangle is degenerate, and points with different indices differ
 class Do_triangles_cross_3
 {
 public:
   explicit Do_triangles_cross_3(const Triangle_soup_3& soup) : m_soup(soup) {}
 
   bool operator()(std::size_t s, std::size_t t) const {
-    // Bring common vertices to the front of both triangles.
+    // Moves common vertices to the front of both triangles.
     Triangle_indices a = m_soup.triangles[s], b = m_soup.triangles[t];
     std::size_t n = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -49,7 +50,8 @@ public:
       return do_intersect(opposite_edge(a), exact_triangle(m_soup, t)) ||
              do_intersect(opposite_edge(b), exact_triangle(m_soup, s));
     case 2: {
-      // They cover the same side of the edge.
+      // With a common edge, the triangles intersect if they are coplanar and on the same side of
+      // it.
       const auto p = point(a[0]), q = point(a[1]), r = point(a[2]), o = point(b[2]);
       return coplanar(p, q, r, o) && coplanar_orientation(p, q, r, o) == POSITIVE;
     }

@@ -14,24 +14,25 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A triangle that a ray crosses.
+// The crossing of a triangle by a ray.
 struct Ray_crossing_3
 {
   std::size_t triangle;
-  bool leaves_front; // the ray goes from the side behind the triangle to the side in front of it
+  bool leaves_front; // whether it goes from behind the triangle to its front
 };
 
 // A ray from a point inside a triangle, in the direction of increasing x.
 struct Soup_ray_3
 {
-  bool starts_in_front;                  // of its triangle, and not behind it
-  std::vector<Ray_crossing_3> crossings; // along the ray
+  bool starts_in_front;                  // whether the ray starts in front of its triangle
+  std::vector<Ray_crossing_3> crossings; // sorted along the ray
 };
 
-// Rays from points inside the given triangles, which must have an area. Exact. The start of a ray
-// is moved by infinitesimal amounts, first in x, then in y, then in z: so no ray meets an edge, and
-// none meets its own triangle. Triangles that meet that one where the ray starts may be counted or
-// not. n log n, plus the number of triangles whose boxes meet rays.
+// Returns rays from points inside the given triangles. Exact. The start of a ray is perturbed by
+// infinitesimal amounts, first in x, then in y, then in z, so that no ray meets an edge, and no ray
+// meets its own triangle. Triangles that meet this triangle at the start of the ray may be counted
+// or not. Takes time O(n log n), plus the number of triangles whose bounding boxes meet rays.
+// \pre the given triangles are not degenerate
 #ifdef CGAL_DSC_EXTERN // see the component Compiled
 std::vector<Soup_ray_3> shoot_rays(const Triangle_soup_3& soup,
                                    const std::vector<std::size_t>& triangles);

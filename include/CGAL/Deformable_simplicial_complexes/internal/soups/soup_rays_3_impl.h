@@ -24,32 +24,32 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A ray in the direction of increasing x from a point that is moved by infinitesimal amounts: by d
-// in x, e in y and f in z, where 1 >> d >> e >> f > 0.
+// A ray in the direction of increasing x. Its start is perturbed by infinitesimal amounts: by d in
+// x, e in y and f in z, where 1 >> d >> e >> f > 0.
 class Perturbed_ray_3
 {
 public:
   using Kernel = Exact_predicates_exact_constructions_kernel;
   using Triangle = std::array<Kernel::Point_3, 3>;
 
-  // A point inside the triangle that is hardly in line with anything: the weights of the corners
-  // are no simple fractions.
+  // Starts the ray at a point inside the triangle. The weights of the corners are no simple
+  // fractions, to avoid degenerate positions.
   explicit Perturbed_ray_3(const Triangle& t)
       : m_start(ORIGIN + (weights[0] * (t[0] - ORIGIN) + weights[1] * (t[1] - ORIGIN) +
                           (1 - weights[0] - weights[1]) * (t[2] - ORIGIN))) {}
 
   const Kernel::Point_3& start() const { return m_start; }
 
-  // The sign of the direction in which the start is moved away from the triangle.
+  // Returns whether the perturbation moves the start to the front of the triangle.
   static bool starts_in_front(const Triangle& t) {
     for (int axis = 0; axis < 3; ++axis)
       if (const Orientation o = projected_orientation(t[0], t[1], t[2], axis); o != COLLINEAR)
         return o == POSITIVE;
-    return true; // a triangle without area
+    return true; // a degenerate triangle
   }
 
-  // The orientation of the triangle as seen against the direction of the ray if it is crossed, else
-  // COLLINEAR.
+  // Returns the orientation of the triangle seen against the direction of the ray if the ray
+  // crosses the triangle, COLLINEAR otherwise.
   Orientation crossing(const Triangle& t) const {
     const Orientation o = projected_orientation(t[0], t[1], t[2], 0);
     if (o == COLLINEAR)
@@ -61,8 +61,8 @@ public:
     return from_start == opposite(o) ? o : COLLINEAR;
   }
 
-  // The x where the ray meets a triangle that it crosses, and how that changes with the start's y
-  // and z. The lexicographic order is that of the crossings along the ray.
+  // Returns the x-coordinate of the crossing with a triangle, and its derivatives by y and z of the
+  // start. The lexicographic order is the order of the crossings along the ray.
   std::array<Kernel::FT, 3> place(const Triangle& t) const {
     const Kernel::Plane_3 plane(t[0], t[1], t[2]);
     return {-(plane.b() * m_start.y() + plane.c() * m_start.z() + plane.d()) / plane.a(),
@@ -70,9 +70,9 @@ public:
   }
 
 private:
-  static constexpr double weights[] = {79. / 256, 263. / 1024}; // exact, as is their sum
+  static constexpr double weights[] = {79. / 256, 263. / 1024}; // exact, like their sum
 
-  // Of the projection along an axis.
+  // Returns the orientation of the projection of a triangle along an axis.
   static Orientation projected_orientation(const Kernel::Point_3& a, const Kernel::Point_3& b,
                                            const Kernel::Point_3& c, int axis) {
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
@@ -80,7 +80,8 @@ private:
                        Kernel::Point_2(c[i], c[j]));
   }
 
-  // The side of the line from a to b on which the ray is, as seen against its direction.
+  // Returns the side of the line from a to b on which the ray lies, seen against the direction of
+  // the ray.
   Orientation side(const Kernel::Point_3& a, const Kernel::Point_3& b) const {
     if (const Orientation o = projected_orientation(a, b, m_start, 0); o != COLLINEAR)
       return o;

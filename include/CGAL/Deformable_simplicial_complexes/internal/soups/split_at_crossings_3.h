@@ -15,18 +15,19 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Triangle i lies in triangle `origins[i]` of the input and has its orientation.
+// A soup of split triangles. Triangle i lies in triangle `origins[i]` of the input and has its
+// orientation.
 struct Split_soup_3 : Triangle_soup_3
 {
   std::vector<std::size_t> origins;
 };
 
-// Splits triangles where they meet, so that afterwards they meet only in common vertices and edges,
-// or have the same three corners. Intersection points are computed exactly and then rounded, which
-// may make other triangles cross: this is repeated. Triangles without area are removed. A soup that
-// needs no split keeps its triangles bit for bit.
+// Splits triangles where they intersect. In the result, triangles meet in common vertices and edges
+// only, or have the same three corners. Intersection points are computed exactly and then rounded.
+// Rounding may create new intersections, so the splitting is repeated. Degenerate triangles are
+// removed. A soup without intersections is returned bitwise unchanged.
 //
-// Returns nothing if triangles still cross after many repetitions.
+// Returns `nullopt` if triangles still intersect after the maximum number of repetitions.
 #ifdef CGAL_DSC_EXTERN // see the component Compiled
 std::optional<Split_soup_3> split_at_crossings(const Triangle_soup_3& soup);
 #else

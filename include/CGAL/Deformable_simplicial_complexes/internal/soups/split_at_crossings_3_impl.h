@@ -31,8 +31,8 @@ namespace internal {
 
 using Exact_kernel_of_splits = Exact_predicates_exact_constructions_kernel;
 
-// A triangle that is triangulated again, with points and segments in it. Everything is exact, in
-// the projection along an axis that is not parallel to the triangle.
+// A triangle to be triangulated again, with points and segments inserted into it. All computations
+// are exact, in the projection along an axis that is not parallel to the triangle.
 class Split_triangle_3
 {
 public:
@@ -50,13 +50,14 @@ public:
 
   const Kernel::Triangle_3& triangle() const { return m_triangle; }
 
-  // Points must be in the triangle.
+  // Inserts a point, or a segment.
+  // \pre the points are in the triangle
   void insert(const Point& p) { m_triangulation.insert(project(p)); }
   void insert(const Point& p, const Point& q) {
     m_triangulation.insert_constraint(project(p), project(q));
   }
 
-  // Calls `visit` with the rounded corners of each triangle, which are oriented like this one.
+  // Calls `visit` with the rounded corners of each triangle, oriented like the original triangle.
   template <class Visit> void visit_triangles(const Visit& visit) {
     const auto plane = m_triangle.supporting_plane();
     for (const auto v : m_triangulation.finite_vertex_handles())
@@ -77,7 +78,7 @@ public:
 private:
   static constexpr int unknown = -1;
 
-  // Knows the index of its rounded point.
+  // A vertex that stores the index of its rounded point.
   template <class Base> class Vertex_of_split : public Base
   {
   public:
@@ -94,7 +95,8 @@ private:
 
   using Vertex = Vertex_of_split<Triangulation_vertex_base_2<Kernel>>;
   using Face = Constrained_triangulation_face_base_2<Kernel>;
-  // Points where segments cross are computed from the segments as they were inserted.
+  // The triangulation of the constraints. Intersections of segments are computed from the segments
+  // as they were inserted.
   using Triangulation = Constrained_triangulation_plus_2<Constrained_Delaunay_triangulation_2<
       Kernel, Triangulation_data_structure_2<Vertex, Face>, Exact_intersections_tag>>;
 
@@ -106,7 +108,8 @@ private:
     return {p[(m_axis + 1) % 3], p[(m_axis + 2) % 3]};
   }
 
-  // The axis that is nearest to the normal and not parallel to the triangle.
+  // Returns the axis of projection: the axis nearest to the normal that is not parallel to the
+  // triangle.
   int axis_of_projection() {
     const auto &a = m_points[0], &b = m_points[1], &c = m_points[2];
     std::array<int, 3> axes = {0, 1, 2};
@@ -126,10 +129,10 @@ private:
       m_is_counterclockwise = o == LEFT_TURN;
       return k;
     }
-    return axes[0]; // a triangle without area, which nobody splits
+    return axes[0]; // a degenerate triangle, which is never split
   }
 
-  // Equal points have equal coordinates, in whichever triangle they are computed.
+  // Returns the rounded point of the triangle. Equal points get equal coordinates in all triangles.
   Coordinates_3 lift(const Kernel::Point_2& p, const Kernel::Plane_3& plane) const {
     const std::array<Kernel::FT, 3> normal = {plane.a(), plane.b(), plane.c()};
     const int i = (m_axis + 1) % 3, j = (m_axis + 2) % 3;
@@ -143,13 +146,13 @@ private:
   }
 
   std::vector<Coordinates_3> m_points; // the corners first
-  bool m_is_counterclockwise = true;   // in the projection
+  bool m_is_counterclockwise = true;   // orientation of the projection
   int m_axis;
   Kernel::Triangle_3 m_triangle;
   Triangulation m_triangulation;
 };
 
-// Inserts what two triangles have in common into both.
+// Inserts the intersection of two triangles into both of them.
 inline void insert_intersection(Split_triangle_3& s, Split_triangle_3& t) {
   using Kernel = Split_triangle_3::Kernel;
   const auto common = intersection(s.triangle(), t.triangle());
@@ -180,7 +183,7 @@ inline bool have_same_corners(Triangle_indices a, Triangle_indices b) {
   return a == b;
 }
 
-// Merges equal points and removes triangles without area.
+// Merges equal points and removes degenerate triangles.
 inline void tidy_up(Split_soup_3& soup) {
   static_cast<Triangle_soup_3&>(soup) = merge_points(soup);
   std::size_t kept = 0;
@@ -193,7 +196,8 @@ inline void tidy_up(Split_soup_3& soup) {
   soup.origins.resize(kept);
 }
 
-// Splits the triangles of the pairs. No two pairs are equal.
+// Splits the triangles of the pairs.
+// \pre the pairs are distinct
 inline Split_soup_3 split_pairs(const Split_soup_3& soup,
                                 const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
   std::map<std::size_t, Split_triangle_3> splits;
@@ -232,7 +236,7 @@ inline Split_soup_3 split_pairs(const Split_soup_3& soup,
 }
 
 std::optional<Split_soup_3> split_at_crossings(const Triangle_soup_3& input) {
-  static constexpr int most_rounds = 30; // two or three are common
+  static constexpr int most_rounds = 30; // two or three are usual
   Split_soup_3 soup{input, {}};
   for (std::size_t t = 0; t < input.triangles.size(); ++t)
     soup.origins.push_back(t);

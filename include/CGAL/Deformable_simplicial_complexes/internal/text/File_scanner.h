@@ -24,19 +24,20 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// How numbers are written into a file.
+// The encoding of numbers in a file.
 enum class Encoding { text, little_endian, big_endian };
 
-// The words of a text file, without comments, and the lines they are on; also the numbers in binary
-// form that come after a line. A byte order mark is skipped. All lines end as the first one does:
-// with a line feed, perhaps after a carriage return, or with a carriage return alone.
+// A scanner for the words of a text file, without comments, and their line numbers. Also reads
+// numbers in binary form that follow a line. A byte order mark is skipped. All lines must end like
+// the first one: with a line feed, optionally after a carriage return, or with a carriage return
+// alone.
 class File_scanner
 {
 public:
-  // `path` is for messages only.
+  // `path` is used in messages only.
   File_scanner(std::istream& in, std::string path) : m_in(in), m_path(std::move(path)) {}
 
-  // Goes to the next word; returns false if there is none.
+  // Moves to the next word. Returns false if there is none.
   bool next() {
     while (!next_on_line()) {
       m_begin = m_end = 0;
@@ -50,17 +51,17 @@ public:
     return true;
   }
 
-  // Lets lines that end with this character go on in the next line.
+  // Sets the character that continues a line on the next line.
   void continue_lines_at(char mark) { m_continuation_mark = mark; }
 
-  // The same, but does not leave the line.
+  // Moves to the next word on the line. Returns false if there is none.
   bool next_on_line() {
     m_begin = (std::min)(m_line.find_first_not_of(white_space, m_end), m_line.size());
     m_end = (std::min)(m_line.find_first_of(white_space, m_begin), m_line.size());
     return m_begin < m_end;
   }
 
-  // Goes to the next word if it is this one.
+  // Moves to the next word if it equals `expected`. Returns whether it does.
   bool next_is(std::string_view expected) {
     if (next() && word() == expected)
       return true;
@@ -68,13 +69,13 @@ public:
     return false;
   }
 
-  // Goes back to before the word.
+  // Moves back to before the current word.
   void back() { m_end = m_begin; }
 
-  // Cuts the word: what comes after its first `n` characters is the next word.
+  // Cuts the current word after its first `n` characters. The rest becomes the next word.
   void cut_word(std::size_t n) { m_end = m_begin + n; }
 
-  // Returns the number of words between the present one and the end of the line.
+  // Returns the number of words between the current word and the end of the line.
   std::size_t words_left() const {
     std::size_t n = 0;
     for (std::size_t begin = m_end;
@@ -83,21 +84,22 @@ public:
     return n;
   }
 
-  // Goes to the end of the line.
+  // Moves to the end of the line.
   void skip_line() { m_begin = m_end = m_line.size(); }
 
-  // Empty where there is none.
+  // Returns the current word; empty if there is none.
   std::string_view word() const {
     return std::string_view(m_line).substr(m_begin, m_end - m_begin);
   }
 
-  // pre: there is a word
+  // Returns whether the current word is a keyword.
+  // \pre there is a current word
   bool is_keyword() const {
     const char c = word().front();
     return ('A' <= c && c <= 'Z') || ('a' <= c && c <= 'z');
   }
 
-  // Goes to the next word, which must be a number.
+  // Returns the next word as a number. Throws if it is none.
   template <class Number> Number number() {
     if (!next())
       fail("a number is missing at the end of the file; is the file truncated?");
@@ -107,8 +109,8 @@ public:
     return *number;
   }
 
-  // The same for a number that may be in binary form.
-  // pre: if it is, the line has been read to its end
+  // Returns the next number, in text or binary form.
+  // \pre for binary form, the line was read to its end
   template <class Number> Number number(Encoding encoding) {
     if (encoding == Encoding::text)
       return number<Number>();
@@ -124,7 +126,7 @@ public:
   // Skips bytes in binary form.
   void skip_bytes(std::size_t n) { m_in.ignore(static_cast<std::streamsize>(n)); }
 
-  // Skips all bytes to the end of the file; returns their number, zero if all are white space.
+  // Skips all bytes to the end of the file. Returns their number; zero if all are white space.
   std::size_t skip_all_bytes() {
     std::size_t n = 0;
     bool is_blank = true;
@@ -133,8 +135,8 @@ public:
     return is_blank ? 0 : n;
   }
 
-  // Skips all lines to the end of the file; returns the number of those that have words.
-  // pre: the line has been read to its end
+  // Skips all lines to the end of the file. Returns the number of lines that have words.
+  // \pre the line was read to its end
   std::size_t skip_all_lines() {
     std::size_t n = 0;
     for (; next(); ++n)
@@ -157,7 +159,7 @@ public:
 private:
   static constexpr char white_space[] = " \t\r\n\v\f";
 
-  // Reads the next line of the file, without its comment.
+  // Reads the next line of the file, without its comment. Returns false at the end of the file.
   bool read_line(std::string& line) {
     if (m_line_number == 0 ? !read_first_line(line) : !std::getline(m_in, line, m_line_end))
       return false;
@@ -166,7 +168,7 @@ private:
     return true;
   }
 
-  // The same for the first line, which tells how lines end.
+  // Reads the first line, and detects how lines end.
   bool read_first_line(std::string& line) {
     line.clear();
     char c = 0;
@@ -183,7 +185,7 @@ private:
     return is_there;
   }
 
-  // Replaces the mark by white space.
+  // Returns whether the line ends with the continuation mark, and replaces the mark by white space.
   bool ends_with_continuation_mark() {
     const std::size_t last = m_line.find_last_not_of(white_space);
     if (m_continuation_mark == 0 || last == std::string::npos ||
@@ -196,7 +198,7 @@ private:
   std::istream& m_in;
   std::string m_path;
   std::string m_line;
-  std::size_t m_begin = 0, m_end = 0; // of the word in the line
+  std::size_t m_begin = 0, m_end = 0; // range of the current word in the line
   std::size_t m_line_number = 0;
   char m_line_end = '\n';
   char m_continuation_mark = 0; // none

@@ -19,14 +19,14 @@ namespace internal {
 
 inline constexpr char xml_white_space[] = " \t\r\n";
 
-// An element of an XML text, as views of it.
+// An element of an XML text, as views into the text.
 struct Xml_element
 {
   std::string_view name;
-  std::string_view attributes; // what comes after the name in the first tag
-  std::string_view content;    // what is between the tags
+  std::string_view attributes; // text after the name in the start tag
+  std::string_view content;    // text between the tags
 
-  // The value of an attribute as it is written; empty if there is none.
+  // Returns the value of an attribute as written; empty if there is none.
   std::string attribute(std::string_view wanted) const {
     std::string_view rest = attributes;
     for (std::size_t begin; (begin = rest.find_first_of("\"'")) != rest.npos;) {
@@ -44,7 +44,8 @@ struct Xml_element
   }
 };
 
-// Where the tag that begins at `begin` has its '>', which may also be in the value of an attribute.
+// Returns the position of the '>' of the tag that begins at `begin`. A '>' in the value of an
+// attribute is skipped.
 inline std::size_t end_of_xml_tag(std::string_view xml, std::size_t begin) {
   std::size_t i = xml.find_first_of(">\"'", begin);
   while (i != xml.npos && xml[i] != '>')
@@ -53,17 +54,17 @@ inline std::size_t end_of_xml_tag(std::string_view xml, std::size_t begin) {
   return i;
 }
 
-// Hands the elements that a text consists of, but not those within them, to `visit_element`, and
-// what is between them to `visit_text`. Comments, instructions and declarations are skipped, as are
-// sections CDATA. Without recursion: nothing is stored but the names of the elements that are open.
+// Visits the top-level elements of a text with `visit_element`, and the text between them with
+// `visit_text`. Nested elements are not visited. Comments, instructions, declarations and CDATA
+// sections are skipped. Works without recursion, and stores the names of the open elements only.
 //
-// Throws File_error with the line, and the path of the file, if elements are not nested, or deeper
-// than in any data file.
+// Throws File_error with the line and the path of the file if elements are not properly nested, or
+// nested deeper than in any data file.
 template <class Visit_element, class Visit_text>
 void visit_xml(std::string_view xml, const std::string& path, const Visit_element& visit_element,
                const Visit_text& visit_text) {
   constexpr std::size_t deepest = 64;
-  std::size_t begin = 0, position = 0; // of the tag, and behind it
+  std::size_t begin = 0, position = 0; // begin of the tag, and position behind it
   const auto fail = [&](const std::string& what) {
     const auto line = 1 + std::count(xml.begin(), xml.begin() + begin, '\n');
     throw File_error(path + ": line " + std::to_string(line) + ": " + what +

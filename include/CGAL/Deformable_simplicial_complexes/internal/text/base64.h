@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The six bits that a character stands for, or -1.
+// Returns the six bits of a character, or -1 if it is not a base64 digit.
 inline int base64_digit(char c) {
   if ('A' <= c && c <= 'Z')
     return c - 'A';
@@ -25,8 +25,9 @@ inline int base64_digit(char c) {
   return c == '+' ? 62 : c == '/' ? 63 : -1;
 }
 
-// The first bytes of a text in base64, `maximum` at the most: fewer if the text ends or has another
-// character. Padding may be anywhere, as some programs encode one piece after the other.
+// Returns the first bytes of a text in base64, at most `maximum`. Returns fewer bytes if the text
+// ends or has an invalid character. Padding may occur anywhere, because some programs encode pieces
+// one after the other.
 inline std::string bytes_of_base64(std::string_view text, std::size_t maximum) {
   std::string bytes;
   std::uint32_t bits = 0;

@@ -25,16 +25,16 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What stands in a file, as part of a message of one line.
+// Returns a word of a file in quotes, shortened, for a message of one line.
 inline std::string in_quotes(std::string_view text) {
-  constexpr std::size_t longest = 40; // characters that still tell what is wrong
+  constexpr std::size_t longest = 40; // characters, enough to identify the word
   std::string result(text.substr(0, longest));
   for (char& c : result)
     c = static_cast<unsigned char>(c) < ' ' || c == '\177' ? '?' : c;
   return "'" + result + "'";
 }
 
-// With the dot.
+// Returns the extension of a path in lower case, with the dot.
 inline std::string lower_case_extension(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   for (char& c : extension)
@@ -42,7 +42,7 @@ inline std::string lower_case_extension(const std::string& path) {
   return extension;
 }
 
-// Removes a file that was not renamed before the end of the scope.
+// Removes a file at the end of the scope, unless the file was renamed before.
 struct Temporary_file
 {
   std::filesystem::path path;
@@ -53,7 +53,7 @@ struct Temporary_file
   }
 };
 
-// The name of a file that does not exist, in the folder of another one and with its extension.
+// Returns the path of a file that does not exist, in the folder of `path` and with its extension.
 inline std::filesystem::path unused_name(const std::filesystem::path& path) {
   std::string stem = path.stem().string() + ".partial";
   std::filesystem::path result;
@@ -65,8 +65,9 @@ inline std::filesystem::path unused_name(const std::filesystem::path& path) {
   return result;
 }
 
-// Makes `write(temporary_path)` fill a file beside `path` and renames it if `true` is returned, so
-// that an older file stays whole until the new one is. The extension is kept: formats depend on it.
+// Calls `write(temporary_path)` to write a file beside `path`. If `write` returns `true`, the file
+// is renamed to `path`. So an older file stays complete until the new one is complete. The
+// temporary file has the same extension, because formats depend on it.
 template <class Write> void replace_file(const std::string& path, Write write) {
   const std::filesystem::path target(path);
   std::error_code error;
@@ -84,7 +85,7 @@ template <class Write> void replace_file(const std::string& path, Write write) {
                      path);
 }
 
-// Writing can be stopped.
+// A file buffer that makes writing interruptible.
 class Stoppable_filebuf : public std::filebuf
 {
 protected:
@@ -93,7 +94,7 @@ protected:
     return std::filebuf::overflow(c);
   }
   std::streamsize xsputn(const char* text, std::streamsize size) override {
-    static constexpr std::streamsize most = 1 << 20; // bytes at once, which take a millisecond
+    static constexpr std::streamsize most = 1 << 20; // bytes at once, written within milliseconds
     std::streamsize done = 0;
     while (done < size) {
       Progress_scope::check();
@@ -107,7 +108,8 @@ protected:
   }
 };
 
-// The same with a binary stream, whose numbers do not depend on the global locale.
+// Calls `write(stream)` with a binary stream in the classic locale, and replaces the file as
+// replace_file() does.
 template <class Write> void replace_file_by_stream(const std::string& path, Write write) {
   replace_file(path, [&](const std::string& temporary) {
     Stoppable_filebuf file;
@@ -115,7 +117,7 @@ template <class Write> void replace_file_by_stream(const std::string& path, Writ
       return false;
     std::ostream out(&file);
     out.imbue(std::locale::classic());
-    out.exceptions(std::ios::badbit); // or exceptions of the file would be lost in the stream
+    out.exceptions(std::ios::badbit); // otherwise the stream would swallow exceptions of the file
     try {
       write(out);
     } catch (const std::ios_base::failure&) {
@@ -125,8 +127,8 @@ template <class Write> void replace_file_by_stream(const std::string& path, Writ
   });
 }
 
-// Returns the whole file without a byte order mark. Takes no more memory than the file has bytes.
-// Throws File_error as open_input() does.
+// Returns the content of a file without a byte order mark. The memory is bounded by the size of the
+// file. Throws File_error as open_input() does.
 inline std::string file_contents(const std::string& path) {
   std::ifstream in = open_input(path, lower_case_extension(path));
   std::error_code error;

@@ -15,15 +15,15 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The unsigned integer of the size of a number.
+// The unsigned integer type of the same size as a number.
 template <class Number>
 using Bits = std::conditional_t<
     sizeof(Number) == 1, std::uint8_t,
     std::conditional_t<sizeof(Number) == 2, std::uint16_t,
                        std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>>>;
 
-// Numbers as bytes, lowest first. Compilers turn the loops into single moves where that is the
-// order of the machine.
+// Appends a number as bytes, lowest byte first. Compilers replace the loop by a single move on
+// little-endian machines.
 template <class Number> void append_little_endian(std::string& bytes, Number number) {
   static_assert(std::is_arithmetic<Number>::value && sizeof(Bits<Number>) == sizeof(Number));
   Bits<Number> bits;
@@ -34,7 +34,8 @@ template <class Number> void append_little_endian(std::string& bytes, Number num
   bytes.append(buffer, sizeof(buffer));
 }
 
-// pre: `sizeof(Number)` bytes are readable.
+// Returns the number stored in little-endian order.
+// \pre `sizeof(Number)` bytes are readable
 template <class Number> Number little_endian(const char* bytes) {
   static_assert(std::is_arithmetic<Number>::value && sizeof(Bits<Number>) == sizeof(Number));
   std::uint64_t bits = 0;

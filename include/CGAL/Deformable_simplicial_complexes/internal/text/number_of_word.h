@@ -19,8 +19,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The number that a word stands for, in any locale; nothing if it is anything else or too large for
-// the type. Too small for a floating type is the nearest number of that type.
+// Returns the number that a word represents, in any locale. Returns `nullopt` if the word is not a
+// number, or the number is too large for the type. A number too small for a floating-point type is
+// rounded to the nearest number of the type.
 template <class Number> std::optional<Number> number_of_word(std::string_view word) {
   if (!word.empty() && word.front() == '+')
     word.remove_prefix(1);
@@ -28,7 +29,7 @@ template <class Number> std::optional<Number> number_of_word(std::string_view wo
   const auto is_whole = [&](const std::from_chars_result& result) {
     return result.ec == std::errc() && result.ptr == end;
   };
-  Number number = 0; // the compiler cannot see that it is set
+  Number number = 0; // initialized to avoid a compiler warning
   if (is_whole(std::from_chars(word.data(), end, number)))
     return number;
   if constexpr (std::is_floating_point<Number>::value) {
@@ -39,7 +40,7 @@ template <class Number> std::optional<Number> number_of_word(std::string_view wo
   return std::nullopt;
 }
 
-// Returns why a word is no number of a type, and what to do, as the end of a message.
+// Returns why a word is not a number of the type, and what to do, as the end of a message.
 template <class Number> std::string why_no_number(std::string_view word) {
   if (const std::optional<double> real = number_of_word<double>(word)) {
     if constexpr (std::is_integral<Number>::value) {

@@ -19,24 +19,24 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The bytes that some editors write before text in UTF-8.
+// The bytes that some editors write at the beginning of UTF-8 text.
 inline constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-// Removes the byte order mark from the beginning of a file.
+// Removes the byte order mark from the beginning of a text.
 inline void remove_byte_order_mark(std::string& text) {
   if (text.compare(0, byte_order_mark.size(), byte_order_mark) == 0)
     text.erase(0, byte_order_mark.size());
 }
 
-// The first bytes of a format, the extension of its files, and what they are.
+// The first bytes of a format, the file extension, and the name of the format.
 struct File_signature
 {
   std::string_view bytes;
-  std::string_view extension; // empty for formats that no reader knows
-  const char* kind;           // and what to do with a format that no reader knows
+  std::string_view extension; // empty for unsupported formats
+  const char* kind;           // and for unsupported formats, what to do
 };
 
-// Returns the format that these first bytes of a file belong to; null if it is unknown.
+// Returns the format with these first bytes of a file; null if it is unknown.
 inline const File_signature* find_signature(std::string_view begin) {
   static constexpr File_signature signatures[] = {
       {"\x1f\x8b", "", "compressed with gzip; decompress it with gunzip"},
@@ -63,10 +63,10 @@ inline const File_signature* find_signature(std::string_view begin) {
   return nullptr;
 }
 
-// Opens a file, whose format has an extension such as ".off".
+// Opens a file of the format with the given extension, such as ".off".
 //
 // Throws File_error if there is no regular file that can be read, if it is empty, or if its first
-// bytes are those of another format. A byte order mark is not skipped.
+// bytes belong to another format. A byte order mark is not skipped.
 inline std::ifstream open_input(const std::string& path, std::string_view extension) {
   const auto fail = [&](const std::string& what) { throw File_error(path + " " + what, path); };
   const auto cannot_open = [&](const char* what) {

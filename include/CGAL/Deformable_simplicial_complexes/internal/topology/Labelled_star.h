@@ -16,29 +16,29 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The cells around a vertex with their labels, or with others that they might get. Each is a
-// simplex of the link, which is a sphere.
+// The cells around a vertex with their labels, or with proposed labels. Each cell corresponds to a
+// simplex of the link of the vertex, which is a sphere.
 template <class Complex> class Labelled_star
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
-  using Label = std::optional<typename Complex::Label>; // none outside the domain
+  using Label = std::optional<typename Complex::Label>; // no label outside the domain
 
   static constexpr std::size_t none = std::size_t(-1);
 
   // Sets of cells that are connected through facets.
   struct Parts
   {
-    std::vector<std::size_t> of_cell; // the number of its part, `none` if it is in no part
+    std::vector<std::size_t> of_cell; // number of the set of each cell; `none` if it is in no set
     std::size_t number = 0;
   };
 
-  // `label_of(c)` is the label of a finite cell. n log n in the number of cells.
+  // `label_of(c)` is the label of a finite cell. Takes time O(n log n) in the number of cells.
   template <class LabelOf>
   Labelled_star(const Complex& complex, Vertex_handle v, const LabelOf& label_of) {
     complex.star(v, m_cells);
-    using Place = std::pair<std::size_t, std::size_t>; // the time stamp of a cell, and its index
+    using Place = std::pair<std::size_t, std::size_t>; // time stamp and index of a cell
     std::vector<Place> places;
     for (std::size_t i = 0; i < m_cells.size(); ++i)
       places.emplace_back(m_cells[i]->time_stamp(), i);
@@ -64,7 +64,8 @@ public:
     return m_neighbors[i];
   }
 
-  // The parts of the cells for whose labels a condition holds, numbered in the order of the star.
+  // Returns the connected sets of the cells whose labels fulfill a condition, numbered in the order
+  // of the star.
   template <class Condition> Parts parts(const Condition& holds) const {
     Parts result;
     result.of_cell.assign(size(), none);
@@ -90,8 +91,9 @@ public:
     return result;
   }
 
-  // Whether each label has one part and leaves one part. On a sphere, both are discs then, and
-  // their common boundary is one sphere less: in space a closed curve that passes no vertex twice.
+  // Returns whether the cells of each label, and the cells of all other labels, are connected. On a
+  // sphere, both sets are then disks, and their common boundary is a sphere of one dimension less:
+  // in space, a closed curve that passes no vertex twice.
   bool is_manifold() const {
     std::vector<Label> labels = m_labels;
     std::sort(labels.begin(), labels.end());

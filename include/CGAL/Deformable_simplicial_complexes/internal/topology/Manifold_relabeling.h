@@ -18,9 +18,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Cells of one label that are to get another one together. Where that would pinch the interface at
-// a vertex, more cells of the old label around it join them: what opens a tunnel between parts that
-// touch only there.
+// A relabeling of cells of one label that keeps the interface manifold. Where the new interface
+// would be pinched at a vertex, more cells of the old label around the vertex are relabeled: this
+// opens a tunnel between components that touch in the vertex only.
 template <class Complex> class Manifold_relabeling
 {
 public:
@@ -28,22 +28,22 @@ public:
   using Cell_handle = typename Complex::Cell_handle;
   using Label = typename Complex::Label;
 
-  // `cells` are finite and of one label; those that join them are appended.
+  // `cells` are finite cells of one label. The additional cells are appended to them.
   Manifold_relabeling(const Complex& complex, std::vector<Cell_handle>& cells, Label label)
       : m_complex(complex), m_cells(cells), m_old(cells.front()->label()), m_new(label) {
     for (Cell_handle c : cells)
       enlist(c);
   }
 
-  // Appends cells until the interface would be manifold at all their vertices. Returns whether few
-  // cells are enough for that.
+  // Appends cells until the interface would be manifold at all vertices of the cells. Returns false
+  // if too many cells would be necessary, or it is impossible.
   bool complete() {
     static constexpr std::size_t few = 60;
     for (std::size_t i = 0; i < m_vertices.size(); ++i) {
       const Vertex_handle v = m_vertices[i];
       if (std::find(m_vertices.begin() + std::ptrdiff_t(i) + 1, m_vertices.end(), v) !=
           m_vertices.end())
-        continue; // its turn comes
+        continue; // visited later
       const Star star(m_complex, v, [&](Cell_handle c) {
         return m_time_stamps.count(c->time_stamp()) != 0 ? m_new : c->label();
       });
@@ -72,7 +72,7 @@ private:
     enlist(c);
   }
 
-  // Repairs one defect of a star, if cells of the old label can.
+  // Repairs one defect of a star, if this is possible with cells of the old label.
   void widen(const Star& star) {
     using Label_or_none = typename Star::Label;
     const auto is_old = [&](const Label_or_none& label) { return label == m_old; };
@@ -85,12 +85,12 @@ private:
       absorb(star, left, largest(star, left));
     else if (others.number > 1)
       absorb(star, left, Star::none);
-    else // the old label may lie all around the new one
+    else // the cells of the old label may surround those of the new label
       join(star, star.parts([&](const Label_or_none& label) { return !is_old(label); }));
   }
 
-  // Adds the cells of the old label, of least volume, that join the first of the parts to another
-  // one; none if there is no way. Dijkstra's algorithm.
+  // Adds the cells of the old label with the smallest volume that connect the first set of `parts`
+  // to another one. Adds none if there is no path. Uses Dijkstra's algorithm.
   void join(const Star& star, const Parts& parts) {
     static constexpr double infinity = std::numeric_limits<double>::infinity();
     std::vector<double> distances(star.size(), infinity);
@@ -127,14 +127,14 @@ private:
     }
   }
 
-  // Adds all parts but one.
+  // Adds all sets except one.
   void absorb(const Star& star, const Parts& parts, std::size_t kept) {
     for (std::size_t i = 0; i < star.size(); ++i)
       if (parts.of_cell[i] != Star::none && parts.of_cell[i] != kept)
         add(star.cell(i));
   }
 
-  // The part of most volume.
+  // Returns the set with the largest volume.
   std::size_t largest(const Star& star, const Parts& parts) const {
     std::vector<double> volumes(parts.number);
     for (std::size_t i = 0; i < star.size(); ++i)
@@ -143,14 +143,14 @@ private:
     return std::size_t(std::max_element(volumes.begin(), volumes.end()) - volumes.begin());
   }
 
-  // Not below zero, where rounding might take it.
+  // Returns the volume of a cell; never negative, in spite of rounding.
   double volume(Cell_handle c) const { return (std::max)(0., m_complex.measure(c)); }
 
   const Complex& m_complex;
   std::vector<Cell_handle>& m_cells;
   Label m_old, m_new;
-  boost::container::flat_set<std::size_t> m_time_stamps; // of the cells
-  std::vector<Vertex_handle> m_vertices;                 // of the cells, in the order of visits
+  boost::container::flat_set<std::size_t> m_time_stamps; // time stamps of the cells
+  std::vector<Vertex_handle> m_vertices; // vertices of the cells, in the order of visits
 };
 
 } // namespace internal

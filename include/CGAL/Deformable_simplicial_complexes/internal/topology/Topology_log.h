@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What a deformation does to the components of labels, and where.
+// A record of the topology changes of components in a deformation, and their places.
 template <class Complex> class Topology_log
 {
 public:
@@ -39,7 +39,7 @@ public:
     }
   }
 
-  // A cell is about to take another label, and the topology to change.
+  // Records that a cell is about to take another label, which changes the topology.
   void record(Cell_handle c, Label label) {
     typename Complex::Approximate_vector sum(CGAL::NULL_VECTOR);
     for (int i = 0; i < Complex::corners; ++i)
@@ -48,8 +48,8 @@ public:
                          c->time_stamp(), c->label(), label, c->component()});
   }
 
-  // Finds the events since the last look and tells the visitor. To be called before cells are
-  // replaced, as those that relabeling joined carry the number of one of their components only.
+  // Finds the events since the last call and reports them to the visitor. Must be called before
+  // cells are replaced: a cell of merged components stores the number of only one of them.
   void find_events(unsigned pass, Any_visitor<Complex>& visitor) {
     if (m_changes.empty())
       return;
@@ -89,14 +89,14 @@ public:
   }
 
 private:
-  // Of a cell's label.
+  // A change of the label of a cell.
   struct Change
   {
     typename Complex::Approximate_point where;
     Cell_handle cell;
     std::size_t time_stamp;
     Label from, to;
-    std::uint32_t component; // before
+    std::uint32_t component; // before the change
   };
 
   void add_events(unsigned pass) {
@@ -105,7 +105,7 @@ private:
     m_changes.clear();
   }
 
-  // Where a cell left or joined one of the components of an event.
+  // Returns a point where a cell left or joined one of the components of an event.
   typename Complex::Approximate_point place(const Component_event& event) const {
     const auto has = [](const std::vector<Component_event::Part>& parts, std::uint32_t component) {
       return std::any_of(parts.begin(), parts.end(), [&](const Component_event::Part& part) {
@@ -135,7 +135,7 @@ private:
   }
 
   Complex& m_complex;
-  std::vector<Change> m_changes; // since the last look
+  std::vector<Change> m_changes; // since the last call of find_events()
   std::vector<Event> m_events;
   std::vector<Label_change> m_labels;
 };

@@ -27,16 +27,16 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The user's answer to whether a cell may take a label that changes the topology.
+// A function that decides whether a cell may take a label that changes the topology.
 template <class Complex>
 using Topology_control =
     std::function<bool(const Complex&, typename Complex::Cell_handle, typename Complex::Label)>;
 
-// Relabels cells that are trapped between parts of the interface. Those that keep the topology go
-// first, and draw their neighbors along; one that changes it is relabeled when nothing else is left
-// to do, and then again first those that keep it. So two parts that meet grow together from one
-// place, instead of touching in many. Where the interface is to be manifold, a cell takes others
-// along with it, or keeps its label.
+// Relabels cells that are trapped between parts of the interface. Cells that keep the topology are
+// relabeled first, followed by their neighbors. A cell that changes the topology is relabeled only
+// when no other cell is left; then cells that keep the topology are relabeled again. So two
+// components that meet merge from one place, instead of touching in many places. If the interface
+// must stay manifold, other cells are relabeled together with a cell, or the cell keeps its label.
 template <class Complex> class Trapped_cells
 {
 public:
@@ -51,9 +51,9 @@ public:
   Topology_log<Complex>& log() { return m_log; }
   std::size_t number_of_relabeled() const { return m_relabeled; }
 
-  // Relabels those of the cells, and of those around, that are trapped, below the threshold, and
-  // flat, as is_flat(c) says. Each joins another phase only once, but for what is cut off and too
-  // small to stay.
+  // Relabels cells among the given cells and the cells around them, if they are trapped, below the
+  // threshold, and flat according to is_flat(c). Each cell is relabeled at most once, except in
+  // components that are cut off and too small to stay.
   template <class Is_flat>
   void relabel(const std::vector<Cell_handle>& cells, double threshold, const Is_flat& is_flat) {
     m_done.clear();
@@ -71,15 +71,16 @@ public:
       relabel(proposed, label);
       front.clear();
       add_neighbors(proposed, front);
-      remove_small_components(front); // what has just been cut off
+      remove_small_components(front); // components that were cut off
       spread(front, threshold, is_flat);
     }
   }
 
-  // Gives components that are too small to be moved, those of the cells, to the phases around them.
+  // Gives components of the cells that are too small to be moved the label of the surrounding
+  // phase.
   void remove_small_components(const std::vector<Cell_handle>& cells) {
     std::vector<Cell_handle> component;
-    std::unordered_set<std::size_t> large; // cells of components that are known not to be small
+    std::unordered_set<std::size_t> large; // cells of components known not to be small
     for (Cell_handle c : cells) {
       Progress_scope::check();
       if (is_small_component(c, component, large)) {
@@ -94,7 +95,8 @@ public:
     }
   }
 
-  // Relabels a cell whatever its shape, if that keeps the topology; once after each relabel().
+  // Relabels a cell of any shape if this keeps the topology. Each cell is relabeled at most once
+  // after a call of relabel(). Returns whether the cell was relabeled.
   bool relabel_if_topology_stays(Cell_handle c, Label label) {
     std::vector<Cell_handle> cells(1, c);
     if (is_done(c) || !relabeling_keeps_topology(m_complex, c, label) || !complete(cells, label) ||
@@ -105,9 +107,9 @@ public:
   }
 
 private:
-  // Finds the component of a cell if it is small for the interface around it, and has few cells or
-  // lies within an edge. If not, the cells that were met join those in `large`, by time stamps, so
-  // that none of them is looked at again.
+  // Finds the component of a cell. Returns whether its volume is small relative to the interface
+  // edges around it, and it has few cells or fits within an edge length. Otherwise the time stamps
+  // of the visited cells are added to `large`, so that they are not visited again.
   bool is_small_component(Cell_handle seed, std::vector<Cell_handle>& component,
                           std::unordered_set<std::size_t>& large) const {
     static constexpr std::size_t few = 30;
@@ -134,7 +136,7 @@ private:
     return is_small;
   }
 
-  // That of a regular cell whose edges are as long as those of the interface at some cells.
+  // Returns the volume of a regular cell whose edge length is the local edge length at the cells.
   double small_volume(const std::vector<Cell_handle>& cells) const {
     return Complex::Space::regular_measure(local_edge_length(m_complex, cells));
   }
@@ -146,7 +148,8 @@ private:
     return sum;
   }
 
-  // The label that shares most area with a component; its own if it has no neighbors.
+  // Returns the label with the largest common area with a component; the label of the component if
+  // it has no neighbors.
   Label surrounding_label(const std::vector<Cell_handle>& component) const {
     boost::container::flat_map<Label, double> areas;
     for (Cell_handle c : component)
@@ -159,7 +162,7 @@ private:
     return largest == areas.end() ? component.front()->label() : largest->first;
   }
 
-  // Relabels cells that keep the topology, and those around them.
+  // Relabels cells that keep the topology, and then the cells around them.
   template <class Is_flat>
   void spread(std::vector<Cell_handle>& front, double threshold, const Is_flat& is_flat) {
     std::vector<Cell_handle> proposed;
@@ -173,7 +176,8 @@ private:
     }
   }
 
-  // Finds the cells to be relabeled with a trapped one, which comes first, and their new label.
+  // Finds the cells to be relabeled together with a trapped cell, which comes first, and their new
+  // label. Returns false if the cell must not be relabeled.
   template <class Is_flat>
   bool propose(Cell_handle c, double threshold, const Is_flat& is_flat,
                std::vector<Cell_handle>& cells, Label& label) const {
@@ -184,8 +188,8 @@ private:
            std::none_of(cells.begin(), cells.end(), [&](Cell_handle d) { return is_done(d); });
   }
 
-  // Appends what else must be relabeled for the sake of a manifold interface, whatever its quality.
-  // Returns whether that is possible.
+  // Appends the cells that must also be relabeled to keep the interface manifold, independent of
+  // their quality. Returns whether this is possible.
   bool complete(std::vector<Cell_handle>& cells, Label label) const {
     return !m_manifold_interface ||
            Manifold_relabeling<Complex>(m_complex, cells, label).complete();
@@ -205,7 +209,7 @@ private:
       m_log.record(c, label);
   }
 
-  // Cells of one label. The visitor is told when all of them have the new one.
+  // Relabels cells of one label. The visitor is called after all cells have the new label.
   void relabel(const std::vector<Cell_handle>& cells, Label label) {
     const Label before = cells.front()->label();
     for (Cell_handle c : cells) {
@@ -222,7 +226,7 @@ private:
   const Topology_control<Complex>& m_topology_control;
   bool m_manifold_interface;
   Topology_log<Complex> m_log;
-  std::unordered_set<std::size_t> m_done; // by time stamp
+  std::unordered_set<std::size_t> m_done; // time stamps of relabeled cells
   std::size_t m_relabeled = 0;
 };
 

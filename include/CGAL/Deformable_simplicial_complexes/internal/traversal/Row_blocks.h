@@ -18,14 +18,14 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Rows of entries, filled block by block, each of these by one thread.
+// Rows of entries, stored in blocks. Each block is filled by one thread.
 template <class Entry> class Row_blocks
 {
 public:
-  static constexpr std::size_t block_size = 256; // rows: enough work for a thread
+  static constexpr std::size_t block_size = 256; // rows; enough work for a thread
 
-  // `fill(i, entries)` appends those of the i-th row. It is copied for each block, so that it may
-  // keep what it works with.
+  // `fill(i, entries)` appends the entries of row i. The function object is copied for each block,
+  // so that it can keep temporary data.
   template <class Fill>
   Row_blocks(std::size_t size, Fill fill, const For_each_index& for_each_index)
       : m_size(size), m_blocks((size + block_size - 1) / block_size) {
@@ -41,10 +41,10 @@ public:
 
   std::size_t number_of_blocks() const { return m_blocks.size(); }
 
-  // Calls f(b) for blocks, on any threads.
+  // Calls f(b) for all blocks, on any threads.
   template <class Function>
   void for_each_block(const For_each_index& for_each_index, const Function& f) const {
-    static constexpr std::size_t worthwhile = 4; // blocks
+    static constexpr std::size_t worthwhile = 4; // blocks from which threads are used
     for_each_index(m_blocks.size(), f, worthwhile);
   }
 
@@ -70,7 +70,7 @@ public:
 private:
   struct Block
   {
-    std::array<std::size_t, block_size> ends; // of rows
+    std::array<std::size_t, block_size> ends; // end of each row
     std::vector<Entry> entries;
   };
 

@@ -16,11 +16,11 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Numbers vertices from zero by increasing time stamp.
+// A numbering of vertices from zero by increasing time stamp.
 template <class Vertex_handle> class Vertex_numbering
 {
 public:
-  // Vertices may come in any order and several times.
+  // The vertices can be given in any order and repeatedly.
   explicit Vertex_numbering(std::vector<Vertex_handle> vertices) : m_vertices(std::move(vertices)) {
     std::sort(m_vertices.begin(), m_vertices.end(), Less_time_stamp());
     m_vertices.erase(std::unique(m_vertices.begin(), m_vertices.end()), m_vertices.end());
@@ -31,7 +31,8 @@ public:
 
   const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
 
-  // pre: v is one of the vertices
+  // Returns the number of v.
+  // \pre v is one of the vertices
   std::size_t operator()(Vertex_handle v) const {
     const auto i = std::lower_bound(m_time_stamps.begin(), m_time_stamps.end(), v->time_stamp());
     return static_cast<std::size_t>(i - m_time_stamps.begin());
@@ -39,8 +40,7 @@ public:
 
 private:
   std::vector<Vertex_handle> m_vertices;
-  std::vector<std::size_t>
-      m_time_stamps; // beside the vertices, as searching them is what takes time
+  std::vector<std::size_t> m_time_stamps; // separate, for fast search
 };
 
 } // namespace internal

@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Cells to visit while the mesh changes; see Deformable_simplicial_complex_3::is_alive().
+// A list of cells to visit while the mesh changes; see Deformable_simplicial_complex_3::is_alive().
 template <class Cell_handle> class Work_list
 {
 public:
@@ -30,7 +30,7 @@ public:
   void clear() { m_items.clear(); }
   bool empty() const { return m_items.empty(); }
 
-  // By creation, each cell once.
+  // Sorts the cells by creation and removes repetitions.
   void sort() {
     std::sort(m_items.begin(), m_items.end(),
               [](const Item& a, const Item& b) { return a.time_stamp < b.time_stamp; });
@@ -53,8 +53,8 @@ void push_finite(const Complex& complex, const std::vector<typename Complex::Cel
       cells.push(c);
 }
 
-// Calls work(c, touched) for the cells c by creation, then for those that it put into `touched`,
-// and so on. Cells that are gone when it is their turn are left out.
+// Calls work(c, touched) for the cells c in the order of their creation, then for the cells added
+// to `touched`, and so on. Cells that were removed meanwhile are skipped.
 template <class Complex, class Work>
 void work_in_rounds(const Complex& complex, Work_list<typename Complex::Cell_handle> cells,
                     unsigned rounds, const Work& work) {

@@ -18,13 +18,14 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Positive even where rounding says otherwise: thin simplices have contents, too.
+// Returns the measure of a simplex, which is positive in spite of rounding: thin simplices have
+// contents, too.
 template <class Space, class Corners> double positive_measure(const Corners& corners) {
-  static constexpr double least = 1e-150; // far below the rounding of any measure
+  static constexpr double least = 1e-150; // below the rounding error of any measure
   return (std::max)(least, signed_measure<Space>(corners));
 }
 
-// A positive triangle or tetrahedron, and how much of something is in it.
+// A positively oriented triangle or tetrahedron, and its content.
 template <class Space, class Value> struct Filled_simplex
 {
   Clipping_simplex<Space> simplex;
@@ -34,8 +35,8 @@ template <class Space, class Value> struct Filled_simplex
   double measure() const { return positive_measure<Space>(simplex.corners()); }
 };
 
-// The pairs of a source and a target whose boxes meet, as indices, sorted: by a sweep along the
-// x-axis.
+// Returns the pairs of indices of a source and a target whose bounding boxes intersect, sorted.
+// Computed by a sweep along the x-axis.
 template <class Simplex>
 std::vector<std::pair<std::size_t, std::size_t>>
 pairs_that_may_overlap(const std::vector<const Simplex*>& sources,
@@ -74,19 +75,20 @@ pairs_that_may_overlap(const std::vector<const Simplex*>& sources,
   return result;
 }
 
-// Adds all that is in `sources` to `targets`. Where they overlap, a source fills a target to its
-// own density. What sources have elsewhere fills the rest of the targets, to a common density; if
-// there is too much of it, what is left goes to all targets by measure.
+// Transfers the contents of `sources` to `targets`. Where they overlap, a source fills a target
+// with its own density. The content of the sources outside the targets fills the uncovered parts of
+// the targets. If these parts are smaller than the uncovered parts of the sources, the rest is
+// distributed to all targets by measure.
 template <class Space, class Value>
 void pour(const std::vector<const Filled_simplex<Space, Value>*>& sources,
           const std::vector<Filled_simplex<Space, Value>*>& targets) {
   std::vector<double> gaps, overlaps;
-  double measure = 0; // of targets
+  double measure = 0; // of all targets
   for (const auto* t : targets) {
     gaps.push_back(t->measure());
     measure += gaps.back();
   }
-  double excess = 0; // measure of sources outside targets
+  double excess = 0; // measure of sources outside the targets
   Value left = 0. * sources.front()->content;
   const auto pairs = pairs_that_may_overlap(sources, targets);
   auto pair = pairs.begin();
@@ -112,15 +114,15 @@ void pour(const std::vector<const Filled_simplex<Space, Value>*>& sources,
     return;
   double gap = 0;
   for (double& g : gaps)
-    gap += g = (std::max)(0., g); // less by rounding only
+    gap += g = (std::max)(0., g); // negative because of rounding only
   const double fill = 1 / (std::max)(gap, excess), spread = (1 - fill * gap) / measure;
   for (std::size_t j = 0; j < targets.size(); ++j)
     targets[j]->content =
         targets[j]->content + (fill * gaps[j] + spread * targets[j]->measure()) * left;
 }
 
-// The same, label by label: what is in simplices of a label goes to those of the same label, or to
-// all if there is none.
+// Transfers contents label by label: the content of the sources of a label goes to the targets of
+// the same label, or to all targets if there are none.
 template <class Space, class Value>
 void redistribute_contents(const std::vector<Filled_simplex<Space, Value>>& from,
                            std::vector<Filled_simplex<Space, Value>>& to) {

@@ -17,15 +17,16 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Judges an attempt at a time step by its energy.
+// The check of an attempt at a time step by its energy.
 struct Energy_check_3
 {
   std::optional<Energy_budget_3> budget;
-  std::optional<Fluid_failure_3> failure; // none as long as the energy is explained
-  double rise = 0;                        // that is not explained, see `Energy_budget_3::rise()`
+  std::optional<Fluid_failure_3> failure; // none if the rise of the energy is within its bound
+  double rise = 0;                        // the unexplained rise, see `Energy_budget_3::rise()`
 
-  // Looks at the energy of now. What the motion does not explain is due to the mesh. \pre there is
-  // a budget
+  // Compares the present energy with the budget. The motion and changes of the mesh share the
+  // unexplained rise, and the larger share determines the bound and the cause.
+  // \pre There is a budget.
   template <class Report> void look(const Report& report, const Fluid_balance_3& now) {
     rise = budget->rise(now, report.volume_error);
     if (rise <= Energy_budget_3::tolerance)
@@ -40,7 +41,7 @@ struct Energy_check_3
   }
 };
 
-// Returns one line on a step that has failed for the last time.
+// Returns a message of one line about the last failure of a step.
 inline std::string message_of(const Fluid_repetition_3& failure, std::uint64_t step) {
   const auto cause = [&]() -> std::string {
     switch (failure.cause) {

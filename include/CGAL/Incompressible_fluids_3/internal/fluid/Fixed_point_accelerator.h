@@ -14,15 +14,15 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Finds x = g(x) in fewer steps than by repetition: from the last values of g it takes the
-// combination that changes least (D. G. Anderson, "Iterative procedures for nonlinear integral
+// An accelerator for fixed-point iterations x = g(x). It combines the last values of g so that the
+// difference g(x) - x is least (D. G. Anderson, "Iterative procedures for nonlinear integral
 // equations", J. ACM 12, 1965).
 class Fixed_point_accelerator
 {
 public:
   using Vector = Eigen::VectorXd;
 
-  // Where to ask for g next.
+  // Takes a point x and its value g. Returns the next point for an evaluation of g.
   Vector next(const Vector& x, const Vector& g) {
     static constexpr std::size_t memory = 20;
     m_values.push_back(g);
@@ -43,6 +43,7 @@ public:
     return g - value_differences * change_differences.colPivHouseholderQr().solve(m_changes.back());
   }
 
+  // Removes all values, after which the next point is g.
   void forget() {
     m_values.clear();
     m_changes.clear();

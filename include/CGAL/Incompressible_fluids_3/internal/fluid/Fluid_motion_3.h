@@ -16,13 +16,13 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What vertices of liquids carry: velocity, acceleration and pressure, in this order.
+// The velocity, the acceleration and the pressure of vertices of liquids, in this order.
 class Fluid_motion_3
 {
 public:
   using Value = Eigen::Matrix<double, 7, 1>;
 
-  // A map for visitors, by reference. Vertices without a value rest.
+  // A property map for visitors, by reference. Vertices without a value are at rest.
   template <class Complex> class Map
   {
   public:
@@ -42,6 +42,7 @@ public:
     Fluid_motion_3* m_motion;
   };
 
+  // Returns the value of a vertex, given by its time stamp, or 0 if it has no value.
   Value at(std::size_t time_stamp) const {
     const auto found = m_values.find(time_stamp);
     return found == m_values.end() ? Value(Value::Zero()) : found->second;
@@ -59,7 +60,7 @@ public:
     return at(v->time_stamp())(6);
   }
 
-  // The pressure stays.
+  // Sets the velocity and the acceleration, and keeps the pressure.
   template <class Vertex_handle>
   void set(Vertex_handle v, const Eigen::Vector3d& velocity, const Eigen::Vector3d& acceleration) {
     value_of(v).template head<6>() << velocity, acceleration;
@@ -68,7 +69,7 @@ public:
     value_of(v)(6) = pressure;
   }
 
-  // Forgets vertices that are gone.
+  // Removes the values of all other vertices.
   template <class Vertices> void keep(const Vertices& vertices) {
     std::unordered_map<std::size_t, Value> kept;
     for (auto v : vertices)

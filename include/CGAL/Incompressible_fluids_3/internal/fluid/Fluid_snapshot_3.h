@@ -11,20 +11,20 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The state of a fluid and of its complex at a moment, to be put back.
+// The states of a fluid and of its complex, to be restored.
 template <class Fluid, class Complex> class Fluid_snapshot_3
 {
 public:
-  // n log n.
+  // Saves both states. Takes O(n log n) time.
   Fluid_snapshot_3(const Complex& complex, const Fluid& fluid)
       : m_complex(complex.state()), m_fluid(fluid.state()) {}
 
-  // Restores both states, bit by bit. If the complex has changed since, its handles are
-  // invalidated. Is not interrupted. n log n.
+  // Restores both states, bitwise. The handles of the complex are invalidated if the complex has
+  // changed since. The function cannot be interrupted. Takes O(n log n) time.
   void put_back(Complex& complex, Fluid& fluid) const {
     const Progress_pause pause;
     if (complex.state() != m_complex) {
-      complex.clear(); // as memory may be short
+      complex.clear(); // first, to save memory
       complex.restore(m_complex);
     }
     fluid.restore(m_fluid);

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What the connected parts of gases own, by the numbers of their components.
+// The bookkeeping of the connected components of gases, by the number of the component.
 class Gas_bookkeeping_3
 {
 public:
@@ -28,7 +28,7 @@ public:
   const Bodies& bodies() const { return m_bodies; }
   void set_bodies(const Bodies& bodies) { m_bodies = bodies; }
 
-  // With the pressures that gases begin with.
+  // Returns the gases of a mesh with their initial pressures.
   template <class Mesh>
   static Bodies measure(const Mesh& mesh, const Fluid_properties_3& properties) {
     Bodies result;
@@ -39,7 +39,8 @@ public:
     return result;
   }
 
-  // In the order of a mesh, which has the parts of the ledger.
+  // Returns the gases in the order of a mesh, with the volumes of the mesh.
+  // \pre The mesh has the components of the bookkeeping.
   template <class Mesh> std::vector<Gas_body_3> bodies_of(const Mesh& mesh) const {
     std::vector<Gas_body_3> result;
     for (const auto& part : mesh.gases) {
@@ -49,11 +50,12 @@ public:
     return result;
   }
 
-  // The parts of now, as `measure()` tells them, own what those of then did. Those that merged have
-  // the mean of their pressures, by volume, so that energy stays; those that fell apart have one.
+  // Replaces the components after changes of the mesh. `now` contains the present components, as
+  // `measure()` returns them. Components that merged have the mean of their pressures, weighted by
+  // volumes, which preserves energy. Components that split have the same pressure.
   void follow(const Liquid_bookkeeping_3::Lineage& lineage, Bodies now) {
     const std::size_t size = Liquid_bookkeeping_3::size_of(m_bodies, now, lineage);
-    Number_groups groups(2 * size); // of parts then, and of parts now
+    Number_groups groups(2 * size); // of previous and present components
     for (const auto& [before, after] : lineage)
       groups.join(before, size + after);
 

@@ -5,13 +5,14 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_ATTEMPTS_IMPL_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_ATTEMPTS_IMPL_H
 
-// Member functions of Incompressible_fluid that attempt a time step, judge it and undo it.
-// Included by the class.
+// Member functions of Incompressible_fluid that attempt a time step, check it and undo it. The
+// class includes this file.
 #include <CGAL/Incompressible_fluid_3.h>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
+// Performs a time step, see `advance()`. The state before the step is restored after any exception.
 template <class Complex, class Solver>
 auto Incompressible_fluid<Complex, Solver>::advance_with(const Options& chosen, double dt)
     -> Report {
@@ -34,14 +35,14 @@ auto Incompressible_fluid<Complex, Solver>::advance_with(const Options& chosen, 
   }
 }
 
-// Attempts the step until it is done, in as few parts as possible. What fails is undone.
-// \throws Fluid_step_error if there is no attempt left
+// Attempts a step in as few parts as possible. Failed attempts are undone.
+// \throws Fluid_step_error if no attempt is left
 template <class Complex, class Solver>
 auto Incompressible_fluid<Complex, Solver>::advance_in_parts(const Options& chosen, double dt,
                                                              const Snapshot& start) -> Report {
   const double begin = m_time;
   const Snapshot* last = &start;
-  std::optional<Snapshot> middle; // the end of the last part
+  std::optional<Snapshot> middle; // the state after the last part
   Report done;
   Vectors forces(m_solids.size(), Eigen::Vector3d::Zero());
   for (internal::Step_plan_3 plan; !plan.is_done();) {
@@ -71,7 +72,8 @@ auto Incompressible_fluid<Complex, Solver>::advance_in_parts(const Options& chos
   return done;
 }
 
-// Attempts the next part of a step. Returns why it is not to stand.
+// Attempts the next part of a step. Returns the reason of the failure, or nothing if the attempt
+// succeeds.
 template <class Complex, class Solver>
 auto Incompressible_fluid<Complex, Solver>::attempt(const internal::Step_plan_3& plan, double begin,
                                                     double dt, Options chosen, Report& report)
@@ -82,7 +84,8 @@ auto Incompressible_fluid<Complex, Solver>::attempt(const internal::Step_plan_3&
     chosen.implicitness = (std::max)(chosen.implicitness, implicitness_after_change);
   if (plan.mesh() == Treatment::preserved)
     chosen.preserve_mesh();
-  // The first adaptation makes the mesh fit for the flow, which begins afterwards.
+  // The flow begins after the first adaptation, so the energy check does not include this
+  // adaptation.
   const bool is_new = m_steps == 0;
   const auto is_due = [&] {
     switch (plan.mesh()) {
@@ -114,7 +117,7 @@ auto Incompressible_fluid<Complex, Solver>::attempt(const internal::Step_plan_3&
   }
 }
 
-// Where the vertex of a liquid is that has the greatest velocity.
+// Returns the position of the vertex of greatest velocity.
 template <class Complex, class Solver>
 auto Incompressible_fluid<Complex, Solver>::fastest_vertex() const -> Point {
   Point result(0, 0, 0);
@@ -128,7 +131,7 @@ auto Incompressible_fluid<Complex, Solver>::fastest_vertex() const -> Point {
   return result;
 }
 
-// Where the cell of a liquid is that has the lowest quality.
+// Returns the barycenter of the liquid cell of lowest quality.
 template <class Complex, class Solver>
 auto Incompressible_fluid<Complex, Solver>::flattest_cell() const -> Point {
   Point result(0, 0, 0);

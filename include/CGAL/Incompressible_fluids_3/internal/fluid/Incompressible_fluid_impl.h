@@ -5,17 +5,18 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_IMPL_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_IMPL_H
 
-// Included by the class.
+// Member functions of Incompressible_fluid that perform a time step. The class includes this file.
 #include <CGAL/Incompressible_fluid_3.h>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
+// Moves the liquids to an equilibrium of forces, see `relax()`.
 template <class Complex, class Solver>
 double Incompressible_fluid<Complex, Solver>::relax_with(Options chosen, double dt,
                                                          unsigned steps) {
-  static constexpr double rest = 1e-14;     // of the first step
-  static constexpr double longest_way = .3; // edges in a step, as forces change on it
+  static constexpr double rest = 1e-14;     // relative to the velocity of the first step
+  static constexpr double longest_way = .3; // in edges: forces change over an edge
   chosen.implicitness = 1;
   require_step(dt);
   Report report;
@@ -58,6 +59,7 @@ double Incompressible_fluid<Complex, Solver>::relax_with(Options chosen, double 
   return velocity;
 }
 
+// Returns the time stamps of the vertices of the interface.
 template <class Complex, class Solver>
 std::vector<std::size_t> Incompressible_fluid<Complex, Solver>::stamps_of_interface() const {
   std::vector<std::size_t> result;
@@ -66,6 +68,7 @@ std::vector<std::size_t> Incompressible_fluid<Complex, Solver>::stamps_of_interf
   return result;
 }
 
+// Returns the coordinates of the vertices of the interface.
 template <class Complex, class Solver>
 Eigen::VectorXd Incompressible_fluid<Complex, Solver>::coordinates_of_interface() const {
   const auto vertices = m_complex.interface_vertices();
@@ -76,8 +79,9 @@ Eigen::VectorXd Incompressible_fluid<Complex, Solver>::coordinates_of_interface(
   return result;
 }
 
-// Solids stand still if time does. Displacements are cut down to the longest one, in edges. If the
-// judge, which may be null, finds a failure before the mesh is changed, the rest is left out.
+// Performs a time step that ends at the time `end`. If this is the present time, solids do not
+// move. Displacements are scaled down to `longest_way`, in edges. The judge can be null. If it
+// finds a failure before the mesh is changed, the function returns at once.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Options& chosen,
                                                  double longest_way, Report& report,
@@ -88,7 +92,7 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
   report.before = report.moved = flow.balance(*this, flow.positions, flow.velocities, m_time);
   report.after = report.before;
   report.forces_on_solids.assign(m_solids.size(), Vector(0, 0, 0));
-  if (flow.mesh.facets.empty()) { // nothing is left that could move
+  if (flow.mesh.facets.empty()) { // nothing can move
     m_time = end;
     return;
   }
@@ -109,14 +113,14 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
     if (!judge->budget)
       judge->budget = flow.budget(*this);
     judge->budget->supply(step.work_of_walls() + step.work_of_sources(judge->budget->level()));
-    // The volumes of gases are not restored yet, nor are their energies exact.
+    // The volumes of gases are not restored yet, so their energies are not exact.
     if (m_properties.gases().empty())
       judge->look(report, report.moved);
     if (judge->failure)
       return;
   }
   note_momenta(flow, [&](const internal::Masses_3& masses) { return step.final_momentum(masses); });
-  auto events = std::move(report.deformation.events); // of the adaptation
+  auto events = std::move(report.deformation.events); // the events of the adaptation
   report.deformation = move(flow, step.contacts(), destinations, chosen);
   events.insert(events.end(), report.deformation.events.begin(), report.deformation.events.end());
   report.deformation.events = std::move(events);
@@ -129,7 +133,7 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
     judge->look(report, energies_with_gases_of(report));
 }
 
-// Parts own what sources bring.
+// Adds the volumes from sources to the volumes to be preserved.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::own_gains(const Flow& flow, const Step& step, double dt,
                                                       Report& report) {
@@ -141,8 +145,8 @@ void Incompressible_fluid<Complex, Solver>::own_gains(const Flow& flow, const St
   m_ledger.set_volumes(owned);
 }
 
-// Returns destinations at the end of the step, outside of walls, that are no farther than the
-// longest displacement, in edges.
+// Returns destinations outside of walls, after scaling all displacements so that none is longer
+// than `longest_way`, in edges.
 template <class Complex, class Solver>
 auto Incompressible_fluid<Complex, Solver>::shortened(Vectors destinations, const Flow& flow,
                                                       double longest_way,
@@ -157,7 +161,7 @@ auto Incompressible_fluid<Complex, Solver>::shortened(Vectors destinations, cons
   return destinations;
 }
 
-// Adds what was solved to a report.
+// Adds the solution of a step to the report.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::describe(const Step& step, const Flow& flow,
                                                      Report& report) const {
@@ -177,8 +181,8 @@ void Incompressible_fluid<Complex, Solver>::describe(const Step& step, const Flo
   }
 }
 
-// Returns the balance after a step. Where gases merged or split, their energies before and after
-// have no common origin; that before the changes of the mesh is used then.
+// Returns the balance after a step. If gases merged or split, their energies before and after have
+// no common origin. Then the energy of gases before changes of the mesh is used.
 template <class Complex, class Solver>
 auto Incompressible_fluid<Complex, Solver>::energies_with_gases_of(const Report& report) const
     -> Balance {
@@ -190,8 +194,8 @@ auto Incompressible_fluid<Complex, Solver>::energies_with_gases_of(const Report&
   return result;
 }
 
-// Given velocities may change volumes and enter walls: the nearest ones that do not, as masses
-// weigh them, are those of a step in which nothing but pressure acts.
+// Replaces given velocities by the nearest ones that preserve volumes and enter no wall, in the
+// norm of the kinetic energy. These are the velocities after a step in which only pressures act.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, unsigned number_of_threads,
                                                             Report& report) {
@@ -224,14 +228,14 @@ double Incompressible_fluid<Complex, Solver>::largest_step(double part) const {
   double result = std::numeric_limits<double>::infinity();
   for (Vertex_handle v : m_complex.finite_vertices()) {
     const auto motion = m_motion.at(v->time_stamp());
-    double velocity = 0, acceleration = 0; // squares
+    double velocity = 0, acceleration = 0; // sums of squares
     for (int axis = 0; axis < 3; ++axis)
       if (!Boundary_class::fixes(v->boundary_class(), axis)) {
         velocity += square(motion(axis));
         acceleration += square(motion(3 + axis));
       }
     const double length = part * edge_at(v);
-    // length = velocity t + acceleration t^2 / 2
+    // Solves length = velocity t + acceleration t^2 / 2 for t.
     if (velocity > 0 || acceleration > 0)
       result = (std::min)(result, 2 * length /
                                       (std::sqrt(velocity) +
@@ -267,7 +271,7 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
   bool fits = state.motion.size() == vertices.size() && state.volumes.size() == present.size() &&
               std::isfinite(state.time);
   const Ledger::Volumes volumes(state.volumes.begin(), state.volumes.end());
-  fits = fits && volumes.size() == present.size(); // none of them twice
+  fits = fits && volumes.size() == present.size(); // no component occurs twice
   for (const auto& [part, volume] : volumes)
     fits = fits && present.count(part) > 0 && volume > 0 && std::isfinite(volume);
   auto gases = Gas_bookkeeping::measure(flow.mesh, m_properties);
@@ -302,6 +306,8 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
   m_knows_accelerations = state.knows_accelerations;
 }
 
+// Returns the options of a step.
+// \throws Error if a named parameter is out of its range
 template <class Complex, class Solver>
 template <class NamedParameters>
 auto Incompressible_fluid<Complex, Solver>::options(const NamedParameters& np) const -> Options {
@@ -322,6 +328,7 @@ auto Incompressible_fluid<Complex, Solver>::options(const NamedParameters& np) c
   return result;
 }
 
+// Stores the velocities, accelerations and pressures at the end of a step.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::store(const Flow& flow, const Vectors& velocities,
                                                   const std::vector<double>& pressures, double dt) {

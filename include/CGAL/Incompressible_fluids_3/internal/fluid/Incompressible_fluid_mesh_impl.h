@@ -5,21 +5,21 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_MESH_IMPL_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_MESH_IMPL_H
 
-// Member functions of Incompressible_fluid that change the mesh, and what follows its changes.
-// Included by the class.
+// Member functions of Incompressible_fluid that change the mesh, and that update the bookkeeping of
+// components. The class includes this file.
 #include <CGAL/Incompressible_fluid_3.h>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// The interface where it is worn, and inside of liquids edges about as long as those of the
-// interface: in the beginning, and later where the flow has stretched them a lot. Tetrahedra are
-// improved in the beginning, and before a step that is repeated.
+// Adapts the mesh before a step. The interface and the edges inside liquids are remeshed, except if
+// the treatment is `improved`. Tetrahedra are improved before the first step and before repeated
+// attempts.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
                                                   internal::Mesh_treatment_3 treatment,
                                                   Report& report) {
-  static constexpr double quality = .3; // of tetrahedra, as of new meshes
+  static constexpr double quality = .3; // of tetrahedra, as in new meshes
   if (m_complex.interface_vertices().empty())
     return;
   require_interface_edge(m_complex);
@@ -39,12 +39,16 @@ void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
   settle(chosen, report);
 }
 
-// Adapts the interface, if it is worn, and the lengths of edges in liquids.
+// Remeshes the interface if too many of its edges are too long or too short. Splits and collapses
+// edges inside liquids. Before the first step, edges inside liquids are split until they are about
+// as long as those of the interface. Later, only edges that the flow has stretched or compressed a
+// lot are changed.
 template <class Complex, class Solver>
 template <class Visitor>
 Improvement_report Incompressible_fluid<Complex, Solver>::adapt_lengths(double tolerance,
                                                                         const Visitor& visitor) {
-  // In mean edges of the interface. What is split later is collapsed to no less than it was.
+  // In mean edge lengths of the initial interface. An edge that is split later has halves that are
+  // longer than the bound for collapses.
   static constexpr double longest_of_new = 1.7, longest = 2.5, shortest = .3;
   using Defaults = defaults::Adaptive_advection<3>;
   const Improvement_report result = keep_interface_fit(
@@ -62,7 +66,8 @@ Improvement_report Incompressible_fluid<Complex, Solver>::adapt_lengths(double t
                                                 .visitor(visitor));
 }
 
-// Gives parts what they own, after changes of the mesh. Returns what is then.
+// Restores the volumes and momenta of connected components after changes of the mesh. Returns the
+// present flow.
 template <class Complex, class Solver>
 auto Incompressible_fluid<Complex, Solver>::settle(const Options& chosen, Report& report) -> Flow {
   Flow result(*this, m_properties);
@@ -72,6 +77,8 @@ auto Incompressible_fluid<Complex, Solver>::settle(const Options& chosen, Report
   return result;
 }
 
+// Moves the vertices of liquids to destinations, corrected such that the volumes of connected
+// components are preserved. Vertices inside liquids follow the flow.
 template <class Complex, class Solver>
 Deformation_report<Complex>
 Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& contacts,
@@ -90,7 +97,7 @@ Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& co
   parts.restore(
       m_ledger.volumes(), from, [&](std::size_t v) { return is_held[v] != 0; }, to);
 
-  std::unordered_map<std::size_t, Approximate_point> inside; // by time stamp
+  std::unordered_map<std::size_t, Approximate_point> inside; // destinations by time stamp
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
     if (!mesh.is_on_interface[i])
       inside.emplace(mesh.vertices[i]->time_stamp(), point(destinations[i]));
@@ -105,8 +112,8 @@ Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& co
   });
 }
 
-// Changes the mesh by a function of a visitor, which carries velocities. If that throws, parts are
-// still those of the ledger.
+// Calls a function that changes the mesh, with a visitor that interpolates velocities. If the
+// function throws, the bookkeeping of components is updated nevertheless.
 template <class Complex, class Solver>
 template <class Change>
 auto Incompressible_fluid<Complex, Solver>::change_followed(const Change& change) {
@@ -119,7 +126,8 @@ auto Incompressible_fluid<Complex, Solver>::change_followed(const Change& change
   }
 }
 
-// Where changes of the mesh have altered them.
+// Moves the interface until the volumes of connected components are restored and no vertex is in a
+// solid. The number of rounds is bounded. The report contains the remaining error.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::restore_volumes(Flow& flow, const Options& chosen,
                                                             Report& report) {
@@ -135,8 +143,9 @@ void Incompressible_fluid<Complex, Solver>::restore_volumes(Flow& flow, const Op
   }
 }
 
-// To about given coordinates: out of solids, and so that parts have their volumes. The mesh stays
-// as it is if it can. Returns what is then.
+// Moves the interface to given coordinates, corrected such that no vertex is in a solid and the
+// volumes of connected components are preserved. The mesh does not change otherwise if the motion
+// permits this. Returns the present flow.
 template <class Complex, class Solver>
 auto Incompressible_fluid<Complex, Solver>::move_interface(const Flow& flow,
                                                            const Eigen::VectorXd& coordinates,
@@ -182,7 +191,7 @@ auto Incompressible_fluid<Complex, Solver>::move_interface(const Flow& flow,
   return result;
 }
 
-// Those of parts that touch, together.
+// Stores the momenta of connected components. Components that touch have a common momentum.
 template <class Complex, class Solver>
 template <class MomentumOf>
 void Incompressible_fluid<Complex, Solver>::note_momenta(const Flow& flow,
@@ -204,7 +213,8 @@ void Incompressible_fluid<Complex, Solver>::note_momenta(const Flow& flow,
   m_ledger.set_momenta(std::move(momenta), set_of_part);
 }
 
-// Returns the volume of parts that are gone.
+// Updates the bookkeeping of components after changes of the mesh. Returns the volume of components
+// that vanished.
 template <class Complex, class Solver>
 double Incompressible_fluid<Complex, Solver>::follow_parts(const Flow& now) {
   const auto lineage = m_complex.take_component_lineage();
@@ -212,11 +222,11 @@ double Incompressible_fluid<Complex, Solver>::follow_parts(const Flow& now) {
   return m_ledger.follow(lineage, now.volumes());
 }
 
-// Gives parts the momenta that they own by a rigid motion. Returns the greatest change of a
+// Restores the momenta of connected components by rigid motions. Returns the greatest change of a
 // velocity.
 template <class Complex, class Solver>
 double Incompressible_fluid<Complex, Solver>::restore_momenta(Flow& flow) {
-  // Of parts that touch by now, together, as their vertices are the same.
+  // Components that touch now share vertices, so they are corrected together.
   internal::Number_groups sets(m_ledger.momenta().size());
   std::vector<std::size_t> set_of_vertex(flow.positions.size(), sets.size());
   for (const auto& cell : flow.mesh.cells)

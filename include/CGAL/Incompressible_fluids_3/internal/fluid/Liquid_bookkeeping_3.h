@@ -20,20 +20,22 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What the connected parts of liquids own, by the numbers of their components: volumes, which
-// merged parts add and what a part falls into shares; and momenta, which parts that merged or split
-// in a step, or touch each other, have together.
+// The bookkeeping of the connected components of liquids, by the number of the component. It
+// contains the volumes to be preserved and the momenta. When components merge, their volumes are
+// added. When a component splits, its volume is distributed. A momentum belongs to a set of
+// components: those that merged or split in a step, or that touch each other.
 class Liquid_bookkeeping_3
 {
 public:
   using Part = std::uint32_t;
   using Volumes = std::map<Part, double>;
-  using Lineage = std::vector<std::pair<Part, Part>>; // parts then and now with common cells
+  using Lineage = std::vector<std::pair<Part, Part>>; // pairs of previous and present components
+                                                      // with common cells
 
-  // Of liquids as they are.
+  // Returns the volumes of the connected components of a mesh.
   template <class Mesh> static Volumes measure(const Mesh& mesh, const Vectors_3& positions) {
     Volumes result;
-    auto last = result.end(); // most cells are of the component of the one before
+    auto last = result.end(); // most cells have the component of the previous cell
     for (const auto& cell : mesh.cells) {
       if (last == result.end() || last->first != cell.component)
         last = result.emplace(cell.component, 0.).first;
@@ -45,7 +47,7 @@ public:
   const Volumes& volumes() const { return m_volumes; }
   void set_volumes(const Volumes& volumes) { m_volumes = volumes; }
 
-  // By how much parts are off, the most, relative to what they are to have.
+  // Returns the greatest error of a volume, relative to the volume to be preserved.
   double error(const Volumes& present) const {
     double result = 0;
     for (const auto& [part, volume] : m_volumes)
@@ -53,7 +55,7 @@ public:
     return result;
   }
 
-  // By set, and the set of each part by its number.
+  // Sets the momenta of all sets, and the set of each component by its number.
   void set_momenta(std::vector<Momentum_3> momenta, const std::vector<std::size_t>& set_of_part) {
     m_set_of_part.clear();
     for (const auto& [part, volume] : m_volumes)
@@ -63,10 +65,11 @@ public:
   const std::vector<Momentum_3>& momenta() const { return m_momenta; } // by set
   std::size_t set_of(Part part) const { return m_set_of_part.at(part); }
 
-  // The parts of now, with their volumes, own what those of then did. Returns the volume of those
-  // that are gone.
+  // Replaces the components after changes of the mesh. `present` contains the measured volumes of
+  // the present components. The volumes to be preserved and the momenta are transferred by the
+  // lineage. Returns the volume of components that vanished.
   double follow(const Lineage& lineage, const Volumes& present) {
-    // Then, now, and sets of momenta of then are joined, each of them by what it has to do with.
+    // Groups unite previous and present components. Sets also unite the previous sets of momenta.
     const std::size_t size = size_of(m_volumes, present, lineage);
     Number_groups groups(2 * size), sets(2 * size + m_momenta.size());
     for (const auto& [then, now] : lineage) {
@@ -101,7 +104,7 @@ public:
     return lost;
   }
 
-  // Above all numbers of parts, which things then and now are kept by.
+  // Returns a number greater than the numbers of all previous and present components.
   template <class By_part>
   static std::size_t size_of(const By_part& then, const By_part& now, const Lineage& lineage) {
     Part result = 0;

@@ -19,7 +19,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The interface as what separates connected parts of liquids from each other and from void.
+// The interface as the boundary of the connected components of liquids. All other labels are void
+// here.
 template <class Complex> class Liquid_interface_3
 {
 public:
@@ -28,7 +29,8 @@ public:
   using Points = std::vector<Point>;
   using Volumes = Liquid_bookkeeping_3::Volumes;
 
-  // With the volumes of now. \pre components are up to date
+  // Constructs the interface, with the present volumes of components.
+  // \pre The components are up to date.
   Liquid_interface_3(const Complex& complex, const Fluid_properties_3& properties,
                      const Volumes& present)
       : m_snapshot(complex), m_present(present) {
@@ -44,8 +46,9 @@ public:
 
   const Snapshot& snapshot() const { return m_snapshot; }
 
-  // Moves positions, to which vertices are to go, along normals so that parts have the volumes that
-  // they are to have: equally far for each part, but for vertices that are held.
+  // Moves destinations of vertices along normals so that the connected components have the wanted
+  // volumes. For each component, the correction is equally long at all vertices. Vertices with
+  // `is_held(v)` are not moved.
   template <class IsHeld>
   void restore(const Volumes& wanted, const Points& from, const IsHeld& is_held, Points& to) const {
     const Volume_changer<Complex> changer(m_snapshot);
@@ -57,7 +60,7 @@ public:
           volume - m_present.at(part) - (change == swept.end() ? 0 : change->second);
     }
     auto directions = changer.gradients(missing, to);
-    std::vector<double> areas(to.size(), 0); // a third of each facet around
+    std::vector<double> areas(to.size(), 0); // by vertex: a third of the area of the facets around
     for (const auto& facet : m_snapshot.triangles) {
       const Point &a = to[facet.vertices[0]], &b = to[facet.vertices[1]],
                   &c = to[facet.vertices[2]];
@@ -75,7 +78,7 @@ public:
 private:
   static constexpr int void_part = -1;
 
-  Snapshot m_snapshot; // with numbers of parts for labels
+  Snapshot m_snapshot; // its labels are numbers of components
   Volumes m_present;
 };
 

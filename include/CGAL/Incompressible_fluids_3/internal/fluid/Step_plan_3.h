@@ -11,19 +11,20 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What happens to the mesh in an attempt at a time step, beside the motion.
+// The change of the mesh in an attempt at a time step, in addition to the motion.
 enum class Mesh_treatment_3 {
-  chosen,    // as the options of the step ask for
+  chosen,    // the mesh is adapted as the options of the step define
   improved,  // tetrahedra are improved before the attempt
-  adapted,   // interface and edges are adapted, and tetrahedra improved, before the attempt
-  preserved, // the mesh changes only where the motion is impossible otherwise
+  adapted,   // the interface and edges are adapted, and tetrahedra improved, before the attempt
+  preserved, // the mesh changes only where the motion is otherwise impossible
 };
 
-// The attempts at a time step. The step is divided into parts, which follow each other. A part that
-// fails is attempted again with another treatment of the mesh and half the length; where changes of
-// the mesh alone are the cause, first with the mesh preserved and the same length. Parts are dyadic
-// fractions of the step, so their ends are exact. There are at most 2^halvings parts and
-// 2 * halvings + 1 failures.
+// The sequence of attempts at a time step. The step is divided into consecutive parts. If an
+// attempt fails, the next attempt has half the length, and the mesh is improved or adapted before
+// it. If changes of the mesh cause the failure, the next attempt has the same length, with the mesh
+// preserved. If the mesh was already preserved, the length is halved. Parts are dyadic fractions of
+// the step, so their ends are exact. There are at most 2^halvings parts. At most 2 * halvings + 1
+// failures are followed by another attempt.
 class Step_plan_3
 {
 public:
@@ -31,13 +32,14 @@ public:
 
   bool is_done() const { return m_begin == units; }
   bool is_first() const { return m_begin == 0; }
-  // Of the next part, in units of the step.
+  // Returns the length of the next part, in units of the step.
   double length() const { return double(m_size) / units; }
+  // Returns the end of the next part, in units of the step.
   double end() const { return double(m_begin + m_size) / units; }
   Mesh_treatment_3 mesh() const { return m_mesh; }
-  unsigned parts() const { return m_parts; } // done
+  unsigned parts() const { return m_parts; } // the number of parts done
 
-  // The part is done.
+  // Continues with the next part, after the present one succeeded.
   void succeed() {
     m_begin += m_size;
     ++m_parts;
@@ -45,7 +47,8 @@ public:
       m_mesh = Mesh_treatment_3::chosen;
   }
 
-  // The part has been undone. Returns whether there is another attempt.
+  // Prepares another attempt, after the present one failed and was undone. Returns whether there is
+  // one.
   bool fail(Fluid_failure_3 cause) {
     if (cause == Fluid_failure_3::mesh && m_mesh != Mesh_treatment_3::preserved) {
       m_mesh = Mesh_treatment_3::preserved;
@@ -62,11 +65,11 @@ public:
   }
 
 private:
-  static constexpr unsigned units = 1u << halvings; // of a step
+  static constexpr unsigned units = 1u << halvings; // number of the shortest parts in a step
 
   unsigned m_begin = 0, m_size = units, m_parts = 0;
   Mesh_treatment_3 m_mesh = Mesh_treatment_3::chosen;
-  bool m_adapts = false; // adaptation, improvement of tetrahedra alone: the other one is next
+  bool m_adapts = false; // whether the next treatment is adaptation; otherwise it is improvement
 };
 
 } // namespace internal

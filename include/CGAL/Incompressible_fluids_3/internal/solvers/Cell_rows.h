@@ -19,17 +19,17 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The rows of matrices that cells add to, and the cells around each of them. Rows are summed up one
-// by one, each by its cells in their order: nothing is sorted or looked up but once, and threads
-// change no bit.
+// The rows of a sparse matrix that is assembled cell by cell, with the cells around each row. Each
+// row is the sum of the contributions of its cells, in a fixed order. So the result does not depend
+// on threads, and the pattern is sorted only once.
 class Cell_rows
 {
 public:
   using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
   using Index = std::uint32_t;
-  using Corners = std::array<Index, 4>; // of a cell: its rows, or its columns
+  using Corners = std::array<Index, 4>; // of a cell: its rows or its columns
 
-  // Linear.
+  // Finds the cells around each row. Takes linear time.
   Cell_rows(const std::vector<Corners>& rows_of_cells, std::size_t rows) : m_begin(rows + 1, 0) {
     for (const Corners& corners : rows_of_cells)
       for (Index row : corners)
@@ -45,11 +45,12 @@ public:
 
   std::size_t size() const { return m_begin.size() - 1; }
 
-  // A matrix of blocks, with zeros where a row and a column share a cell. Linear.
+  // Returns a matrix of blocks of zeros, with a block for each row and column that share a cell.
+  // Takes linear time.
   template <int block_rows, int block_columns>
   Matrix zeros(const std::vector<Corners>& columns_of_cells, std::size_t columns) const {
     using Entry = Matrix::StorageIndex;
-    std::vector<Entry> entries, ends; // of blocks
+    std::vector<Entry> entries, ends; // of the blocks of each row
     std::vector<std::size_t> row_of_last_entry(columns, size());
     for (std::size_t row = 0; row < size(); ++row) {
       const auto first = std::ptrdiff_t(entries.size());
@@ -76,12 +77,13 @@ public:
     return result;
   }
 
-  // Sets such a matrix to the sums of `block_of(cell, i, j)`, for the corners i and j that rows and
-  // columns are of. Linear.
+  // Sets the entries of a matrix made by `zeros()`. Each block is the sum of `block_of(cell, i, j)`
+  // over the common cells of its row and column, where the row belongs to corner i of the cell, and
+  // the column to corner j. Takes linear time.
   template <int block_rows, int block_columns, class BlockOf>
   void sum(const For_each_index& for_each, const std::vector<Corners>& columns_of_cells,
            const BlockOf& block_of, Matrix& matrix) const {
-    static constexpr std::size_t parts = 16; // each takes a vector of all columns
+    static constexpr std::size_t parts = 16; // each part has a vector of the size of all columns
     for_each(
         parts,
         [&](std::size_t part) {

@@ -15,16 +15,16 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// About the inverse of a symmetric positive definite matrix, for one right side or some at once, by
-// incomplete Cholesky factorization. In single precision, which halves its time and changes no
-// number of iterations: a preconditioner need not be exact, but symmetric.
+// An approximation of the inverse of a symmetric positive definite matrix, by incomplete Cholesky
+// factorization. It is a preconditioner, for one or several right sides at once. It uses single
+// precision, which is faster. A preconditioner must be symmetric, but it need not be exact.
 template <int columns> class Incomplete_factorization
 {
 public:
-  using Matrix = Eigen::SparseMatrix<double>; // a lower triangle
+  using Matrix = Eigen::SparseMatrix<double>; // its lower triangle
   using Vector = Eigen::VectorXd;
 
-  // Returns whether it exists.
+  // Computes the factorization. Returns whether it exists.
   bool compute(const Matrix& lower) {
     m_unit = unit_of(lower.diagonal().size() > 0 ? lower.diagonal().maxCoeff() : 0);
     m_scale = (lower.diagonal() / m_unit).cwiseSqrt().cwiseInverse();
@@ -40,9 +40,11 @@ public:
     return true;
   }
 
-  // Of `columns` numbers for each row. One thread at a time.
+  // Applies the approximate inverse to `columns` numbers for each row. Only one thread at a time
+  // can call it.
   template <class In, class Out> void solve(const In& in, Out&& out) {
-    const double size = in.template lpNorm<Eigen::Infinity>(); // within the range of floats
+    // The scale brings the vector into the range of floats.
+    const double size = in.template lpNorm<Eigen::Infinity>();
     const auto& l = m_factorization.matrixL();
     const Eigen::Index n = m_scale.size();
     const auto* begin = l.outerIndexPtr();
@@ -52,7 +54,7 @@ public:
       m_values.col(i) =
           (m_scale(i) / (size > 0 ? size : 1) * in.template segment<columns>(columns * i))
               .template cast<float>();
-    for (Eigen::Index j = 0; j < n; ++j) { // the diagonal is first
+    for (Eigen::Index j = 0; j < n; ++j) { // the first entry of a column is the diagonal
       const Column x = m_values.col(j) /= value[begin[j]];
       for (auto k = begin[j] + 1; k < begin[j + 1]; ++k)
         m_values.col(row[k]) -= value[k] * x;
@@ -71,7 +73,7 @@ public:
 private:
   using Column = Eigen::Matrix<float, columns, 1>;
 
-  double m_unit; // of the entries of the matrix: what is in single precision has none
+  double m_unit; // of the entries of the matrix, so that scaled entries are near 1
   Vector m_scale;
   Eigen::IncompleteCholesky<float, Eigen::Lower, Eigen::NaturalOrdering<int>> m_factorization;
   Eigen::Matrix<float, columns, Eigen::Dynamic> m_values;

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Numbers that are joined.
+// A partition of the numbers from 0 to `size() - 1` into groups (union-find).
 class Number_groups
 {
 public:
@@ -21,12 +21,13 @@ public:
     std::iota(m_parents.begin(), m_parents.end(), std::size_t(0));
   }
   std::size_t size() const { return m_parents.size(); }
-  // The number that stands for all that i is joined with.
+  // Returns the representative of the group of i.
   std::size_t of(std::size_t i) {
     while (m_parents[i] != i)
       i = m_parents[i] = m_parents[m_parents[i]];
     return i;
   }
+  // Unites the groups of i and j.
   void join(std::size_t i, std::size_t j) { m_parents[of(i)] = of(j); }
 
 private:

@@ -16,20 +16,20 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The closed sets of a system, which knows all but them. Their weights are those that c has. About
-// linear.
+// Returns the closed sets of a system whose other members are complete. The weight of a closed set
+// is the mean diagonal entry of c for its pressures. Takes almost linear time.
 inline std::vector<Saddle_point_system::Closed_set> closed_sets(const Saddle_point_system& system) {
-  static constexpr double rounding = 1e-4; // of the area of the surface
+  static constexpr double rounding = 1e-4; // of the force of a constant pressure
   using Vector = Saddle_point_system::Vector;
   using Closed_set = Saddle_point_system::Closed_set;
   const Eigen::Index n = system.nodal.rows(), m = system.c.rows();
   if (system.held.empty())
     return {};
-  // How much pressures that are one everywhere push vertices, freely.
+  // The forces of a constant pressure 1 on vertices, before and after the projection.
   const Vector pushes = system.b.transpose() * Vector::Ones(m);
   Vector free_pushes = pushes;
   system.project(free_pushes);
-  // What pushes a vertex in common is of one set.
+  // Pressures that act on a common vertex belong to the same set.
   const auto group_of_vertex = [m](Eigen::Index v) { return std::size_t(m + v); };
   Number_groups groups(std::size_t(m + n));
   for (Eigen::Index p = 0; p < m; ++p)
@@ -37,7 +37,7 @@ inline std::vector<Saddle_point_system::Closed_set> closed_sets(const Saddle_poi
       groups.join(std::size_t(p), group_of_vertex(i.col() / 3));
   struct Sums
   {
-    double area = 0, free_area = 0; // squares
+    double area = 0, free_area = 0; // sums of squares of forces
     Closed_set set;
   };
   std::vector<Sums> sums(groups.size());

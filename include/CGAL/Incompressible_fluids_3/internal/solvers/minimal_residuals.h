@@ -23,13 +23,15 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-constexpr Eigen::Index block_size = 8192; // entries, which fit caches
+constexpr Eigen::Index block_size = 8192; // entries; a block fits into the cache
 
+// Returns the number of blocks of n entries.
 inline std::size_t number_of_blocks(Eigen::Index n) {
   return std::size_t((n + block_size - 1) / block_size);
 }
 
-// Calls `f(begin, size)` for blocks of n entries, the same ones for any number of threads.
+// Calls `f(begin, size)` for each block of n entries. The blocks do not depend on the number of
+// threads.
 template <class Function>
 void for_each_block(const For_each_index& for_each, Eigen::Index n, const Function& f) {
   for_each(
@@ -41,7 +43,7 @@ void for_each_block(const For_each_index& for_each, Eigen::Index n, const Functi
       2);
 }
 
-// The sum of what it returns, to the same bits.
+// Returns the sum of `f(begin, size)` over all blocks. The result is bitwise reproducible.
 template <class Function>
 double sum_of_blocks(const For_each_index& for_each, Eigen::Index n, const Function& f) {
   std::vector<double> parts(number_of_blocks(n));
@@ -51,25 +53,29 @@ double sum_of_blocks(const For_each_index& for_each, Eigen::Index n, const Funct
   return std::accumulate(parts.begin(), parts.end(), 0.);
 }
 
-// Solves a symmetric system by the method of minimal residuals, x being a guess first (C. C. Paige
-// and M. A. Saunders, "Solution of sparse indefinite systems of linear equations", SIAM J. Numer.
-// Anal. 12, 1975). `multiply(in, out)`, and `precondition(in, out)` by a positive definite matrix,
-// in whose norm the residual is to be a part of the right side. The preconditioner may calculate in
-// single precision: what the method makes of residuals is then true for some digits only, so it
-// begins anew with that of the solution so far, right - A x. Only such a true residual below the
-// bound ends it. Rounding may permit no residual below the tolerance: where the method stagnates, a
-// residual below `rounding` times the right side is accepted, too. Returns the number of
-// iterations.
-// \throws Convergence_error if the true residual stays above these bounds
+// Solves a symmetric system by the method of minimal residuals (C. C. Paige and M. A. Saunders,
+// "Solution of sparse indefinite systems of linear equations", SIAM J. Numer. Anal. 12, 1975).
+// Returns the number of iterations. The vector x is the initial guess and then the solution.
+// `multiply(in, out)` applies the matrix, and `precondition(in, out)` applies a positive definite
+// preconditioner. The norm of the preconditioner defines the residual, and `tolerance` is relative
+// to the right side.
+//
+// The preconditioner may use single precision, so the residual of the recurrence is accurate to
+// some digits only. The method therefore restarts with the true residual, right - A x. It ends only
+// if the true residual is below the bound. Rounding can prevent convergence to the tolerance. If
+// the method stagnates, a residual below `rounding` times the right side is also accepted.
+// \throws Convergence_error if the true residual stays above these bounds, or if there is no finite
+// solution
 template <class Multiply, class Precondition>
 unsigned minimal_residuals(const For_each_index& for_each, const Multiply& multiply,
                            const Precondition& precondition, const Eigen::VectorXd& right,
                            double tolerance, Eigen::VectorXd& x) {
   using Vector = Eigen::VectorXd;
   static constexpr unsigned most = 3000;
-  static constexpr double trusted = 1e-5;  // of the residual with which the method begins
-  static constexpr double less = .5;       // of the last one, or the method stagnates
-  static constexpr double rounding = 1e-9; // of the right side
+  static constexpr double trusted =
+      1e-5; // bound of the recurrence, relative to the residual at the last restart
+  static constexpr double less = .5; // than the last true residual, otherwise the method stagnates
+  static constexpr double rounding = 1e-9; // relative to the right side
   const Eigen::Index n = right.size();
   const auto dot = [&](const Vector& a, const Vector& b) {
     return sum_of_blocks(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
@@ -119,8 +125,9 @@ unsigned minimal_residuals(const For_each_index& for_each, const Multiply& multi
     r_before.setZero();
     w.setZero();
     w_before.setZero();
-    // By the names of Paige and Saunders: r are Lanczos' vectors, not normalized.
-    while (!(std::abs(eta) <= enough)) { // nor for what is no number
+    // The names are those of Paige and Saunders. The vectors r are the Lanczos vectors, not
+    // normalized.
+    while (!(std::abs(eta) <= enough)) { // the negation also ends the loop for NaN
       Progress_scope::check();
       if (++k > most)
         throw Convergence_error("the equations of the flow cannot be solved by iterations: cells "

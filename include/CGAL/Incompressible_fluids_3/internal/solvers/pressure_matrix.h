@@ -20,16 +20,17 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What masses make of pressures, b P D^-1 P b^T + c with D the inertia of velocities, the lower
-// triangle; bt is b^T. Made by rows of b, not by a product of sparse matrices, which would not know
-// that three of its columns have the same pattern, nor that it is symmetric.
+// Returns the lower triangle of b P D^-1 P b^T + c, an approximation of the Schur complement of
+// pressures. D is the inertia of velocities, and bt is b^T. The rows of b determine the result
+// directly. A general product of sparse matrices would not use that the three columns of a vertex
+// have the same pattern, nor that the result is symmetric.
 inline Eigen::SparseMatrix<double> pressure_matrix(const For_each_index& for_each,
                                                    const Saddle_point_system& system,
                                                    const Saddle_point_system::Matrix& bt) {
-  // Where no surface is free, pressures may all grow by the same. Above the rounding of single
-  // precision, by which it is factorized.
+  // Without a free surface, a constant pressure has no effect, and the matrix is singular. The
+  // factor is above the rounding of single precision, which is used for the factorization.
   static constexpr double above_zero = 1 + 1e-6;
-  static constexpr std::size_t parts = 16; // each of which takes a vector of all pressures
+  static constexpr std::size_t parts = 16; // each part has a vector of the size of all pressures
   using Row = Saddle_point_system::Matrix::InnerIterator;
   using Index = Eigen::SparseMatrix<double>::StorageIndex;
   const Eigen::Index n = system.nodal.rows(), m = system.c.rows();

@@ -18,14 +18,14 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The largest relative residual of a solution that is accepted, for any solver. Solvers are asked
-// for about 1e-11 in a norm of their own, which may differ by the condition of their
-// preconditioner.
+// The largest relative residual that is accepted, for any solver. The tolerance of solvers is
+// smaller, but in their own norm. The two norms can differ by the condition of the preconditioner.
 constexpr double largest_residual = 1e-8;
 
-// Computes norms of residuals of a saddle point system. The weight of an equation is the inverse of
-// the diagonal entry of the matrix, for pressures that of the Schur complement of the diagonal.
-// So all equations have the same unit.
+// The norm of residuals of a saddle point system. The weight of an equation of velocities is the
+// inverse of the diagonal entry of the matrix. The weight of an equation of pressures is the
+// inverse of the diagonal entry of the Schur complement, which is computed with the diagonal of the
+// matrix. With these weights, all equations have the same unit.
 class Residual_norm
 {
 public:
@@ -59,12 +59,12 @@ public:
   }
 
 private:
-  Vector m_velocities, m_pressures; // weights
+  Vector m_velocities, m_pressures; // the weights of equations
 };
 
 // Returns the norm of the true residual of velocities v and pressures p, divided by the norm of the
-// largest of its terms. It is computed from the definition of the system alone. Returns infinity if
-// numbers are not finite. Linear.
+// largest term. The residual is computed from the definition of the system alone, independently of
+// the solver. Returns infinity if numbers are not finite. Takes linear time.
 inline double relative_residual(const Saddle_point_system& system,
                                 const Saddle_point_system::Vector& f,
                                 const Saddle_point_system::Vector& s,

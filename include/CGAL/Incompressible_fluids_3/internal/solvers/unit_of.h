@@ -13,13 +13,13 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Returns the power of two in which a positive number is from 1 to below 2, or 1 for others.
-// Division by it is exact, so that square roots and single precision see the same numbers in any
-// unit that is a power of two of another.
+// Returns the largest power of two that is not above a positive number, or 1 for other numbers.
+// Division by it is exact. So square roots and single precision give the same digits for all units
+// that differ by a power of two.
 inline double unit_of(double x) {
   if (!(x > 0) || !std::isfinite(x))
     return 1;
-  // Also the inverse of the unit is a normal number.
+  // The inverse of the unit is a normal number, too.
   static constexpr int largest = std::numeric_limits<double>::max_exponent - 2;
   return std::ldexp(1., (std::max)(-largest, (std::min)(std::ilogb(x), largest)));
 }

@@ -20,20 +20,20 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Momentum and angular momentum about the origin.
+// The momentum and the angular momentum about the origin.
 struct Momentum_3
 {
   Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = Eigen::Vector3d::Zero();
 };
 
-// What a body consists of, see `Fluid_mesh_3::part_at_middle`: vertices, each once, and cells, and
-// their masses.
+// The masses of a set of components, at vertices and at barycenters of cells, see
+// `Fluid_mesh_3::part_at_middle`. Each vertex occurs once.
 struct Masses_3
 {
   std::vector<std::pair<std::size_t, double>> of_vertices, of_middles;
 };
 
-// `f(mass, a, b)` with the values of two fields there.
+// Calls `f(mass, a, b)` for each mass, with the values of two fields at its place.
 template <class Mesh, class Function>
 void for_each_mass(const Mesh& mesh, const Masses_3& masses, const Vectors_3& a, const Vectors_3& b,
                    const Function& f) {
@@ -43,13 +43,15 @@ void for_each_mass(const Mesh& mesh, const Masses_3& masses, const Vectors_3& a,
     f(m, mesh.middle(k, a), mesh.middle(k, b));
 }
 
+// Returns the volume of a cell with its vertices at the given positions.
 template <class Cell> double volume(const Cell& cell, const Vectors_3& positions) {
   const auto& v = cell.vertices;
   const Eigen::Vector3d& o = positions[v[0]];
   return (positions[v[1]] - o).cross(positions[v[2]] - o).dot(positions[v[3]] - o) / 6;
 }
 
-// Of the cells of each set, by a function from components to sets. \pre no two sets share a vertex
+// Returns the masses of each set of components. The function `set_of` maps a component to its set.
+// \pre No two sets share a vertex.
 template <class Mesh, class SetOf>
 std::vector<Masses_3> masses_of_sets(const Mesh& mesh, const Vectors_3& positions,
                                      std::size_t number_of_sets, const SetOf& set_of) {
@@ -71,6 +73,7 @@ std::vector<Masses_3> masses_of_sets(const Mesh& mesh, const Vectors_3& position
   return result;
 }
 
+// Returns the momenta of masses.
 template <class Mesh>
 Momentum_3 momentum(const Mesh& mesh, const Masses_3& masses, const Vectors_3& positions,
                     const Vectors_3& velocities) {
@@ -83,8 +86,8 @@ Momentum_3 momentum(const Mesh& mesh, const Masses_3& masses, const Vectors_3& p
   return result;
 }
 
-// What all liquids have, but for the energy of gases. The tensions of facets, as in
-// `Fluid_equations_3`.
+// Returns the balance of all liquids, without the energy of gases. The function `tension_of` is as
+// in `Fluid_equations_3::assemble()`.
 template <class Mesh, class TensionOf>
 Fluid_balance_3 balance(const Mesh& mesh, const Fluid_properties_3& properties,
                         const Vectors_3& positions, const Vectors_3& velocities,
@@ -116,7 +119,7 @@ Fluid_balance_3 balance(const Mesh& mesh, const Fluid_properties_3& properties,
   return result;
 }
 
-// The motion as of a rigid body: its velocity at a point is linear + angular x (point - center).
+// The velocities of a rigid motion: the velocity at a point is linear + angular x (point - center).
 struct Rigid_velocity_3
 {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(), linear = Eigen::Vector3d::Zero(),
@@ -125,7 +128,8 @@ struct Rigid_velocity_3
   Eigen::Vector3d at(const Eigen::Vector3d& p) const { return linear + angular.cross(p - center); }
 };
 
-// That by which masses have a momentum.
+// Returns the rigid motion by which masses have the given momenta. Returns zero velocities if there
+// is no mass.
 template <class Mesh>
 Rigid_velocity_3 rigid_velocity(const Mesh& mesh, const Masses_3& masses,
                                 const Vectors_3& positions, const Momentum_3& momentum) {

@@ -18,20 +18,22 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The energy that liquids may have at the end of a time step: the energy at the beginning and what
-// moving walls and sources supply. The potential of gravity is 0 at the lowest vertex at the
-// beginning, so that the result does not depend on the place of the origin.
+// The energy that liquids may have at the end of a time step: the initial energy, plus the energy
+// that moving walls and sources supply. The potential of gravity is 0 at the vertex that is lowest
+// at the beginning. So the result does not depend on the position of the origin.
 class Energy_budget_3
 {
 public:
-  // Of the scale of energies, in a step: above the errors of a step that resolves the flow, which
-  // are below 1e-4, and far below the growth of a flow that explodes.
+  // The bound on the unexplained rise by the motion, in units of the scale of energies. It is
+  // larger than the error of a step that resolves the flow, and much smaller than the growth of an
+  // unstable flow.
   static constexpr double tolerance = 1e-3;
-  // The same for changes of the mesh: at a line of contact on a coarse mesh, they wet or dry whole
-  // facets.
+  // The bound on the unexplained rise by changes of the mesh, in the same unit. At a contact line
+  // on a coarse mesh, such changes wet or dry whole facets.
   static constexpr double tolerance_of_mesh = .05;
 
-  // The energy of gases as springs: the sum of their pressures times their volumes.
+  // Constructs the budget at the beginning of a step. `energy_of_springs` is the sum of pressure
+  // times volume over compressible gases.
   Energy_budget_3(const Fluid_balance_3& before, const Eigen::Vector3d& gravity,
                   const Vectors_3& positions, double energy_of_springs)
       : m_gravity(gravity), m_springs(energy_of_springs), m_given(before.energy()) {
@@ -45,21 +47,26 @@ public:
     m_scale = scale(before);
   }
 
-  // Where the potential of gravity is 0.
+  // Returns the vertex at which the potential of gravity is 0.
   const Eigen::Vector3d& level() const { return m_level; }
 
+  // Adds an energy supplied by walls or sources.
   void supply(double energy) { m_supplied += energy; }
 
   double supplied() const { return m_supplied; }
-  // As in `Fluid_balance_3::energy()`.
+  // Returns the initial energy, as defined by `Fluid_balance_3::energy()`.
   double energy_at_begin() const { return m_given; }
 
-  // Returns the rise of the energy that is not explained, in units of the scale: the sum of kinetic
-  // energy, the absolute energy of surfaces, the potential and the energy of springs, at the
-  // beginning or now. Infinite if numbers are not finite. Errors in volumes, relative, make errors
-  // in the energies of gases, which pressures that nothing feels may raise above all others.
+  // Returns the unexplained rise of the energy, relative to the scale of energies. The scale is the
+  // sum of the kinetic energy, the absolute surface energy, the absolute potential and the energy
+  // of springs, at the beginning or now, whichever is larger. Returns infinity if numbers are not
+  // finite.
+  //
+  // A relative error of volumes causes an error of the energies of gases. A pressure can be
+  // arbitrarily large without an effect, so this error can exceed all other energies. It is not
+  // counted as a rise.
   double rise(const Fluid_balance_3& now, double error_of_volumes) const {
-    static constexpr double rounding = 1e-10; // of sums over cells
+    static constexpr double rounding = 1e-10; // of sums over cells, relative
     const double excess = energy(now) - m_begin - m_supplied,
                  size = (std::max)(m_scale, scale(now)),
                  noise = rounding * (size + std::abs(now.potential_energy)) +

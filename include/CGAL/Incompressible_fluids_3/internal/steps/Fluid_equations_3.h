@@ -27,21 +27,26 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-The equations of a step of time dt of incompressible flow, by linear finite elements on tetrahedra
-that go with the flow. Unknown are the velocities v at the time theta dt, by which vertices go from
-x to x + dt v, and the pressures p:
+The equations of a time step of length dt of an incompressible flow, by linear finite elements on
+tetrahedra that move with the flow. The unknowns are the velocities v at the time theta dt, by which
+vertices move from x to x + dt v, and the pressures p:
 
    A v - B^T p = f,   A = M / (theta dt) + K + theta dt L,  f = M (u / (theta dt) + g) - L x + w
    B v + C p   = s + q
 
-M are masses, see `Fluid_mesh_3`, K is viscosity, L x the gradient of the energy of surfaces, w that
-of walls that are wet. Each row of B is the gradient of a quarter of the volume around a vertex, so
-that B v = 0 keeps it, or B v = q gives it what sources bring. That alone permits pressures that
-nothing feels: C, which sums up to nothing, is made of the residual of the equation of motion, and
-vanishes with it, where the gradient of p is that of gravity less acceleration (T. J. R. Hughes, L.
-P. Franca, M. Balestra, "A new finite element formulation for computational fluid dynamics: V.",
-1986). Pressure is constant in no cell: with one pressure for each cell, nothing would move that is
-not linear.
+M is the mass matrix, see `Fluid_mesh_3`. K is the viscosity. L x is the gradient of the surface
+energy. The vector w contains the forces of gases and of wetted walls. Each row of B is the gradient
+of a quarter of the volume around a vertex. So B v = 0 preserves this volume, and B v = q adds the
+volume of sources.
+
+Without C, these equations permit oscillating pressures that have no effect. The terms C p and s
+stabilize them by the residual of the equation of motion (T. J. R. Hughes, L. P. Franca, M.
+Balestra, "A new finite element formulation for computational fluid dynamics: V.", 1986). They
+cancel if the gradient of p is the density times the difference of gravity and acceleration. The sum
+of all rows of C is zero.
+
+Pressures are linear in each cell. With one pressure for each cell, the mesh could perform only
+linear motions (locking).
 */
 template <class Complex> class Fluid_equations_3
 {
@@ -50,13 +55,15 @@ public:
   using System = Saddle_point_system;
   using Vector = Eigen::VectorXd;
 
-  // dt: step of time; theta: 1/2 for the implicit midpoint rule, 1 for Euler's backward one.
+  // dt: the length of the time step. theta: 1/2 for the implicit midpoint rule, 1 for the backward
+  // Euler method.
   struct Step
   {
     double dt, theta;
   };
 
-  // By `for_each`, on several threads.
+  // Prepares the equations for vertices that are at `positions` at the beginning of the step. All
+  // loops use `for_each`, which can use several threads.
   Fluid_equations_3(const For_each_index& for_each, const Mesh& mesh,
                     const Fluid_properties_3& properties, const Step& step,
                     const Vectors_3& positions)
@@ -82,11 +89,12 @@ public:
     m_terms.resize(mesh.cells.size());
   }
 
-  // Of vertices, a quarter of those of the cells around.
+  // Returns the masses of vertices: a quarter of the masses of the cells around.
   const std::vector<double>& masses() const { return m_masses; }
 
-  // The matrices with the vertices at some positions, about half-way. The energies of facets that
-  // are wet are tensions in place of those of the mesh; gases push with some pressures.
+  // Assembles the matrices with the vertices at positions near the midpoint of the step.
+  // `tension_of(f)` is the surface tension of facet f, or its energy of wetting per unit of area.
+  // `gas_pressures` are the pressures of gases on facets.
   template <class TensionOf>
   void assemble(const Vectors_3& half_way, const TensionOf& tension_of,
                 const std::vector<double>& gas_pressures) {
@@ -144,20 +152,20 @@ public:
     }
   }
 
-  // The number of cells that are too flat, at the beginning and half-way, to have gradients. They
-  // have mass and volume, but neither viscosity nor stabilization.
+  // Returns the number of cells that are too flat to have gradients, both at the beginning and at
+  // the midpoint. These cells have mass and volume, but neither viscosity nor stabilization.
   std::size_t number_of_flat_cells() const {
     return std::size_t(
         std::count_if(m_terms.begin(), m_terms.end(), [](const Terms& t) { return t.is_flat; }));
   }
 
-  // Of velocities that are free; `held` is up to the caller.
+  // Returns the system without constraints. The caller sets `held` and `closed`.
   const System& system() const { return m_system; }
 
-  // Of gases on vertices.
+  // Returns the forces of gases on vertices.
   const Vector& pushes() const { return m_pushes; }
 
-  // f
+  // Returns f for the velocities at the beginning.
   Vector forces(const Vectors_3& velocities) const {
     Vector result = m_forces + m_pushes;
     for (std::size_t v = 0; v < m_masses.size(); ++v)
@@ -172,7 +180,7 @@ public:
     return result;
   }
 
-  // s, with the accelerations of vertices.
+  // Returns s for the accelerations of vertices.
   Vector stabilization(const Vectors_3& accelerations) const {
     Vector result = Vector::Zero(m_system.c.rows());
     for (std::size_t k = 0; k < m_mesh.cells.size(); ++k) {
@@ -185,7 +193,7 @@ public:
     return result;
   }
 
-  // q, with the volume that cells gain in a unit of time.
+  // Returns q for the volume that each cell gains in a unit of time.
   Vector sources(const std::vector<double>& gains) const {
     Vector result = Vector::Zero(m_system.c.rows());
     for (std::size_t k = 0; k < gains.size(); ++k)
@@ -199,7 +207,7 @@ public:
   }
 
 private:
-  // What changes a velocity in the step by 1.
+  // Returns the force that changes the velocity of a mass by 1 in the time theta dt.
   double rate(double mass) const { return mass / (m_step.theta * m_step.dt); }
   double quarter_mass(std::size_t k) const {
     return m_mesh.cells[k].liquid->density * m_elements[k].lumped_mass();
@@ -217,19 +225,22 @@ private:
     return Element(corners);
   }
 
-  // What a cell adds to matrices, see `assemble()`.
+  // The contributions of a cell to matrices, see `assemble()`.
   struct Terms
   {
-    std::array<Eigen::Vector3d, 4> gradients, changes; // of its functions, and of its volume
+    // Gradients of the basis functions, and of the volume of the cell.
+    std::array<Eigen::Vector3d, 4> gradients, changes;
     double inertia, viscosity, stabilization;
-    bool is_flat; // the gradients are 0
+    bool is_flat; // all gradients of basis functions are 0
   };
 
-  // Whether gradients of the functions of a cell can be computed. In any unit of length.
+  // Returns whether the gradients of the basis functions of a cell can be computed. The result does
+  // not depend on the unit of length.
   static bool has_gradients(const Element& e, const typename Mesh::Cell& cell,
                             const Vectors_3& positions) {
-    // Of the cube of the longest edge, where a regular tetrahedron has 0.12. The gradients are then
-    // up to 1e6 times as steep as those of such a tetrahedron, which double precision permits.
+    // The least volume, relative to the cube of the longest edge. A regular tetrahedron has 0.12.
+    // Gradients of basis functions are then at most about 1e5 times as steep as in a regular
+    // tetrahedron, which double precision permits.
     static constexpr double flattest = 1e-6;
     double square = 0; // of the longest edge
     for (std::size_t i = 0; i < 4; ++i)
@@ -239,14 +250,15 @@ private:
     return e.measure() > flattest * square * std::sqrt(square);
   }
 
+  // Returns the contributions of a cell. Gradients are those at the midpoint, or those at the
+  // beginning if the predicted cell is flat.
   Terms terms(std::size_t k, const Vectors_3& half_way) const {
-    // Of a step: how much of its time the pressure needs to level out what it feels not.
+    // The time in which the stabilization smooths pressures, as a fraction of the step.
     static constexpr double part = .05;
-    static constexpr double viscous = 12; // Hughes and others: of h^2 / viscosity
-    static constexpr double flat = .1;    // of the volume at the beginning
+    static constexpr double viscous = 12; // factor of Hughes and others, for h^2 / viscosity
+    static constexpr double flat = .1;    // relative to the volume at the beginning
     const auto& cell = m_mesh.cells[k];
     const Element moved = element(cell, half_way);
-    // A cell that the prediction makes flat is none to divide by.
     const bool uses_moved =
         moved.measure() > flat * m_elements[k].measure() && has_gradients(moved, cell, half_way);
     const Element& e = uses_moved ? moved : m_elements[k];
@@ -260,7 +272,7 @@ private:
       result.viscosity = result.stabilization = 0;
       return result;
     }
-    double steepest = 0; // 1 / steepest is the square of the least height
+    double steepest = 0; // the inverse square of the least height
     for (std::size_t i = 0; i < 4; ++i) {
       result.gradients[i] = eigen_vector(e.gradient(int(i)));
       steepest = (std::max)(steepest, result.gradients[i].squaredNorm());
@@ -271,6 +283,7 @@ private:
     return result;
   }
 
+  // Adds the force of a gas on a facet.
   void add_push(const typename Mesh::Facet& facet, const Vectors_3& half_way, double pressure) {
     const auto& v = facet.vertices;
     const Eigen::Vector3d a = half_way[v[1]] - half_way[v[0]], b = half_way[v[2]] - half_way[v[0]];
@@ -279,7 +292,8 @@ private:
       at(m_pushes, corner) += share;
   }
 
-  // Tensions that are negative, of wet walls, are forces of now, as they would not be definite.
+  // Adds the surface tension of a facet. Negative tensions of wetted walls would make the matrix
+  // indefinite, so they are explicit forces at the midpoint.
   void add_facet(const typename Mesh::Facet& facet, const Vectors_3& half_way, double tension) {
     if (tension == 0)
       return;
@@ -321,7 +335,7 @@ private:
   std::vector<Element> m_elements; // at the beginning
   std::vector<Terms> m_terms;      // by cell
   System m_system;
-  Vector m_forces, m_pushes; // of surfaces and gases
+  Vector m_forces, m_pushes; // forces of surface tension, and of gases
 };
 
 } // namespace internal

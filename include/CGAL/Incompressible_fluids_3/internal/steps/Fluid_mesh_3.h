@@ -30,8 +30,9 @@ using Vectors_3 = std::vector<Eigen::Vector3d>;
 
 template <class Point> Eigen::Vector3d eigen_vector(const Point& p) { return {p[0], p[1], p[2]}; }
 
-// The liquid part of a complex, numbered: vertices carry velocities; each of them carries a
-// pressure for each liquid around it, as pressures jump where liquids meet.
+// The liquid cells of a complex, with numbered vertices. A vertex carries a velocity. It also
+// carries one pressure for each liquid around it, because pressures are discontinuous between
+// liquids.
 template <class Complex> struct Fluid_mesh_3
 {
   using Vertex_handle = typename Complex::Vertex_handle;
@@ -47,18 +48,18 @@ template <class Complex> struct Fluid_mesh_3
     std::uint32_t component;
   };
 
-  // Of the interface, with liquid on a side at least.
+  // A facet of the interface with a liquid on at least one side.
   struct Facet
   {
-    std::array<Index, 3> vertices; // counterclockwise seen from the front
+    std::array<Index, 3> vertices; // counterclockwise as seen from the front
     double tension;                // energy of a unit of area
-    bool is_free;                  // between liquid and void, or a gas
-    Index gas;                     // `no_gas`, or which one
+    bool is_free;                  // between a liquid and void or a gas
+    Index gas;                     // the index of the gas, or `no_gas`
     bool is_gas_in_front;
   };
   static constexpr Index no_gas = Index(-1);
 
-  // A connected part of a gas.
+  // A connected component of a gas.
   struct Gas_part
   {
     std::uint32_t component;
@@ -66,17 +67,18 @@ template <class Complex> struct Fluid_mesh_3
     double volume;
   };
 
-  std::vector<Vertex_handle> vertices; // along the x axis: neighbors are near in memory, too
-  std::vector<Cell> cells;             // in the order of their first vertices
-  std::vector<Facet> facets;           // in the order of interface_facets()
+  std::vector<Vertex_handle> vertices; // along the x axis, so neighbors are near in memory
+  std::vector<Cell> cells;             // by their first vertices
+  std::vector<Facet> facets;           // in the order of `interface_facets()`
   std::vector<Gas_part> gases;         // by component
   std::vector<Index> vertex_of_pressure;
   std::vector<char> is_on_interface; // by vertex
-  // Where the sides of the domain are, in the order of `Boundary_class`, if it is a box; not finite
-  // otherwise.
+  // Coordinates of the sides of the domain, in the order of `Boundary_class`. They are infinite
+  // where no vertex lies on a side, in particular if the domain is not a box.
   std::array<double, 6> sides;
 
-  // n log n. \pre components are up to date
+  // Constructs the mesh. Takes O(n log n) time.
+  // \pre The components are up to date.
   Fluid_mesh_3(const Complex& complex, const Fluid_properties_3& properties) {
     sides.fill(std::numeric_limits<double>::infinity());
     for (Vertex_handle v : complex.finite_vertices()) {
@@ -107,14 +109,15 @@ template <class Complex> struct Fluid_mesh_3
     return result;
   }
 
-  // The mass of a cell is that of its middle, which goes with the mean of its corners, for this
-  // part, and of its corners for the rest: 0.8 is that of linear elements, which makes short waves
-  // too fast, 0 makes them too slow (G. L. Goudreau and R. L. Taylor, "Evaluation of numerical
-  // integration methods in elastodynamics", 1973). The part by which waves as long as eight edges
-  // are least off, on regular meshes.
+  // The fraction of the mass of a cell that is located at its barycenter, and moves with the mean
+  // velocity of its vertices. The remaining mass is located at the vertices. With 0.8, the mass
+  // matrix is that of linear elements, and short waves are too fast. With 0, they are too slow (G.
+  // L. Goudreau and R. L. Taylor, "Evaluation of numerical integration methods in elastodynamics",
+  // 1973). The value was chosen so that the speed of waves with a length of eight edges is most
+  // accurate on regular meshes.
   static constexpr double part_at_middle = .7;
 
-  // Of a cell, the mean of its corners.
+  // Returns the mean of the vectors at the vertices of a cell.
   Eigen::Vector3d middle(std::size_t cell, const Vectors_3& vectors) const {
     Eigen::Vector3d result = Eigen::Vector3d::Zero();
     for (Index v : cells[cell].vertices)
@@ -122,7 +125,8 @@ template <class Complex> struct Fluid_mesh_3
     return result;
   }
 
-  // Velocities, or accelerations, without what would leave the sides of the domain.
+  // Sets the components of velocities or accelerations to 0 that would move vertices off the sides
+  // of the domain.
   void keep_on_sides(Vectors_3& vectors) const {
     for (std::size_t v = 0; v < vectors.size(); ++v)
       for (int axis = 0; axis < 3; ++axis)
@@ -131,8 +135,10 @@ template <class Complex> struct Fluid_mesh_3
   }
 
 private:
+  // Sorts the vertices by their x coordinates, and then by time stamp.
   void sort_along_axis(const Complex& complex) {
-    std::vector<std::tuple<double, std::size_t, Vertex_handle>> keys; // no two stamps are the same
+    // All time stamps are different, so the order is unique.
+    std::vector<std::tuple<double, std::size_t, Vertex_handle>> keys;
     for (Vertex_handle v : vertices)
       keys.emplace_back(complex.position(v)[0], v->time_stamp(), v);
     std::sort(keys.begin(), keys.end(), [](const auto& a, const auto& b) {
@@ -143,7 +149,7 @@ private:
       vertices.push_back(std::get<2>(key));
   }
 
-  // In the order of their first vertices, and then by time stamp.
+  // Adds cells by their first vertices, and then by time stamp.
   void add_cells(const std::vector<Cell_handle>& liquid, const Vertex_numbers& numbers,
                  const Fluid_properties_3& properties) {
     std::vector<std::vector<std::pair<std::size_t, Cell_handle>>> by_first(vertices.size());
@@ -176,7 +182,7 @@ private:
       gases.push_back(part.second);
   }
 
-  // Of a cell.
+  // Returns the index of the gas of a cell, or `no_gas`.
   Index gas_of(Cell_handle c) const {
     const auto found =
         std::lower_bound(gases.begin(), gases.end(), c->component(),
@@ -203,7 +209,7 @@ private:
     }
   }
 
-  // In the order of vertices. Most vertices have one.
+  // Numbers the pressures in the order of vertices. Most vertices have only one pressure.
   void number_pressures() {
     std::vector<char> has_first(vertices.size(), false);
     std::vector<int> first(vertices.size()); // label

@@ -31,8 +31,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Solves the equations of a step: velocities and pressures at positions about half-way, which
-// follow from the velocities, and contacts with walls, which follow from both.
+// The solution of one time step. The velocities and pressures are solved with the vertices at
+// positions near the midpoint of the step. These positions follow from the velocities, and the
+// contacts with walls follow from the velocities and pressures.
 template <class Complex, class Solver> class Fluid_step_3
 {
 public:
@@ -44,8 +45,8 @@ public:
 
   using Source = std::function<double(const Any_solid_3::Point&, double)>;
 
-  // Positions, velocities and accelerations of the vertices of the mesh at the beginning, and
-  // gases. Solids stand still if time does.
+  // Takes the positions, velocities and accelerations of the vertices of the mesh, and the gases,
+  // at the beginning of the step. Solids do not move if `begin` and `end` are equal.
   Fluid_step_3(const Mesh& mesh, const Fluid_properties_3& properties,
                const typename Contacts::Solids& solids, const Complex& complex, Solver& solver,
                const typename Equations::Step& step, double begin, double end,
@@ -63,13 +64,16 @@ public:
     m_pressures = Vector::Zero(Eigen::Index(mesh.vertex_of_pressure.size()));
   }
 
-  // Accelerations that are not known, of a step before, are found by repetition.
-  // \throws Convergence_error if the equations have no solution, or none is found
+  // Solves the equations of the step. If the accelerations of the previous step are not known, they
+  // are determined by fixed-point iteration.
+  // \throws Convergence_error if the equations have no solution, or if the solver does not find one
   void solve(bool knows_accelerations) {
-    static constexpr unsigned geometries = 2; // that of the prediction, and of the first solution
+    static constexpr unsigned geometries = 2; // the predicted one, and that of the first solution
     static constexpr unsigned most = 15;
-    static constexpr double tolerance = 5e-12; // of residuals
-    static constexpr double same = 1e-10;      // above what the solver leaves
+    static constexpr double tolerance = 5e-12; // of the solver
+    // The relative change at which accelerations have converged. It is larger than the error of
+    // the solver.
+    static constexpr double same = 1e-10;
     for (unsigned k = 0; k < geometries; ++k) {
       assemble();
       if (k > 0 || knows_accelerations) {
@@ -94,19 +98,19 @@ public:
   const Contacts& contacts() const { return m_contacts; }
   unsigned iterations() const { return m_iterations; }
   unsigned solutions() const { return m_solutions; }
-  // Whether what must hold at walls did in the end.
+  // Returns whether the search for the constrained vertices converged.
   bool is_settled() const { return m_is_settled; }
 
-  // The true residual of the solution, relative to the largest term of the equations.
+  // Returns the true residual of the solution, relative to the largest term of the equations.
   double residual() const { return m_residual; }
   std::size_t number_of_flat_cells() const { return m_equations.number_of_flat_cells(); }
 
-  // The energy that moving walls give to liquids in the step, at the most.
+  // Returns an upper bound of the energy that moving walls supply to liquids in the step.
   double work_of_walls() const { return m_step.dt * m_contacts.power(forces_on_vertices()); }
 
-  // Returns the energy that sources give to liquids in the step, less what drains take, at the
-  // most: that of the liquid which they bring, in a gravity whose potential is 0 at the level
-  // given, and the work of its pressure.
+  // Returns an upper bound of the energy that sources supply in the step, less the energy that
+  // drains remove. It consists of the kinetic and potential energy of the new liquid, and of the
+  // work of its pressure. The potential of gravity is 0 at `level`.
   double work_of_sources(const Eigen::Vector3d& level) const {
     if (m_gains.empty())
       return 0;
@@ -116,11 +120,13 @@ public:
       power += m_mesh.cells[k].liquid->density * m_gains[k] *
                (m_mesh.middle(k, m_velocities).squaredNorm() / 2 -
                 gravity.dot(m_mesh.middle(k, m_half_way) - level));
-    static constexpr double error = .25; // of the power: sources are stabilized like volumes
+    // Relative to the power: the stabilization also affects sources.
+    static constexpr double error = .25;
     return m_step.dt * (power + error * std::abs(power));
   }
 
-  // Of the vertices of the mesh: the mean of the pressures of the liquids around.
+  // Returns the pressures at the vertices of the mesh: the mean of the pressures of the liquids
+  // around each vertex.
   std::vector<double> pressures() const {
     std::vector<double> result(m_positions.size(), 0), number(m_positions.size(), 0);
     for (std::size_t p = 0; p < m_mesh.vertex_of_pressure.size(); ++p) {
@@ -134,19 +140,22 @@ public:
 
   const Vectors_3& destinations() const { return m_destinations; }
 
-  // Where the step ends.
+  // Returns the velocities at the end of the step.
   const Vectors_3& final_velocities() const { return m_final_velocities; }
 
-  // What the equations were solved for: where forces are taken.
+  // Returns the solution of the equations: the velocities at the time theta dt, at which forces
+  // act.
   const Vectors_3& solved_velocities() const { return m_velocities; }
 
-  // What sets of masses have in the end but for what walls stop: what they had, and what gravity,
-  // gases and walls have given them. What vertices of a set exchange sums up to nothing.
+  // Returns the momentum of a set of masses at the end of the step, without the effect of
+  // `Wall_contacts_3::stop()`. It is the initial momentum plus the impulses of gravity, gases,
+  // walls and sources. The forces between the vertices of a set cancel.
   Momentum_3 pushed_momentum(const Masses_3& masses) const {
     if (masses.of_vertices.empty())
       return {};
     Momentum_3 result = momentum(m_mesh, masses, m_positions, m_before);
-    // The places where pushes change angular momentum by what the whole step does.
+    // With lever arms at this time, the impulses change the angular momentum by the same amount as
+    // the whole step.
     const double time_of_arms = (1 - m_step.theta) * m_step.dt;
     const Eigen::Vector3d gravity(m_properties.gravity().data());
     for (const auto& [v, m] : masses.of_vertices) {
@@ -160,7 +169,7 @@ public:
       result.linear += push;
       result.angular += m_half_way[v].cross(push);
     }
-    // What sources bring goes with the liquid there.
+    // New liquid has the velocity of the liquid around it.
     for (std::size_t i = 0; i < masses.of_middles.size() && !m_gains.empty(); ++i) {
       const std::size_t k = masses.of_middles[i].first;
       const Eigen::Vector3d brought =
@@ -171,10 +180,12 @@ public:
     return result;
   }
 
-  // The volume that cells gain in a unit of time, in the order of the mesh; none without sources.
+  // Returns the volume that each cell of the mesh gains in a unit of time. The result is empty
+  // without sources.
   const std::vector<double>& gains() const { return m_gains; }
 
-  // And with that.
+  // Returns the momentum of a set of masses at the end of the step, with the effect of
+  // `Wall_contacts_3::stop()`.
   Momentum_3 final_momentum(const Masses_3& masses) const {
     if (masses.of_vertices.empty())
       return {};
@@ -186,7 +197,7 @@ public:
     return result;
   }
 
-  // Of walls and sides of the domain on vertices, the mean of the step.
+  // Returns the mean forces of walls and of sides of the domain on vertices in the step.
   Vector forces_on_vertices() const {
     Vector result = m_reactions;
     for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
@@ -196,22 +207,25 @@ public:
   }
 
 private:
-  // Of residuals, where another solution follows: as velocities change, in comparison to what they
-  // would by loads without pressures. So what rests stays where it is.
+  // Returns the tolerance of a solution that only determines the geometry of the next solution. It
+  // is proportional to the change of velocities, relative to the change by the loads without
+  // pressures. So a fluid at rest stays at rest.
   double tolerance_of_geometry() const {
     static constexpr double part = 1e-4, finest = 1e-9, coarsest = 1e-4;
     const Vector loads = m_equations.forces(Vectors_3(m_before.size(), Eigen::Vector3d::Zero()));
-    double changes = 0, all = 0; // squares, as masses weigh them
+    double changes = 0, all = 0; // sums of squares, weighted by masses
     for (std::size_t v = 0; v < m_before.size(); ++v) {
       const double mass = m_equations.masses()[v];
       changes += mass * m_accelerations[v].squaredNorm();
       all += loads.segment<3>(3 * Eigen::Index(v)).squaredNorm() / mass;
     }
     const double result = part * std::sqrt(changes / all);
-    return result < coarsest ? (std::max)(result, finest) : coarsest; // if no number, too
+    return result < coarsest ? (std::max)(result, finest) : coarsest; // also if the result is NaN
   }
 
-  // Shares nothing with the solver but the system.
+  // Checks the true residual. The check uses the system, but no result of the solver other than the
+  // solution.
+  // \throws Convergence_error if the residual is above its bound
   void check_residual() {
     System system = m_equations.system();
     system.held = m_constraints.held();
@@ -225,6 +239,8 @@ private:
           m_residual, largest_residual);
   }
 
+  // Computes the destinations and the velocities at the end of the step, with damping and contacts.
+  // \throws Convergence_error if a velocity is not finite
   void end() {
     Vectors_3 velocities;
     for (std::size_t v = 0; v < m_before.size(); ++v)
@@ -242,6 +258,7 @@ private:
                                 std::numeric_limits<double>::infinity(), largest_residual);
   }
 
+  // Returns the positions of vertices that move with the solved velocities for a time t.
   Vectors_3 at_time(double t) const {
     Vectors_3 result;
     for (std::size_t v = 0; v < m_positions.size(); ++v)
@@ -249,6 +266,7 @@ private:
     return result;
   }
 
+  // Assembles the equations for the geometry that the present velocities predict.
   void assemble() {
     m_contacts.predict(at_time(m_step.dt), m_end, m_step.dt, m_end > m_begin);
     m_half_way = at_time(m_step.dt / 2);
@@ -272,6 +290,7 @@ private:
     m_is_assembled = false;
   }
 
+  // Solves the equations, and revises the contacts until they do not change.
   void solve_with_contacts(double accuracy) {
     static constexpr unsigned rounds = 30;
     m_is_settled = false;
@@ -284,6 +303,7 @@ private:
       m_accelerations[v] = (m_velocities[v] - m_before[v]) / (m_step.theta * m_step.dt);
   }
 
+  // Solves the equations with the present contacts.
   void solve_with_constraints(double accuracy) {
     if (!m_is_assembled)
       assemble_constraints();
@@ -299,7 +319,8 @@ private:
     ++m_solutions;
     last.v = v;
     last.p = m_pressures;
-    // By pressures whose least is 0, no wall has to pull for their sake.
+    // The constant in the pressures of a closed set is arbitrary. With a least pressure of 0, it
+    // causes no negative normal forces at walls.
     for (const auto& set : m_closed) {
       double least = std::numeric_limits<double>::infinity();
       for (Eigen::Index p : set.pressures)
@@ -312,7 +333,8 @@ private:
       m_velocities[i] = v.segment<3>(3 * Eigen::Index(i));
   }
 
-  // What is factorized for the first geometry is good enough for the others.
+  // Adds the constraints to the system. The factorization for the first geometry is also used for
+  // the others.
   void assemble_constraints() {
     m_constraints = Vertex_constraints_3(m_positions.size());
     for (std::size_t v = 0; v < m_positions.size(); ++v)
@@ -338,7 +360,7 @@ private:
     return result;
   }
 
-  // Of a system: its right side, and what a solver found.
+  // The right side of a system, and the solution of the solver.
   struct Solution
   {
     Vector f, s, v, p;
@@ -350,14 +372,14 @@ private:
   unsigned m_number_of_threads;
   For_each_index m_for_each;
   typename Equations::Step m_step;
-  double m_begin, m_end; // time
+  double m_begin, m_end; // times
   Vectors_3 m_positions, m_before, m_accelerations, m_velocities, m_unstopped_velocities,
       m_final_velocities;
   std::vector<Gas_body_3> m_gases;
   Source m_source;
   Vectors_3 m_destinations;
-  Vectors_3 m_half_way;        // positions that forces were assembled at
-  std::vector<double> m_gains; // volume in a unit of time, by cell
+  Vectors_3 m_half_way;        // positions at which the equations were assembled
+  std::vector<double> m_gains; // volume per unit of time, by cell
   Vector m_pressures, m_reactions;
   Equations m_equations;
   Contacts m_contacts;

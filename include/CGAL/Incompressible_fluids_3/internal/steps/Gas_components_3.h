@@ -20,19 +20,22 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A connected component of a gas: its pressure times volume^exponent stays what it is. Powers are
-// taken of ratios of volumes only, so that no unit of length matters.
+// A connected component of a gas. The product of its pressure and the power volume^exponent is
+// constant. Powers are computed from ratios of volumes only, so that the unit of length has no
+// effect.
 struct Gas_body_3
 {
   Gas gas;
   double volume;
-  double reference_pressure, reference_volume; // a pressure, and the volume at which it has that
+  double reference_pressure, reference_volume; // a pressure, and the volume at this pressure
 
+  // Returns the pressure at volume v.
   double pressure(double v) const {
     return reference_pressure * std::pow(reference_volume / v, gas.exponent);
   }
   double pressure() const { return pressure(volume); }
-  // The potential of the pressure, for exponent 1 from the reference volume on.
+  // Returns the potential of the pressure at volume v. For exponent 1, it is 0 at the reference
+  // volume.
   double energy(double v) const {
     return gas.exponent == 1
                ? reference_pressure * reference_volume * std::log(reference_volume / v)
@@ -40,8 +43,8 @@ struct Gas_body_3
   }
 };
 
-// The volumes of gases, a tenth of what they are at the least, when vertices of liquids have gone
-// from some positions to others.
+// Returns the volumes of gases after the vertices of liquids have moved from some positions to
+// others. A volume is at least a tenth of its present value.
 template <class Mesh>
 std::vector<double> volumes_of_gases(const Mesh& mesh, const std::vector<Gas_body_3>& gases,
                                      const Vectors_3& from, const Vectors_3& to) {
@@ -50,7 +53,8 @@ std::vector<double> volumes_of_gases(const Mesh& mesh, const std::vector<Gas_bod
     result.push_back(gas.volume);
   for (const auto& facet : mesh.facets)
     if (facet.gas != Mesh::no_gas) {
-      // Half-way, the area times the mean way is what is swept but for terms of third order.
+      // The area at the midpoint, multiplied by the mean displacement, is the swept volume up to
+      // terms of third order.
       std::array<Eigen::Vector3d, 3> middle;
       Eigen::Vector3d way = Eigen::Vector3d::Zero();
       for (std::size_t i = 0; i < 3; ++i) {
@@ -61,7 +65,7 @@ std::vector<double> volumes_of_gases(const Mesh& mesh, const std::vector<Gas_bod
       const double swept = (middle[1] - middle[0]).cross(middle[2] - middle[0]).dot(way) / 2;
       result[facet.gas] -= facet.is_gas_in_front ? swept : -swept;
     }
-  static constexpr double least = .1; // what a prediction may crush a gas to
+  static constexpr double least = .1; // of the present volume: the least volume of a prediction
   for (std::size_t k = 0; k < gases.size(); ++k)
     result[k] = (std::max)(result[k], least * gases[k].volume);
   return result;

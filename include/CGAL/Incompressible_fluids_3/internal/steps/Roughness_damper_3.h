@@ -20,14 +20,16 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-Damps what no mesh resolves: single vertices that drift among others, along a surface above all,
-where nothing holds them back but viscosity. Neighbors exchange momentum in proportion to what their
-velocities differ by, less what the mean gradients around both let expect (as A. Jameson, W. Schmidt
-and E. Turkel, AIAA Paper 81-1259, do on grids): nothing if velocities are linear, little if they
-are smooth; linear momentum stays.
+Damping of motions that no mesh resolves: single vertices that drift among their neighbors, in
+particular along a surface, where only viscosity resists them. Neighbors exchange momentum. The
+exchange depends on the part of their velocity difference that the mean velocity gradients at both
+vertices do not explain. It is zero for linear velocities and small for smooth velocities.
+Linear momentum is preserved. A. Jameson, W. Schmidt and E. Turkel, AIAA Paper 81-1259, use a
+similar damping on grids.
 */
 template <class Mesh> class Roughness_damper_3
 {
+  // Takes the positions of vertices at the end of the step.
 public:
   Roughness_damper_3(const Mesh& mesh, const Vectors_3& positions) : m_mesh(mesh) {
     std::vector<double> tensions(positions.size(), 0);
@@ -39,7 +41,8 @@ public:
       const Eigen::Vector3d& o = positions[cell.vertices[0]];
       for (int i = 0; i < 3; ++i)
         part.edges.col(i) = positions[cell.vertices[std::size_t(i) + 1]] - o;
-      part.volume = (std::max)(0., part.edges.determinant() / 6); // not yet that of the mesh
+      // The destinations can invert the cell, because they are not yet those of the mesh.
+      part.volume = (std::max)(0., part.edges.determinant() / 6);
       part.tension = 0;
       for (auto v : cell.vertices)
         part.tension = (std::max)(part.tension, tensions[v]);
@@ -47,7 +50,7 @@ public:
     }
   }
 
-  // Velocities after a time, with the masses of vertices.
+  // Returns the velocities after damping for a time. `masses` are the masses of vertices.
   Vectors_3 damped(const Vectors_3& velocities, const std::vector<double>& masses,
                    double time) const {
     const std::vector<Eigen::Matrix3d> gradients = mean_gradients(velocities);
@@ -62,7 +65,8 @@ public:
           const Eigen::Vector3d excess =
               velocities[w] - velocities[v] -
               (gradients[cell.pressures[i]] + gradients[cell.pressures[j]]) / 2 * way;
-          // Of a twelfth of the mass of the cell, so that edges have that of the vertex.
+          // Each edge has a twelfth of the mass of the cell, so that the edges at a vertex together
+          // have the mass of the vertex.
           const Eigen::Vector3d exchanged =
               exchange(excess.norm(), way.norm(), part.tension, cell.liquid->density, time) *
               cell.liquid->density * part.volume / 12 * excess;
@@ -79,7 +83,7 @@ public:
 private:
   struct Part
   {
-    Eigen::Matrix3d edges; // from the first corner
+    Eigen::Matrix3d edges; // from the first vertex
     double volume, tension;
 
     Eigen::Vector3d corner(std::size_t i) const {
@@ -88,15 +92,17 @@ private:
     }
   };
 
-  // The part of an excess that is exchanged: in the times that a vertex takes for an edge, or a
-  // wave as long as an edge.
+  // Returns the part of an excess velocity that neighbors exchange in a time. The rate depends on
+  // the time that a vertex takes to cross an edge, and on the period of a wave with the length of
+  // an edge.
   static double exchange(double excess, double edge, double tension, double density, double time) {
-    static constexpr double times = .25, most = .5; // beyond, vertices would overshoot
+    static constexpr double times = .25, most = .5; // with a larger part, vertices would overshoot
     const double rate = excess / edge + std::sqrt(tension / (density * edge * edge * edge));
     return most * (1 - std::exp(-times / most * rate * time));
   }
 
-  // By pressure, so that gradients may jump where liquids meet.
+  // Returns the mean velocity gradient around each pressure. Gradients can be discontinuous between
+  // liquids.
   std::vector<Eigen::Matrix3d> mean_gradients(const Vectors_3& velocities) const {
     std::vector<Eigen::Matrix3d> result(m_mesh.vertex_of_pressure.size(), Eigen::Matrix3d::Zero());
     std::vector<double> volumes(result.size(), 0);
@@ -105,7 +111,7 @@ private:
       Eigen::Matrix3d differences;
       for (int i = 0; i < 3; ++i)
         differences.col(i) = velocities[v[std::size_t(i) + 1]] - velocities[v[0]];
-      // The adjugate is finite where the volume is about 0.
+      // The adjugate is also finite if the volume is about 0.
       const Eigen::Matrix3d& e = m_parts[k].edges;
       Eigen::Matrix3d adjugate;
       adjugate.row(0) = e.col(1).cross(e.col(2));
@@ -116,7 +122,7 @@ private:
         volumes[p] += m_parts[k].volume;
       }
     }
-    // Cells that lie flat on a wall tell no gradient.
+    // Flat cells on a wall do not determine a gradient.
     for (std::size_t p = 0; p < result.size(); ++p)
       if (volumes[p] > 0)
         result[p] /= volumes[p];

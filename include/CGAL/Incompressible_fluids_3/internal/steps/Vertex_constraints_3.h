@@ -16,12 +16,12 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What is known of the velocities of vertices: they are what is prescribed, and P v = v more, with
-// P projections onto what is free.
+// The constraints on the velocities of vertices. A velocity is the sum of a prescribed vector and
+// of a vector v with P v = v, where P is the orthogonal projection onto the free directions.
 class Vertex_constraints_3
 {
 public:
-  // Along a direction of unit length a velocity is known.
+  // A prescribed velocity along a direction of unit length.
   struct Known
   {
     Eigen::Vector3d direction;
@@ -34,9 +34,9 @@ public:
 
   const std::vector<Known>& known(std::size_t v) const { return m_known[v]; }
 
-  // To be called after the last `add()`.
+  // Computes the prescribed velocities and the projections. Call it after the last `add()`.
   void close() {
-    // The same direction may be known twice, as where two walls touch.
+    // Two directions can be the same, for example where two walls touch.
     static constexpr double parallel = 1e-6;
     m_prescribed = Eigen::VectorXd::Zero(3 * Eigen::Index(m_known.size()));
     m_held.clear();

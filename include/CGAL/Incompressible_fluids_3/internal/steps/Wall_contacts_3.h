@@ -24,27 +24,28 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A solid, and what liquids do at it.
+// A solid and its boundary conditions.
 struct Any_solid_3
 {
   using Point = Simple_cartesian<double>::Point_3;
 
   std::function<void(const Point&, double, std::vector<Wall_3>&)> walls;
   double cosine;  // of the contact angle
-  bool sticks;    // the liquid goes with the wall
-  bool separates; // it may leave the wall
+  bool sticks;    // no-slip
+  bool separates; // the liquid may leave the wall
 };
 
-// Where the surface of a liquid touches solids: vertices must not enter them, and only those that
-// would are held back. Which ones, is found by trying: see `revise()`. The sides of the domain are
-// walls, too, for what does not lie on them: it keeps off, as the mesh needs room there.
+// The contacts of the surface of liquids with solids. A vertex must not enter a solid, and only
+// vertices that would enter a solid are constrained. These vertices are found by iteration, see
+// `revise()`. The sides of the domain are walls for the vertices that do not lie on them. These
+// vertices keep a distance, because the mesh needs space there.
 template <class Complex> class Wall_contacts_3
 {
 public:
   using Mesh = Fluid_mesh_3<Complex>;
   using Solids = std::vector<Any_solid_3>;
 
-  // At a time.
+  // Finds the walls that vertices touch at a time.
   Wall_contacts_3(const Mesh& mesh, const Solids& solids, const Complex& complex,
                   const Vectors_3& positions, double time)
       : m_mesh(mesh), m_solids(solids), m_positions(positions), m_spacings(positions.size(), 0),
@@ -68,11 +69,12 @@ public:
           m_adheres[v] = true;
   }
 
-  // What must hold for velocities by which vertices go for some time, the walls being those where
-  // they are expected to arrive; they may stand still. What touches a wall is held until `revise()`
-  // lets it go.
+  // Predicts the contacts of vertices that move to the expected positions in the time dt. Walls are
+  // those at `time`, the end of the motion. They have no velocity if `walls_move` is false. A
+  // vertex that touches a wall is constrained until `revise()` releases it.
   void predict(const Vectors_3& expected, double time, double dt, bool walls_move) {
-    static constexpr double near = .5; // spacings: beyond, the next prediction will find it
+    // In edge lengths. Later predictions find walls that are farther away.
+    static constexpr double near = .5;
     const std::vector<Contact> before = std::move(m_contacts);
     m_contacts.clear();
     auto known = before.begin();
@@ -94,6 +96,7 @@ public:
           });
   }
 
+  // Adds the active contacts to the constraints.
   void constrain(Vertex_constraints_3& constraints) const {
     for (const Contact& c : m_contacts)
       if (c.is_active) {
@@ -106,9 +109,10 @@ public:
       }
   }
 
-  // Holds what would enter a wall, and lets go what a wall would have to pull, but for what wets
-  // it: that would gain the energy of a surface from nothing. Returns whether there was any. After
-  // some rounds nothing is let go any more, so that they end.
+  // Activates contacts at which a vertex would enter a wall, and releases contacts with a negative
+  // normal force. Vertices of wetted facets are not released, because this would gain surface
+  // energy from nothing. Returns whether a contact has changed. After some rounds, no contact is
+  // released, so that the iteration ends.
   bool revise(const Eigen::VectorXd& velocities, const Eigen::VectorXd& reactions, unsigned round) {
     static constexpr unsigned rounds_of_release = 8;
     static constexpr double rounding = 1e-9;
@@ -129,7 +133,8 @@ public:
     return !revised.empty();
   }
 
-  // The velocity of what is held is that of the wall, where the step ends.
+  // Sets the velocities of constrained vertices at the end of the step. With slip, the normal
+  // component is that of the wall. With no-slip, the velocity is that of the wall.
   void stop(Vectors_3& velocities) const {
     for (const Contact& c : m_contacts)
       if (c.is_active) {
@@ -139,9 +144,9 @@ public:
       }
   }
 
-  // Moves vertices out of walls, and those that are held onto them.
+  // Moves vertices out of walls, and constrained vertices onto their walls.
   void put_out(Vectors_3& positions, double time) const {
-    static constexpr int rounds = 4; // where walls meet
+    static constexpr int rounds = 4; // several rounds are necessary where walls meet
     for (int k = 0; k < rounds; ++k)
       for (std::size_t v = 0; v < positions.size(); ++v)
         for_each_wall(v, positions[v], time,
@@ -151,9 +156,9 @@ public:
                       });
   }
 
-  // The energy of a unit of area of a facet, where it is on a wall that of wetting it: by Young's
-  // equation, the tensions of wet and dry wall differ by that of the surface times the cosine of
-  // the contact angle.
+  // Returns the energy of a unit of area of a facet. On a wall, it is the energy of wetting. By
+  // Young's equation, the tensions of the wet and of the dry wall differ by the surface tension
+  // times the cosine of the contact angle.
   double tension(const typename Mesh::Facet& facet) const {
     if (facet.is_free)
       for (const auto& [solid, wall] : m_touched[facet.vertices[0]])
@@ -163,7 +168,7 @@ public:
     return facet.tension;
   }
 
-  // How deep a vertex would be in a solid; 0 for outside.
+  // Returns the depth in a solid of a vertex at position p, or 0 if p is outside.
   double depth(std::size_t v, const Eigen::Vector3d& p, double time) const {
     double result = 0;
     for_each_wall(v, p, time, [&](std::size_t solid, std::size_t, const Wall_3& w) {
@@ -185,7 +190,7 @@ public:
     return false;
   }
 
-  // Vertices.
+  // Returns the number of constrained vertices.
   std::size_t number_of_held() const {
     std::size_t result = 0;
     for (std::size_t v = 0; v < m_positions.size(); ++v)
@@ -193,8 +198,8 @@ public:
     return result;
   }
 
-  // Of liquids on each solid: the opposite of what holds vertices back, across walls and, where
-  // liquids stick, along them.
+  // Returns the force of liquids on each solid: the opposite of the reactions, in the normal
+  // directions of walls, and with no-slip also along walls.
   Vectors_3 forces(const Eigen::VectorXd& reactions) const {
     Vectors_3 result(m_solids.size(), Eigen::Vector3d::Zero());
     for_each_reaction(reactions, [&](const Contact& c, const Eigen::Vector3d& reaction) {
@@ -203,7 +208,8 @@ public:
     return result;
   }
 
-  // The power, at the most, that moving walls give to liquids: power that they take is left out.
+  // Returns an upper bound of the power that moving walls supply to liquids. Power that walls
+  // remove is not subtracted.
   double power(const Eigen::VectorXd& reactions) const {
     double result = 0;
     for_each_reaction(reactions, [&](const Contact& c, const Eigen::Vector3d& reaction) {
@@ -213,18 +219,19 @@ public:
   }
 
 private:
-  // How near a vertex is to a wall that it touches, in spacings of the interface: above what the
-  // improvement of a mesh moves vertices off a curved wall.
+  // The greatest distance of a vertex from a wall that it touches, in edge lengths of the
+  // interface. It is larger than the displacement by which mesh optimization moves vertices off a
+  // curved wall.
   static constexpr double touching = 1e-3;
-  // How far what does not lie on a side of the domain keeps off, in the same unit, unless it is
-  // nearer already.
+  // The distance that vertices keep from a side of the domain on which they do not lie, in the same
+  // unit. Vertices that are already nearer keep their distance.
   static constexpr double clearance = .25;
 
   struct Contact
   {
     std::size_t vertex, solid, wall;
     Eigen::Vector3d normal;
-    double least; // velocity along the normal
+    double least; // least velocity along the normal
     Eigen::Vector3d wall_velocity;
     bool is_active;
 
@@ -233,10 +240,11 @@ private:
     }
   };
 
-  // Calls `f(contact, reaction)` with the part of each contact with a solid in the reactions.
+  // Calls `f(contact, reaction)` for each active contact with a solid. `reaction` is the share of
+  // the contact in the reactions.
   template <class Function>
   void for_each_reaction(const Eigen::VectorXd& reactions, const Function& f) const {
-    Eigen::VectorXd left = reactions; // along walls
+    Eigen::VectorXd left = reactions; // the remaining reactions, along walls
     for (const Contact& c : m_contacts)
       if (c.is_active)
         left.segment<3>(3 * Eigen::Index(c.vertex)) -= push(c, reactions) * c.normal;
@@ -251,12 +259,13 @@ private:
       }
   }
 
-  // The sides of the domain come after the solids.
+  // The index after the last solid denotes the sides of the domain.
   bool is_side(std::size_t solid) const { return solid == m_solids.size(); }
   bool sticks(std::size_t solid) const { return !is_side(solid) && m_solids[solid].sticks; }
   bool separates(std::size_t solid) const { return is_side(solid) || m_solids[solid].separates; }
 
-  // Of vertices between liquid and void.
+  // Calls a function for each wall at a point, with the indices of the solid and of the wall. Only
+  // vertices between a liquid and void or a gas have walls.
   template <class Function>
   void for_each_wall(std::size_t v, const Eigen::Vector3d& p, double time,
                      const Function& function) const {
@@ -294,7 +303,8 @@ private:
     return c != m_contacts.end() && c->place() == place && c->is_active;
   }
 
-  // The part of a contact in what holds its vertex, where several do, or sides of the domain.
+  // Returns the normal force of a contact. If several contacts or sides of the domain constrain the
+  // vertex, its reaction is decomposed into their normals.
   double push(const Contact& contact, const Eigen::VectorXd& reactions) const {
     std::vector<Eigen::Vector3d> normals;
     Eigen::Index own = 0;
@@ -322,10 +332,13 @@ private:
   const Mesh& m_mesh;
   const Solids& m_solids;
   Vectors_3 m_positions;
-  std::vector<double> m_spacings; // by vertex; 0 for those that are not between liquid and void
-  std::vector<char> m_adheres;    // by vertex: whether it wets a wall
-  std::vector<std::vector<std::pair<std::size_t, std::size_t>>> m_touched; // solids and walls
-  std::vector<Contact> m_contacts;                                         // by place
+  // Edge lengths of the interface by vertex, or 0 for vertices that are not between a liquid and
+  // void or a gas.
+  std::vector<double> m_spacings;
+  std::vector<char> m_adheres; // by vertex: whether it belongs to a wetted facet
+  // The solids and walls that each vertex touches.
+  std::vector<std::vector<std::pair<std::size_t, std::size_t>>> m_touched;
+  std::vector<Contact> m_contacts; // by vertex, solid and wall
 };
 
 } // namespace internal

@@ -27,8 +27,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Velocities of all vertices of an interface at given positions, from a field of velocities
-// (position, time), which on a torus is asked in the box, or from a function of a snapshot.
+// Returns the velocities of all vertices of an interface at the given positions. The velocity is a
+// field or an interface velocity. On a torus, a field is evaluated at points of the box. Throws
+// Invalid_destination_error if a velocity is not finite or their number is wrong.
 template <class Interface, class Velocity>
 std::vector<typename Interface::Complex::Approximate_vector>
 velocities_at(const Interface& interface_,
@@ -49,11 +50,14 @@ velocities_at(const Interface& interface_,
   return result;
 }
 
-// The part of a time step that adaptive integration goes on with at the least: it takes no more
-// than a million steps, or a field without a limit of its derivatives would never end.
+// The shortest substep of adaptive integration, as a part of the time step. This limits the number
+// of substeps to a million. Without a limit, the integration of a field with unbounded derivatives
+// would not end.
 constexpr double smallest_adaptive_part = 1e-6;
 
-// Paths by the rule of Dormand and Prince, in as many steps as it takes to stay below a tolerance.
+// Returns the end points of the paths of all vertices, by the method of Dormand and Prince. The
+// estimated error of each substep is at most the tolerance, a length. Throws Error if the substeps
+// become too short.
 template <class Interface, class Velocity>
 std::vector<typename Interface::Complex::Approximate_point>
 integrate_adaptively(const Interface& interface_,
@@ -88,7 +92,7 @@ integrate_adaptively(const Interface& interface_,
   if (end == t && dt != 0)
     throw Error("a step is too short for the time it begins at: use longer ones, or count the time "
                 "from a later moment");
-  // Beside a large time, a step may vanish.
+  // Adding a short substep to a large time may leave the time unchanged.
   const auto is_long_enough = [&](double step) {
     return std::abs(step) >= smallest_adaptive_part * std::abs(dt) && t + step != t;
   };
@@ -102,7 +106,7 @@ integrate_adaptively(const Interface& interface_,
     try {
       if (stepper.try_step(derivative, state, t, step) == odeint::success && is_last)
         break;
-    } catch (const Invalid_destination_error&) { // a shorter step may not get where nothing is
+    } catch (const Invalid_destination_error&) { // a shorter substep may stay finite
       step /= 2;
       if (!is_long_enough(step))
         throw;
@@ -111,8 +115,8 @@ integrate_adaptively(const Interface& interface_,
   return points(state);
 }
 
-// Where a point, or all vertices, get in one step of a rule of Runge and Kutta, from their rate of
-// change (place, time) and how they advance (place, rate, step).
+// Returns the place of a point, or of all vertices, after one step of an explicit Runge-Kutta
+// method. `rate(place, time)` returns the velocity, `advance(place, rate, step)` the new place.
 template <class Place, class Rate, class Advance>
 Place follow_rate(const Place& start, double t, double dt, Integration_scheme scheme,
                   const Rate& rate, const Advance& advance) {
@@ -128,7 +132,8 @@ Place follow_rate(const Place& start, double t, double dt, Integration_scheme sc
   return advance(advance(halfway, k3, dt / 3), k4, dt / 6);
 }
 
-// Paths by a rule of Runge and Kutta in one step.
+// Returns the end points of the paths of all vertices, by one step of an explicit Runge-Kutta
+// method.
 template <class Interface, class Velocity>
 std::vector<typename Interface::Complex::Approximate_point>
 integrate_with_fixed_steps(const Interface& interface_,
@@ -149,7 +154,8 @@ integrate_with_fixed_steps(const Interface& interface_,
   return follow_rate(start, t, dt, scheme, rate, advance);
 }
 
-// The forms of velocities that `advect_interface()` takes; the first that fits counts.
+// The forms of velocities that `advect_interface()` accepts. If several forms fit, the order is:
+// flow map, interface step, velocity field, interface velocity.
 template <class Complex, class Velocity, class Point = typename Complex::Approximate_point>
 constexpr bool is_flow_map = std::is_invocable_v<const Velocity&, Point, double, double>;
 template <class Complex, class Velocity, class Point = typename Complex::Approximate_point>
@@ -157,7 +163,7 @@ constexpr bool is_interface_step =
     std::is_invocable_v<const Velocity&, const Interface_snapshot<Complex>&,
                         const std::vector<Point>&, double, double, std::vector<Point>&>;
 
-// Whether a flow map says so.
+// Tells whether a flow map defines the type `Is_invertible` as `Tag_true`.
 template <class Map, class = void> struct Is_invertible : Tag_false
 {
 };
@@ -171,20 +177,23 @@ constexpr bool is_velocity_field =
     !is_flow_map<Complex, Velocity> && !is_interface_step<Complex, Velocity> &&
     std::is_invocable_v<const Velocity&, Point, double>;
 
-// Whether space goes with a velocity: a field, or a flow map that does not fold or collapse it.
+// Tells whether free vertices move with a velocity. This holds for fields and for flow maps that
+// are invertible.
 template <class Complex, class Velocity>
 constexpr bool is_flow_of_space = is_velocity_field<Complex, Velocity> ||
                                   (is_flow_map<Complex, Velocity> &&
                                    Is_invertible<Velocity>::value);
 
-// What a velocity needs to know of the interface: facets only where it is a function of all of it.
+// The type of the interface that a velocity needs: vertices only for fields and flow maps, vertices
+// and facets for the other forms.
 template <class Complex, class Velocity>
 using Interface_seen_by =
     std::conditional_t<is_velocity_field<Complex, Velocity> || is_flow_map<Complex, Velocity>,
                        Interface_vertices<Complex>, Interface_snapshot<Complex>>;
 
-// Where what is at p at t is at t + dt, as a guide, for which a rule of Runge and Kutta will do.
-// Not finite if a velocity is not. \pre is_flow_of_space
+// Returns the position at t + dt of the point that is at p at t. The result only guides free
+// vertices, so `Integration_scheme::rk4` is used for fields. The result is not finite where a
+// velocity is not finite. \pre is_flow_of_space
 template <class Complex, class Velocity>
 typename Complex::Approximate_point follow_flow(const typename Complex::Domain& domain,
                                                 const typename Complex::Approximate_point& p,
@@ -195,7 +204,7 @@ typename Complex::Approximate_point follow_flow(const typename Complex::Domain& 
     using Point = typename Complex::Approximate_point;
     using Vector = typename Complex::Approximate_vector;
     const auto rate = [&](const Point& q, double time) -> Vector {
-      if (!has_finite_coordinates(q)) // nobody is asked for what is nowhere
+      if (!has_finite_coordinates(q)) // do not evaluate the field at a point that is not finite
         return q - ORIGIN;
       return velocity(domain.canonical(q), time);
     };
@@ -204,7 +213,7 @@ typename Complex::Approximate_point follow_flow(const typename Complex::Domain& 
   }
 }
 
-// Where the vertices of an interface are at t + dt, for all that `advect_interface()` takes.
+// Returns the positions of the vertices of an interface at t + dt, for each form of a velocity.
 template <class Interface, class Velocity>
 std::vector<typename Interface::Complex::Approximate_point>
 find_destinations(const Interface& interface_,

@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Whether a velocity declares that it decreases the measure of the interface:
+// Tells whether a velocity declares that it decreases the measure of the interface:
 // `static constexpr bool contracts_interface = true`.
 template <class Velocity, class = void> inline constexpr bool contracts_interface = false;
 
@@ -21,7 +21,8 @@ inline constexpr bool
     contracts_interface<Velocity, std::void_t<decltype(Velocity::contracts_interface)>> =
         Velocity::contracts_interface;
 
-// Whether a velocity tells by `preserves_volumes()` that it does.
+// The result of the member function `preserves_volumes()` of a velocity; `false` if there is no
+// such member.
 template <class Velocity, class = void> struct Volume_preservation
 {
   static bool of(const Velocity&) { return false; }

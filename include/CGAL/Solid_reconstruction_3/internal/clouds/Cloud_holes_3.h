@@ -19,19 +19,18 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The holes of a point cloud: Delaunay facets between the inside and the outside that are long
-// beside the distances of their points from their sixth neighbors.
+// The holes of a point cloud: Delaunay facets between the inside and the outside with an edge that
+// is long compared with the distances of its points from their sixth neighbors.
 class Cloud_holes_3
 {
 public:
   explicit Cloud_holes_3(const std::vector<Cloud_sides_3::Boundary_facet>& boundary) {
-    static constexpr double longest =
-        3;                      // reaches: random points leave fewer than one in a thousand
-    double whole = 0, open = 0; // areas
+    static constexpr double longest = 3; // reaches; longer than gaps of random points
+    double whole = 0, open = 0;          // areas
     for (const auto& facet : boundary) {
       const Triangle t(point(facet.points[0]), point(facet.points[1]), point(facet.points[2]));
       const double area = std::sqrt(t.squared_area()), bound = longest * facet.reach;
-      double edge = 0; // squared
+      double edge = 0; // squared length of the longest edge
       for (int k = 0; k < 3; ++k)
         edge = (std::max)(edge, (t[k] - t[k + 1]).squared_length());
       whole += area;
@@ -44,13 +43,13 @@ public:
     m_tree.insert(m_triangles.cbegin(), m_triangles.cend());
     m_tree.build();
     if (!m_triangles.empty())
-      m_tree.accelerate_distance_queries(); // now, not by the first question of a thread
+      m_tree.accelerate_distance_queries(); // before threads query the tree
   }
 
   Cloud_holes_3(const Cloud_holes_3&) = delete; // the tree refers to the triangles
   Cloud_holes_3& operator=(const Cloud_holes_3&) = delete;
 
-  // The share of the boundary of the inside, by area.
+  // Returns the part of the boundary of the inside that has no points, by area.
   double share() const { return m_share; }
   bool meets(const Cloud_sides_3::Ball& ball) const {
     return !m_triangles.empty() &&

@@ -36,13 +36,15 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The two sides of the surface that a cloud samples. The largest empty balls at a point, its poles,
-// are on different sides; balls that overlap deeply are on the same. The surest of such relations
-// hold. After R. Kolluri, J. R. Shewchuk and J. F. O'Brien, "Spectral surface reconstruction from
-// noisy point clouds", SGP 2004, with a spanning forest instead of their eigenvectors. As only
-// angles count, a hole in the cloud is closed where it is narrow beside what is behind it.
+// The two sides of the surface that a cloud samples. The poles of a point are its largest empty
+// balls. They are on different sides. Balls that overlap deeply are on the same side. These
+// relations are processed in the order of their certainty. A relation that contradicts previous
+// ones is ignored. The method follows R. Kolluri, J. R. Shewchuk and J. F. O'Brien, "Spectral
+// surface reconstruction from noisy point clouds", SGP 2004, with a spanning forest in place of
+// their eigenvectors. Relations depend on angles only. A hole of the cloud is therefore closed if
+// it is narrow compared with the solid behind it.
 //
-// n log n in the number of points, if their Delaunay triangulation is linear.
+// The time is n log n in the number n of points, if their Delaunay triangulation has linear size.
 class Cloud_sides_3
 {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
@@ -51,24 +53,25 @@ public:
   using Point = Kernel::Point_3;
   using Vector = Kernel::Vector_3;
 
-  struct Ball // that is empty and circumscribes a cell
+  struct Ball // the empty circumscribed ball of a cell
   {
     Point center;
-    double squared_radius = 0; // also of cells that are flat in double precision
+    double squared_radius = 0; // 0 for cells that are flat in double precision
   };
 
   // A Delaunay facet between the inside and the outside.
   struct Boundary_facet
   {
     std::array<Point, 3> points;
-    double reach; // the largest one of the points: infinite at points that were left out
+    double reach; // largest reach of the points; infinite at outliers
   };
 
-  // A ball whose side is certain: at one of its points, the two poles are on different sides.
+  // A ball whose side is certain: it is a pole of a point whose poles are on different sides, in
+  // directions that differ by more than 120 degrees.
   struct Certain_ball
   {
     Ball ball;
-    double reach; // as of a facet
+    double reach; // as for a facet
     bool is_inside;
   };
 
@@ -98,8 +101,8 @@ public:
       }
   }
 
-  // Takes a walk from a point of the cloud. What is on the border of a cell is inside if all cells
-  // there are.
+  // Returns whether p is inside. The search walks from the cloud point `near`. On the boundary of
+  // cells, p is inside if all these cells are inside.
   bool is_inside(const Point& p, std::size_t near) const {
     typename Delaunay::Locate_type type;
     int i, j;
@@ -121,12 +124,14 @@ public:
   bool encloses_anything() const {
     return std::find(m_is_inside.begin(), m_is_inside.end(), 1) != m_is_inside.end();
   }
-  // Roughly the normal of a point, of any length; null where both poles are on one side.
+  // Returns an approximate outward normal of a point, of any length. It is null if both poles are
+  // on the same side.
   const Vector& outward(std::size_t i) const { return m_outward[i]; }
-  // The radius of the largest empty ball that touches a point from outside; infinite where unknown.
+  // Returns the radius of the largest empty ball that touches a point from outside; infinite if
+  // unknown.
   double room(std::size_t i) const { return m_room[i]; }
 
-  // The boundary of the inside. The reaches of the points that are kept.
+  // Returns the boundary of the inside. `reaches` belong to the points that are kept.
   template <class Reaches> std::vector<Boundary_facet> boundary(const Reaches& reaches) const {
     std::vector<Boundary_facet> result;
     for (const auto& f : m_delaunay.finite_facets()) {
@@ -144,7 +149,7 @@ public:
     return result;
   }
 
-  // The balls whose sides are certain.
+  // Returns the balls whose sides are certain.
   template <class Reaches> std::vector<Certain_ball> certain_balls(const Reaches& reaches) const {
     std::vector<Certain_ball> result;
     for (auto c : m_delaunay.finite_cell_handles()) {
@@ -184,7 +189,7 @@ private:
 
   struct Relation
   {
-    float angle; // how far it is from being certain
+    float angle; // uncertainty: 0 is certain
     Ball_index first, second;
     bool are_opposite;
 
@@ -195,19 +200,20 @@ private:
   };
 
   static double angle(double cosine) { return std::acos((std::max)(-1., (std::min)(1., cosine))); }
-  // Where two spheres meet: 0 if they are equal, pi if they touch from outside.
+  // Returns the angle at which two spheres meet: 0 if they are equal, pi if they touch from
+  // outside.
   static double angle(const Ball& a, const Ball& b) {
     if (!(a.squared_radius > 0) || !(b.squared_radius > 0))
-      return CGAL_PI / 2; // which tells nothing
+      return CGAL_PI / 2; // no information
     return angle((a.squared_radius + b.squared_radius - squared_distance(a.center, b.center)) /
                  (2 * std::sqrt(a.squared_radius * b.squared_radius)));
   }
-  // Between the directions to the poles, if one were reversed: 0 if they are opposite.
+  // Returns the angle by which the directions to two poles differ from opposite directions.
   static double angle_of_poles(const Point& p, const Ball& a, const Ball& b) {
     const Vector v = a.center - p, w = b.center - p;
     return angle(-(v * w) / std::sqrt(v.squared_length() * w.squared_length()));
   }
-  // Infinite at points that were left out; 0 at the corners of the box.
+  // Returns the reach of a vertex: infinite at outliers, 0 at the corners of the box.
   template <class Reaches> double reach_of(Vertex_handle v, const Reaches& reaches) const {
     if (is_of_box(v))
       return 0;
@@ -222,11 +228,11 @@ private:
     return std::all_of(star.begin(), star.end(), [&](Cell_handle c) { return is_inside(c); });
   }
 
-  // With the corners of a box around all, where outside begins.
+  // Triangulates the points and the corners of a box around them. The outside begins at the box.
   template <class Points> void triangulate(const Points& points) {
-    static constexpr double away = 2; // extents of the cloud
+    static constexpr double away = 2; // in extents of the cloud
     Bbox_3 box;
-    std::vector<std::pair<Point, std::size_t>> vertices; // and their indices
+    std::vector<std::pair<Point, std::size_t>> vertices; // with their indices
     for (const auto& p : points) {
       vertices.emplace_back(Point(p.x(), p.y(), p.z()), vertices.size());
       box += p.bbox();
@@ -252,7 +258,7 @@ private:
     }
   }
 
-  // Those of the finite cells, numbered from 1.
+  // Returns the balls of the finite cells, numbered from 1.
   std::vector<Ball> balls() {
     std::vector<Ball> result(1);
     for (auto c : m_delaunay.all_cell_handles()) {
@@ -270,7 +276,7 @@ private:
     const Point& p = cell->vertex(0)->point();
     const Vector a = cell->vertex(1)->point() - p, b = cell->vertex(2)->point() - p,
                  c = cell->vertex(3)->point() - p;
-    static constexpr double flat = 1e-12; // of the volume of a cube: less is rounding
+    static constexpr double flat = 1e-12; // of the volume of a cube: rounding errors
     const Vector across = cross_product(b, c);
     const double volume = a * across;
     const bool is_flat = volume * volume <=
@@ -289,7 +295,8 @@ private:
           sides.unite(outside, c->info(), false);
   }
 
-  // For each point the largest ball, and the largest one in the half space on the other side.
+  // Returns the poles of each point: its largest ball, and its largest ball in the opposite half
+  // space.
   std::vector<Poles> poles(const std::vector<Ball>& balls) const {
     std::vector<Poles> result(m_outward.size(), Poles{none, none});
     std::vector<Cell_handle> star;
@@ -338,7 +345,8 @@ private:
     return result;
   }
 
-  // Of all cells: for those that are no poles.
+  // Returns relations of all neighboring cells. They determine the sides of cells that are no
+  // poles.
   std::vector<Relation> relations_of_neighbors(const std::vector<Ball>& balls) const {
     std::vector<Relation> result;
     for (const auto& f : m_delaunay.finite_facets()) {
@@ -367,9 +375,9 @@ private:
   }
 
   Delaunay m_delaunay;
-  std::vector<Vertex_handle> m_vertices; // of points
-  std::vector<char> m_is_inside;         // by balls
-  std::vector<char> m_is_certain;        // whether a ball is on its side for certain
+  std::vector<Vertex_handle> m_vertices; // one for each point
+  std::vector<char> m_is_inside;         // one for each ball
+  std::vector<char> m_is_certain;        // for each ball, whether its side is certain
   std::vector<Vector> m_outward;
   std::vector<double> m_room;
 };

@@ -33,10 +33,11 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// How far a point reaches, in distances of its sixth neighbor: facets within touch it.
+// The reach of a point, in distances to its sixth neighbor. Facets within this distance touch the
+// point.
 inline constexpr double reach_of_points = 2;
 
-// The elements whose marks are not 0, in their order.
+// Keeps the elements whose marks are not 0, in their order.
 template <class T> void keep_marked(std::vector<T>& elements, const std::vector<char>& marks) {
   std::size_t number = 0;
   for (std::size_t i = 0; i < elements.size(); ++i)
@@ -45,7 +46,7 @@ template <class T> void keep_marked(std::vector<T>& elements, const std::vector<
   elements.erase(elements.begin() + std::ptrdiff_t(number), elements.end());
 }
 
-// Splits the nodes of a kd-tree as CGAL does by default, and can be stopped.
+// A splitter of a kd-tree that splits nodes as CGAL does by default and can be interrupted.
 template <class Traits> struct Stoppable_splitter : Sliding_midpoint<Traits>
 {
   using Base = Sliding_midpoint<Traits>;
@@ -57,17 +58,18 @@ template <class Traits> struct Stoppable_splitter : Sliding_midpoint<Traits>
   }
 };
 
-// Points by lexicographic order, and what is near them. Of points that are equal, the first counts.
+// Points in lexicographic order, with search for nearest neighbors. Of equal points, only the first
+// is kept.
 class Point_cloud_3
 {
 public:
   using Point = Cloud_kernel::Point_3;
   using Vector = Cloud_kernel::Vector_3;
-  static constexpr unsigned ring = 6; // neighbors of a point of a surface
+  static constexpr unsigned ring = 6; // number of neighbors around a point of a surface
 
-  // Of equal points, that with the greatest vector counts, if there are any vectors; 0 is the
-  // least. Throws Invalid_points_error if coordinates are not finite, or too large or small, or the
-  // points lie in a plane.
+  // Sorts the points. Of equal points, the point with the greatest vector is kept, if there are
+  // vectors; the null vector is the smallest. Throws Invalid_points_error if coordinates are not
+  // finite, the extent is too large or too small, or the points lie in a plane.
   Point_cloud_3(const std::vector<Point>& points, const std::vector<Vector>& vectors,
                 unsigned number_of_threads)
       : m_for_each(number_of_threads) {
@@ -96,16 +98,17 @@ public:
 
   const std::vector<Point>& points() const { return m_points; }
   std::size_t size() const { return m_points.size(); }
-  // The place of a point among those that were given.
+  // Returns the index of a point in the input.
   std::size_t index(std::size_t i) const { return m_indices[i]; }
   std::size_t number_of_duplicates() const { return m_duplicates; }
-  // Of points that were left out, as they were far from others.
+  // Returns the number of outliers, which are not used.
   std::size_t number_of_outliers() const { return m_outliers; }
 
-  // For what is asked for each of many points or facets.
+  // Returns the function that loops over many points or facets, with threads.
   const For_each_index& for_each() const { return m_for_each; }
 
-  // Leaves out the others. Throws Invalid_points_error if what is left lies in a plane.
+  // Removes the points that are not marked. Throws Invalid_points_error if the remaining points lie
+  // in a plane.
   void keep(const std::vector<char>& is_kept) {
     const auto number = std::size_t(std::count(is_kept.begin(), is_kept.end(), 1));
     if (number == size())
@@ -119,13 +122,13 @@ public:
     m_spacing = mean_distance();
   }
 
-  // The mean distance of points from their six nearest neighbors.
+  // Returns the mean distance of points from their six nearest neighbors.
   double spacing() const { return m_spacing; }
-  // The distance of the sixth neighbor.
+  // Returns the distance of a point to its sixth neighbor.
   double reach(std::size_t i) const { return m_reaches[i]; }
   const std::vector<double>& reaches() const { return m_reaches; }
 
-  // The nearest points, by distance.
+  // Returns the nearest points, sorted by distance.
   std::vector<std::size_t> nearest(const Point& p, unsigned number) const {
     const Search search(*m_tree, p, number, 0, true, Distance(map()));
     std::vector<std::size_t> result;
@@ -177,7 +180,7 @@ private:
           Reason::too_few, m_outliers == 0
                                ? "there are fewer than four different points: they bound no solid"
                                : "fewer than four points are near others: they bound no solid");
-    static constexpr double smallest = 1e-30, largest = 1e30; // extents of complexes
+    static constexpr double smallest = 1e-30, largest = 1e30; // extents that complexes support
     Bbox_3 box;
     for (const Point& p : m_points)
       box += p.bbox();
@@ -196,7 +199,7 @@ private:
       throw Invalid_points_error(Reason::flat, "all points lie in a plane: they bound no solid");
   }
 
-  // The tree of the points.
+  // Builds the tree of the points.
   void plant() {
     std::vector<std::size_t> all(size());
     std::iota(all.begin(), all.end(), std::size_t(0));
@@ -214,23 +217,24 @@ private:
     m_spacing = mean_distance();
   }
 
-  // Of points from their neighbors.
+  // Returns the mean distance of points from their nearest neighbors.
   double mean_distance() const {
     std::vector<double> sums(size(), 0);
     m_for_each(size(), [&](std::size_t i) {
       Progress_scope::check();
-      for (std::size_t k : nearest(m_points[i], ring + 1)) // itself among them
+      for (std::size_t k : nearest(m_points[i], ring + 1)) // including the point itself
         sums[i] += std::sqrt((m_points[k] - m_points[i]).squared_length());
     });
     const double number = double((std::min)(std::size_t(ring), size() - 1));
     return std::accumulate(sums.begin(), sums.end(), 0.) / (number * double(size()));
   }
 
-  // A point is isolated if it is farther from its neighbors than most of those around are from
-  // theirs. What a point reaches is no more than what most of those around do.
+  // Removes isolated points. A point is isolated if the distance to its sixth neighbor is large
+  // compared with the median of this distance around it. The reach of a point is bounded by this
+  // median.
   void drop_isolated() {
-    static constexpr double far = 3;       // reaches of those around: their median
-    static constexpr unsigned around = 32; // more than outliers have among themselves
+    static constexpr double far = 3;       // in medians of the reaches around
+    static constexpr unsigned around = 32; // more than the number of outliers in a cluster
     std::vector<char> is_kept(size());
     std::vector<double> medians(size());
     m_for_each(size(), [&](std::size_t i) {
@@ -250,7 +254,7 @@ private:
 
   For_each_index m_for_each;
   std::vector<Point> m_points;
-  std::vector<std::size_t> m_indices; // among the points that were given
+  std::vector<std::size_t> m_indices; // in the input
   std::size_t m_duplicates = 0, m_outliers = 0;
   std::unique_ptr<Tree> m_tree;
   std::vector<double> m_reaches;

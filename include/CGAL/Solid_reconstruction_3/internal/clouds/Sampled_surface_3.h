@@ -29,23 +29,22 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What a cloud tells of the surface that it samples: its sides and, at each point, the normal and
-// how strongly it bends.
+// The surface that a cloud samples: its two sides, and its normal and curvature at each point.
 class Sampled_surface_3
 {
 public:
   using Point = Point_cloud_3::Point;
   using Vector = Point_cloud_3::Vector;
 
-  // Normals, if there are any, of any length and sign, in the order of the points. Throws
-  // Invalid_points_error if the points bound no solid, or sample an open sheet that is not
-  // accepted.
+  // Analyzes the points. Normals, if there are any, have any length and sign, and the order of the
+  // points. Throws Invalid_points_error if the points bound no solid, or if they sample an open
+  // sheet that is not accepted.
   Sampled_surface_3(const std::vector<Point>& points, const std::vector<Vector>& normals,
                     bool accepts_sheets, unsigned number_of_threads)
       : m_cloud(points, normals, number_of_threads) {
     m_cloud.keep(surface_points(m_cloud));
     find_sides();
-    if (drop_outliers()) { // which had their say on what is inside
+    if (drop_outliers()) { // outliers influence the sides
       find_sides();
       drop_outliers();
     }
@@ -69,10 +68,10 @@ public:
     return m_sides->is_inside({p.x(), p.y(), p.z()}, m_cloud.nearest(p));
   }
 
-  // The empty balls whose sides are known: they are large beside the distances of points, which a
-  // sampled surface cannot cross, and meet no hole of the cloud.
+  // Returns the empty balls whose sides are known. They are large compared with the distances of
+  // the points, so that a sampled surface cannot cross them. They meet no hole of the cloud.
   std::vector<Cloud_sides_3::Certain_ball> known_balls() const {
-    static constexpr double noisy = 4; // noises: so far may points be from the surface
+    static constexpr double noisy = 4; // in noises: largest distance of points from the surface
     std::vector<Cloud_sides_3::Certain_ball> result;
     for (const auto& ball : m_sides->certain_balls(m_cloud.reaches())) {
       const double depth = known_depth * ball.reach + noisy * m_noise;
@@ -81,32 +80,34 @@ public:
     }
     return result;
   }
-  // Of balls, in distances of points from their sixth neighbors: balls at gaps between random
-  // points of a sharp edge are up to 1.3 of them.
+  // The smallest radius of such balls, in distances of points from their sixth neighbors. Balls at
+  // gaps between random points of a sharp edge are smaller.
   static constexpr double known_depth = 1.75;
 
-  // Of unit length; where planes meet, that of the neighbors on one side.
+  // Returns the unit normal of a point. Near a sharp edge, it is the normal of the neighbors on one
+  // side.
   const Vector& normal(std::size_t i) const { return m_normals[i]; }
-  // Whether the normal points outwards, or else either way.
+  // Returns whether the normal points outwards. Otherwise its sign is unknown.
   bool is_oriented(std::size_t i) const { return m_sides->outward(i) != NULL_VECTOR; }
-  // How large a ball outside may touch a point or one of its neighbors.
+  // Returns the radius of the largest outer ball that touches a point or one of its neighbors.
   double room(std::size_t i) const { return m_rooms[i]; }
-  // The larger one of the absolute values of the principal curvatures.
+  // Returns the largest absolute value of the principal curvatures.
   double curvature(std::size_t i) const { return m_curvatures[i]; }
-  // Whether the surface is not smooth there, as at a crease, or else there is more noise.
+  // Returns whether the surface is not smooth at a point, as at a sharp edge, or has more noise
+  // than elsewhere.
   bool is_rough(std::size_t i) const {
-    static constexpr double rough = .1; // spacings
+    static constexpr double rough = .1; // in spacings
     return m_residuals[i] > (std::max)(rough * m_cloud.spacing(), 2 * m_noise);
   }
-  // By how much points are off quadrics of their neighbors: the median.
+  // Returns the median of the residuals of quadrics that are fitted to the neighbors of each point.
   double noise() const { return m_noise; }
 
 private:
-  static constexpr unsigned few = 10; // times as many points as are smoothed together
+  static constexpr unsigned few = 10; // smallest ratio of all points to smoothed ones
 
   static Vector vector_of(const Cloud_sides_3::Vector& v) { return {v.x(), v.y(), v.z()}; }
 
-  // The other one if that has no direction.
+  // Returns the unit vector of v, or `otherwise` if v has no direction.
   static Vector unit_vector(const Vector& v, const Vector& otherwise) {
     const double largest = (std::max)({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
     if (!(largest > 0) || !std::isfinite(largest))
@@ -117,11 +118,12 @@ private:
   }
 
   static unsigned neighbors_to_smooth(double layer) {
-    static constexpr double around = 24, most = 200; // of a layer of thickness 1, of any
+    static constexpr double around = 24, most = 200; // points: at thickness 1; bound
     return unsigned((std::min)(most, around * layer * layer));
   }
 
-  // Makes a layer, of that thickness, a surface. CGAL loses digits far from the origin.
+  // Returns the points of a layer of noise, projected to a surface. The points are moved to the
+  // origin, because CGAL loses digits far from it.
   std::vector<Point> smoothed(double layer) const {
     static constexpr int rounds = 3;
     const Vector shift = m_cloud.points().front() - ORIGIN;
@@ -141,7 +143,7 @@ private:
   }
 
   void require_solid() const {
-    static constexpr double most = .25; // of the boundary: a cube may lack one of its sides
+    static constexpr double most = .25; // of the boundary: a cube without one side is accepted
     if (m_holes->share() <= most)
       return;
     const auto percent = [](double share) { return std::to_string(std::lround(100 * share)); };
@@ -154,7 +156,7 @@ private:
   }
 
   void find_sides() {
-    static constexpr double noisy = .25; // spacings: of layers, sides are decided by their middles
+    static constexpr double noisy = .25; // in spacings; thicker layers are smoothed first
     m_sides = std::make_unique<Cloud_sides_3>(m_cloud.points());
     fit();
     const double layer = m_noise / (noisy * m_cloud.spacing());
@@ -166,8 +168,8 @@ private:
     }
   }
 
-  // A point of a surface has poles on both of its sides, or a neighbor that has, and is near one of
-  // the planes around. Returns whether there were others.
+  // Removes outliers. A point of a surface has poles on both sides, or a neighbor with such poles.
+  // It is also near one of the planes around it. Returns whether there were outliers.
   bool drop_outliers() {
     static constexpr unsigned around = 6;
     std::vector<char> is_kept(m_cloud.size());
@@ -192,7 +194,8 @@ private:
   }
 
   void fit() {
-    // Neighbors: two rings, almost; of thin parts those on one side, if they determine a quadric.
+    // The number of neighbors: about two rings. In thin parts, only neighbors on one side are used,
+    // if they determine a quadric.
     static constexpr unsigned around = 16, least = 6;
     const std::vector<Point>& points = m_cloud.points();
     std::vector<std::vector<std::size_t>> neighbors(points.size());
@@ -202,7 +205,7 @@ private:
     m_curvatures.resize(points.size());
     m_cloud.for_each()(points.size(), [&](std::size_t i) {
       Progress_scope::check();
-      neighbors[i] = m_cloud.nearest(points[i], around + 1); // itself among them
+      neighbors[i] = m_cloud.nearest(points[i], around + 1); // including the point itself
       const auto is_on_other_side = [&](std::size_t k) {
         return m_sides->outward(k) * m_sides->outward(i) < 0;
       };
@@ -224,9 +227,9 @@ private:
     const auto middle = residuals.begin() + std::ptrdiff_t(residuals.size() / 2);
     std::nth_element(residuals.begin(), middle, residuals.end());
     m_noise = *middle;
-    static constexpr double rounding = 1e-12; // spacings
-    static constexpr double in_plane = 2;     // residuals
-    static constexpr double off_plane = 3;    // residuals, and more than a spacing
+    static constexpr double rounding = 1e-12; // in spacings
+    static constexpr double in_plane = 2;     // in residuals
+    static constexpr double off_plane = 3;    // in residuals; at least a spacing
     m_is_off.resize(points.size());
     m_cloud.for_each()(points.size(), [&](std::size_t i) {
       Progress_scope::check();
@@ -246,7 +249,7 @@ private:
     });
   }
 
-  // Of the points of a layer of noise, only some have large balls.
+  // Computes `room()` for all points. In a layer of noise, only some points have large balls.
   void measure_rooms() {
     static constexpr unsigned around = 24; // within about three spacings
     m_rooms.assign(m_cloud.size(), 0);
@@ -263,7 +266,7 @@ private:
   std::unique_ptr<Cloud_holes_3> m_holes;
   std::vector<Vector> m_normals;
   std::vector<double> m_residuals, m_curvatures, m_rooms;
-  std::vector<char> m_is_off; // by what no plane around explains; before outliers are dropped
+  std::vector<char> m_is_off; // whether a point is off all planes around it, with outliers
   double m_noise = 0;
 };
 

@@ -20,7 +20,7 @@ template <typename Point, typename Vector> class Point_set_3;
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Points of any kernel, and their normals: none, or as many.
+// Points of any kernel, and their normals. There are no normals, or as many as points.
 struct Collected_points
 {
   std::vector<Sampled_surface_3::Point> points;
@@ -34,8 +34,7 @@ struct Collected_points
   }
 };
 
-// The points of a range; those of a set of points are its own, as are its normals, unless there are
-// maps.
+// The points and normals of a range if no maps are given. Only a `Point_set_3` has normals.
 template <class Range> struct Own_maps
 {
   template <class Key> static void add_point(const Range&, const Key& key, Collected_points& to) {

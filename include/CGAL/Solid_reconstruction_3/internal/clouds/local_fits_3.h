@@ -19,14 +19,14 @@ namespace internal {
 
 using Cloud_kernel = Simple_cartesian<double>;
 
-// The plane that is nearest to points, by least squares: their barycenter, the normal, and the root
-// of the mean square of their distances.
+// The plane that fits points by least squares: their barycenter, the normal, and the root mean
+// square of their distances.
 struct Fitted_plane_3
 {
   Cloud_kernel::Point_3 center;
   Cloud_kernel::Vector_3 normal; // of unit length
   double residual;
-  double width, length; // of the points in the plane, along its axes: roots of mean squares
+  double width, length; // standard deviations of the points along the axes of the plane
 
   double height(const Cloud_kernel::Point_3& p) const { return normal * (p - center); }
 };
@@ -51,11 +51,11 @@ template <class Points> Fitted_plane_3 fit_plane(const Points& points) {
           std::sqrt((std::max)(0., solver.eigenvalues()[2]))};
 }
 
-// The graph of a quadratic function over a plane that is nearest to points, by least squares.
+// The graph of a quadratic function over a plane that fits points by least squares.
 struct Fitted_quadric_3
 {
-  double residual;               // root of the mean square of distances, as of points without end
-  double curvature;              // the largest, in the middle
+  double residual;  // root mean square of distances, corrected for the number of unknowns
+  double curvature; // largest absolute principal curvature, in the middle
   Cloud_kernel::Vector_3 normal; // at the first point, of unit length
 };
 

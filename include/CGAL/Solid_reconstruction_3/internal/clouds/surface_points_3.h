@@ -21,8 +21,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The clusters of a point cloud: two points are adjacent if they are close beside the distances of
-// both from their sixth neighbors. For each point, the least index of its cluster.
+// Returns the clusters of a point cloud: for each point, the smallest index of its cluster. Two
+// points are adjacent if their distance is small compared with the distances of both from their
+// sixth neighbors.
 inline std::vector<std::size_t> clusters_of(const Point_cloud_3& cloud) {
   const std::vector<Point_cloud_3::Point>& points = cloud.points();
   std::vector<std::vector<std::size_t>> adjacent(points.size());
@@ -44,21 +45,19 @@ inline std::vector<std::size_t> clusters_of(const Point_cloud_3& cloud) {
   return result;
 }
 
-// The middle one of some values.
+// Returns the median of some values.
 inline double median_of(std::vector<double> values) {
   const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
 
-// Marks the points that lie on surfaces. A cluster with few points, or whose points fill a volume,
-// consists of outliers. The largest cluster is a surface.
+// Marks the points that lie on surfaces. The points of a cluster are outliers if there are few of
+// them, or if they fill a volume. The largest cluster is a surface.
 inline std::vector<char> surface_points(const Point_cloud_3& cloud) {
-  static constexpr unsigned neighbors = 16; // two rings: those to which normals are fitted
-  static constexpr double filled =
-      .25; // of the width: thinner neighborhoods are layers, not volumes
-  static constexpr double noisy =
-      4; // residuals of the largest cluster: a thicker layer is no noise
+  static constexpr unsigned neighbors = 16; // about two rings, as for normals
+  static constexpr double filled = .25;     // of the width; thinner: a layer
+  static constexpr double noisy = 4;        // residuals of the largest cluster; thicker: no noise
   const std::vector<std::size_t> clusters = clusters_of(cloud);
   std::map<std::size_t, std::vector<std::size_t>> members;
   for (std::size_t i = 0; i < clusters.size(); ++i)
@@ -71,7 +70,7 @@ inline std::vector<char> surface_points(const Point_cloud_3& cloud) {
   cloud.for_each()(cloud.size(), [&](std::size_t i) {
     Progress_scope::check();
     std::vector<Point_cloud_3::Point> near;
-    for (std::size_t k : cloud.nearest(cloud.points()[i], neighbors + 1)) // itself among them
+    for (std::size_t k : cloud.nearest(cloud.points()[i], neighbors + 1)) // and itself
       near.push_back(cloud.points()[k]);
     planes[i] = fit_plane(near);
   });

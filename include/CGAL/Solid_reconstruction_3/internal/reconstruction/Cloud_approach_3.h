@@ -22,17 +22,18 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// How the vertices of an interface come nearer to a cloud: facets that touch points push them to
-// their planes, free ones inwards, as long as what is ahead is outside. (Section 4.3 of the paper.)
+// The motion of an interface towards a cloud (section 4.3 of the paper). Facets with points move
+// their vertices to the planes of these points. Free facets move their vertices inwards, as long as
+// the space in front of them is outside the solid.
 class Cloud_approach_3
 {
 public:
   using Point = Sampled_surface_3::Point;
   using Vector = Sampled_surface_3::Vector;
 
-  std::vector<Vector> ways;     // of vertices
-  std::vector<char> is_free;    // whether a facet is on its way to points
-  std::vector<char> is_at_free; // whether a vertex is one of such a facet
+  std::vector<Vector> ways;     // displacements of the vertices
+  std::vector<char> is_free;    // whether a facet is free
+  std::vector<char> is_at_free; // whether a vertex belongs to a free facet
 
   template <class Facets>
   Cloud_approach_3(const Sampled_surface_3& surface, const Facets& facets,
@@ -84,7 +85,7 @@ public:
   }
 
 private:
-  static constexpr int halvings = 4; // of ways into the solid
+  static constexpr int halvings = 4; // of displacements that end in the solid
 
   // Sums over the facets at a vertex, weighted by their angles.
   struct Corner
@@ -104,10 +105,11 @@ private:
       push += angle * Eigen::Vector3d(way.x(), way.y(), way.z());
       push_angle += angle;
     }
-    // To where the planes meet; where they leave it open, as the free facets push.
+    // Returns the displacement to the intersection of the planes. In directions that the planes do
+    // not determine, it is the displacement of the free facets.
     Vector way() const {
-      static constexpr double least_eigenvalue = .1; // of the largest
-      static constexpr double farthest = .4;         // edges
+      static constexpr double least_eigenvalue = .1; // of the largest eigenvalue
+      static constexpr double farthest = .4;         // in edges
       Eigen::Vector3d result = Eigen::Vector3d::Zero();
       if (push_angle > 0)
         result = push / push_angle;
@@ -130,11 +132,11 @@ private:
     }
   };
 
-  // How far a facet without a plane goes inwards: not into the solid.
+  // Returns the length by which a facet without a plane moves inwards, without entering the solid.
   static double free_step(const Sampled_surface_3& surface, const Point& middle,
                           const Vector& normal, double edge) {
-    static constexpr double push = .35, part = .7; // edges, distances from points
-    static constexpr double near = 1;              // spacings: nearer ones need no push
+    static constexpr double push = .35, part = .7; // in edges; in distances from points
+    static constexpr double near = 1;              // in spacings; nearer facets do not move
     const double distance = surface.cloud().distance(middle);
     if (distance < near * surface.cloud().spacing() || surface.is_inside(middle))
       return 0;

@@ -30,7 +30,7 @@ template <class Points> std::vector<Sampled_surface_3::Point> cloud_points(const
   return result;
 }
 
-// The triangles of an interface, and which of them is nearest to each point of a cloud.
+// The triangles of an interface, and the nearest triangle of each point of a cloud.
 class Cloud_triangles_3
 {
 public:
@@ -47,7 +47,7 @@ public:
     if (m_triangles.empty())
       return;
     Tree tree(m_triangles.begin(), m_triangles.end());
-    tree.build(); // now, not by the first question of a thread
+    tree.build(); // before threads query the tree
     tree.accelerate_distance_queries();
     const Point_cloud_3& cloud = surface.cloud();
     m_feet.resize(cloud.size());
@@ -60,7 +60,7 @@ public:
     });
   }
 
-  // The root of the mean square of distances of points.
+  // Returns the root mean square of the distances of points.
   double residual(const Sampled_surface_3& surface) const {
     double sum = 0;
     for (std::size_t i = 0; i < m_feet.size(); ++i)
@@ -71,7 +71,7 @@ public:
   const Triangle& operator[](std::size_t f) const { return m_triangles[f]; }
   std::size_t size() const { return m_triangles.size(); }
   const std::vector<Triangle>& all() const { return m_triangles; }
-  // Of a point: the nearest triangle, and the nearest point there.
+  // Returns the nearest triangle of a point, and the nearest point in it.
   std::size_t nearest(std::size_t i) const { return m_nearest[i]; }
   const Point& foot(std::size_t i) const { return m_feet[i]; }
 
@@ -84,19 +84,20 @@ private:
   std::vector<std::size_t> m_nearest;
 };
 
-// What a facet of an interface knows of the points that are nearest to it.
+// The points that are nearest to a facet of an interface, and their plane.
 struct Cloud_facet_3
 {
-  std::vector<std::size_t> points; // near ones that do not face away
-  Cloud_kernel::Point_3 center;    // of the points whose plane the facet is to take
-  Cloud_kernel::Vector_3 normal;   // of that plane, outward
-  bool touches = false;            // whether there is such a plane
+  std::vector<std::size_t> points; // near points that do not face away
+  Cloud_kernel::Point_3 center;    // of the points of the plane
+  Cloud_kernel::Vector_3 normal;   // outward normal of the plane
+  bool touches = false;            // whether there is a plane
   bool is_near = false;            // whether there are points
-  bool has_crease = false;         // whether points have other planes, too
-  double residual = 0;             // of all points from the facet: root of the mean square
+  bool has_crease = false;         // whether some points have other planes
+  double residual = 0;             // root mean square of the distances of all points
 };
 
-// Gives each facet a plane: that of most of its points, of those with similar normals.
+// The planes of the facets. A facet takes the plane of the largest group of its points with similar
+// normals.
 class Cloud_planes_3
 {
 public:
@@ -126,8 +127,8 @@ private:
 
   void choose_points(Cloud_facet_3& facet, const Cloud_kernel::Triangle_3& t, const Vector& normal,
                      double edge) {
-    static constexpr double part = .3;  // edges: points within count, if others are near
-    static constexpr double away = -.3; // cosine of the angle from which on points face away
+    static constexpr double part = .3;  // in edges; bound on distances if others are near
+    static constexpr double away = -.3; // cosine; points with a smaller one face away
     static constexpr unsigned some = 4;
     const Point_cloud_3& cloud = m_surface.cloud();
     const auto faces_away = [&](std::size_t i) {
@@ -136,14 +137,14 @@ private:
     const auto touches = [&](std::size_t i, double distance) {
       return distance < reach_of_points * cloud.reach(i);
     };
-    std::vector<std::pair<std::size_t, double>> points; // and their distances
+    std::vector<std::pair<std::size_t, double>> points; // with their distances
     for (std::size_t i : facet.points)
       if (!faces_away(i)) {
         points.emplace_back(i, m_distances[i]);
         facet.is_near = facet.is_near || touches(i, m_distances[i]);
       }
     if (!facet.is_near) {
-      // Small facets have no points of their own, but those of their neighbors.
+      // A small facet may have no points of its own. It uses the points around it.
       points.clear();
       for (std::size_t i : cloud.nearest(CGAL::centroid(t), some)) {
         const double distance = std::sqrt(CGAL::squared_distance(cloud.points()[i], t));
@@ -166,7 +167,7 @@ private:
   void choose_plane(Cloud_facet_3& facet, const Vector& normal) const {
     static const double similar = std::cos(25 * CGAL_PI / 180),
                         along = std::cos(60 * CGAL_PI / 180);
-    static constexpr std::size_t most_seeds = 32; // of groups
+    static constexpr std::size_t most_seeds = 32; // largest number of groups that are tried
     const auto& points = facet.points;
     const std::size_t step = 1 + points.size() / most_seeds;
     std::size_t largest = 0;

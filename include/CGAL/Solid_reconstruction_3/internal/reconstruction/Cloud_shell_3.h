@@ -24,19 +24,19 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Where an interface begins that is to find a surface: around its solid and all points, in the
-// leaves of an octree, which are small in narrow gaps.
+// The initial interface of a reconstruction, around the solid and all points. It consists of faces
+// of an octree, whose leaves are small in narrow gaps.
 class Cloud_shell_3
 {
 public:
   using Point = Sampled_surface_3::Point;
 
   explicit Cloud_shell_3(const Sampled_surface_3& surface) : m_surface(surface) {
-    static constexpr double edges = 12;  // on the longest side: few, as large parts need few facets
-    static constexpr double least = 2.5; // spacings: shorter edges would have no points
+    static constexpr double edges = 12;  // on the longest side; smooth parts need few facets
+    static constexpr double least = 2.5; // in spacings; smaller facets have no points
     static constexpr double fewest = 4;  // edges on the longest side
-    static constexpr double margin = 2;  // leaves between the points and the border of the domain
-    static constexpr int most_halvings = 10; // of the edge, where spacings differ as much
+    static constexpr double margin = 2;  // leaves between the points and the boundary of the domain
+    static constexpr int most_halvings = 10; // of the edge, if spacings differ as much
     const double shortest = least * surface.cloud().spacing();
     Bbox_3 box;
     for (const Point& p : surface.cloud().points())
@@ -54,11 +54,11 @@ public:
       m_low[axis] = box.min(axis) + (box.max(axis) - box.min(axis)) / 2 - side_of(m_last_level) / 2;
   }
 
-  // Of the largest facets to begin with.
+  // Returns the length of the largest facets at the beginning.
   double edge() const { return m_edge; }
 
-  // Leaves at points are about as large as the edge, or the room there; elsewhere they are so small
-  // that those in the solid are not at the border of the domain.
+  // Returns the octree. Leaves at points have about the length of the edge, or of the gap there.
+  // Other leaves are so small that leaves in the solid do not touch the boundary of the domain.
   Octree_3 octree() const {
     Octree_3 result(m_last_level);
     const auto& points = m_surface.cloud().points();
@@ -86,9 +86,10 @@ public:
     return result;
   }
 
-  // 1 in the solid and near points, 0 elsewhere: of a cell of a leaf with that barycenter.
+  // Returns the label of a cell of a leaf, given its barycenter: 1 in the solid and near points,
+  // else 0.
   int label(const Point& p, unsigned level) const {
-    static constexpr double thickness = .6; // sides of leaves: the layer has few holes
+    static constexpr double thickness = .6; // in sides of leaves; the layer has few holes
     return m_surface.is_inside(p) || m_surface.cloud().distance(p) < thickness * side_of(level);
   }
 
@@ -106,14 +107,15 @@ private:
 
   const Sampled_surface_3& m_surface;
   double m_edge = 0;
-  double m_unit = 0;           // the side of the smallest leaves
+  double m_unit = 0;           // side of the smallest leaves
   unsigned m_level = 0;        // of the largest leaves at points
-  unsigned m_largest = 0;      // the level of the largest leaves
+  unsigned m_largest = 0;      // of the largest leaves
   unsigned m_last_level = 0;   // of the root
   std::array<double, 3> m_low; // corner of the domain
 };
 
-// A complex with that interface, and without pinches.
+// Returns a complex with this interface. Cells at non-manifold vertices are relabelled until there
+// are no such vertices.
 template <class Complex> Complex complex_of_shell(const Cloud_shell_3& shell) {
   Complex result;
   const Octree_3 octree = shell.octree();

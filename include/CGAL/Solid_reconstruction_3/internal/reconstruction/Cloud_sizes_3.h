@@ -20,25 +20,27 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// How large the facets of an interface are to be that is to find a surface: smaller where it bends,
-// and where they do not fit; larger away from points.
+// The sizing field of a reconstruction. The target edge length is small where the surface is curved
+// and where facets do not fit, and large away from points.
 class Cloud_sizes_3
 {
 public:
   using Point = Sampled_surface_3::Point;
   using Vector = Sampled_surface_3::Vector;
 
-  // At most an edge at the points, if that is not too short for them; the tolerance, of distances
-  // of points from facets, in spacings.
+  // \param edge the largest target edge length at points, if it is not too short for them
+  // \param tolerance the largest root mean square of the distances of points from a facet, in
+  //        spacings
   Cloud_sizes_3(const Sampled_surface_3& surface, double edge, double tolerance)
       : m_surface(surface), m_sizes(surface.cloud().size()) {
-    static constexpr double radii = 1.2; // of curvature: 10 facets around a ball
-    static constexpr double least = 4;   // spacings; where that does not fit, they are refined
-    // Spacings: so that facets have points, and tell on which side of a crease these are.
+    static constexpr double radii = 1.2; // in radii of curvature: about 10 facets around a ball
+    static constexpr double least = 4;   // in spacings; `refine()` divides facets that do not fit
+    // In spacings: facets need points, and at a crease enough to tell its two sides.
     static constexpr double smooth_floor = 2, crease_floor = 3;
-    // Noises: to average over tens of points, or where a curved surface needs it, over ten.
+    // In noises: facets need enough points to average the noise, fewer where a curved surface needs
+    // it.
     static constexpr double flat_noise = 24, curved_noise = 14;
-    static constexpr double fits = 1.3; // noises: facets of ten points that fit are rarely off more
+    static constexpr double fits = 1.3; // in noises; facets of ten points that fit rarely have more
     const double spacing = surface.cloud().spacing(), noise = surface.noise();
     m_bound = (std::max)(tolerance * spacing, fits * noise);
     m_smooth_floor = smooth_floor * spacing + curved_noise * noise;
@@ -57,8 +59,8 @@ public:
                       grading * std::sqrt((m_surface.cloud().points()[i] - p).squared_length()));
   }
 
-  // Asks for smaller facets where one at rest does not fit its points, once the approach has ended,
-  // or cannot go on.
+  // Decreases the target edge length where a facet at rest does not fit its points and the approach
+  // has ended, or where a facet at rest has no points.
   void refine(const Cloud_triangles_3& triangles, const Cloud_planes_3& planes,
               const std::vector<char>& rests, bool fits) {
     static constexpr double least = .4, half = .5; // of an edge; without points
@@ -70,7 +72,7 @@ public:
       double edge = 0;
       for (int k = 0; k < 3; ++k)
         edge = (std::max)(edge, std::sqrt((t[k] - t[k + 1]).squared_length()));
-      // Distances go with the squares of edges.
+      // The distances of points from a facet grow with the square of its edges.
       const double part = planes[f].is_near ? std::sqrt(m_bound / planes[f].residual) : half;
       const double wanted = (std::max)(planes[f].has_crease ? m_crease_floor : m_smooth_floor,
                                        (std::max)(least, part) * edge);
@@ -85,7 +87,7 @@ private:
   void ask(std::size_t i, double size) { m_sizes[i] = (std::min)(m_sizes[i], size); }
 
   const Sampled_surface_3& m_surface;
-  std::vector<double> m_sizes; // of edges of facets near the points
+  std::vector<double> m_sizes; // target edge lengths at the points
   double m_bound, m_smooth_floor, m_crease_floor;
 };
 

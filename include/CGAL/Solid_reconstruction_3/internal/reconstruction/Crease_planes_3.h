@@ -23,8 +23,8 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // The faces around a sharp edge or corner of a sampled surface, and the displacement of a place to
-// them. The planes of faces are fitted to the points around the place, each to the points that are
-// within a tolerance of it; a face ends at other planes where it has no points beyond them.
+// this edge or corner. The plane of a face is fitted to the points around the place within a
+// tolerance of the plane. A face ends at another plane if it has no points beyond that plane.
 class Crease_planes_3
 {
 public:
@@ -35,10 +35,10 @@ public:
       : m_surface(surface),
         m_tolerance((std::max)(exact * surface.cloud().spacing(), noisy * surface.noise())) {}
 
-  // Returns the displacement of a place beside the surface to a corner or sharp edge of it, or else
-  // to a face; null if the place lies on a face, or there is no sharp edge.
+  // Returns the displacement of a place near the surface to a corner or a sharp edge, or else to a
+  // face. It is null if the place lies on a face, or if there is no sharp edge.
   Vector to_crease(const Point& p) const {
-    static constexpr double longest[] = {2, 1.5, 1}; // spacings: to a face, an edge, a corner
+    static constexpr double longest[] = {2, 1.5, 1}; // in spacings: to a face, an edge, a corner
     if (!is_rough_around(p))
       return NULL_VECTOR;
     const std::vector<Plane> planes = planes_around(p);
@@ -54,26 +54,26 @@ public:
   }
 
 private:
-  static constexpr double exact = .1, noisy = 3; // spacings, noises
-  static constexpr std::size_t least = 5;        // points of a plane: three lie on any
+  static constexpr double exact = .1, noisy = 3; // in spacings; in noises
+  static constexpr std::size_t least = 5; // number of points of a plane; three lie on any plane
 
   struct Plane
   {
     Fitted_plane_3 fit;
     double tolerance;
     std::vector<Point> points;
-    std::size_t number = 0; // of points that the plane is fitted to
+    std::size_t number = 0; // number of points that determine the plane
   };
 
   bool is_rough_around(const Point& p) const {
-    static constexpr unsigned around = 8; // those within about a spacing and a half
+    static constexpr unsigned around = 8; // points within about a spacing and a half
     const auto near = m_surface.cloud().nearest(p, around);
     return std::any_of(near.begin(), near.end(),
                        [&](std::size_t i) { return m_surface.is_rough(i); });
   }
 
-  // The planes of most of the points around, largest first; none if the planes do not explain most
-  // points, as the surface is curved then.
+  // Returns planes of the points around a place, the largest first. Returns none if the planes
+  // contain too few of the points, because the surface is curved then.
   std::vector<Plane> planes_around(const Point& p) const {
     static constexpr unsigned around = 32; // enough for three planes
     static constexpr double explained = .8;
@@ -100,7 +100,8 @@ private:
     return result;
   }
 
-  // Of the planes through points, along their normals: the points of that with most of them.
+  // Returns the points of the largest plane. Candidates are the planes through each point with its
+  // normal.
   std::vector<std::size_t> largest_plane(const std::vector<std::size_t>& candidates) const {
     const auto& points = m_surface.cloud().points();
     std::vector<std::size_t> result, members;
@@ -124,20 +125,20 @@ private:
       planes.push_back(plane);
   }
 
-  // Points along a line determine no plane.
+  // Returns whether points lie along a line, so that they determine no plane.
   static bool is_narrow(const Fitted_plane_3& fit) {
     static constexpr double narrow = .2; // of the length
     return fit.width <= narrow * fit.length;
   }
 
   void fit(const std::vector<Point>& points, Plane& plane) const {
-    static constexpr double spread = 3; // residuals
+    static constexpr double spread = 3; // in residuals
     plane.fit = fit_plane(points);
     plane.number = points.size();
     plane.tolerance = (std::max)(exact * m_surface.cloud().spacing(), spread * plane.fit.residual);
   }
 
-  // Fits planes to their points without those that are near other planes, too, and may be of these.
+  // Fits each plane again, without points that are near another plane and may belong to it.
   void refit(std::vector<Plane>& planes) const {
     std::vector<std::vector<Point>> own(planes.size());
     for (std::size_t k = 0; k < planes.size(); ++k)
@@ -153,24 +154,25 @@ private:
         fit(own[k], planes[k]);
   }
 
-  // The standard deviation of the height of a place above the plane, by the residual of its points.
+  // Returns the standard deviation of the signed distance of a place to the plane, from the
+  // residual of its points.
   static double deviation(const Plane& plane, const Point& p) {
     const double away =
         (p - plane.fit.center).squared_length() / (plane.fit.width * plane.fit.width);
     return plane.fit.residual * std::sqrt((1 + away) / double(plane.number));
   }
 
-  // Whether a place is on one of the planes where its face has points nearby.
+  // Returns whether a place lies on one of the planes, where its face has points nearby.
   bool lies_on_face(const Point& p, const std::vector<Plane>& planes) const {
-    static constexpr double gap = 1.5; // spacings: places of a face are rarely farther from points
+    static constexpr double gap = 1.5; // in spacings; larger gaps in a face are rare
     return std::any_of(planes.begin(), planes.end(), [&](const Plane& face) {
       return std::abs(face.fit.height(p)) < face.tolerance && has_points_at(p, face, planes, gap);
     });
   }
 
-  // Whether a face has points within a gap, in spacings, of a place, and on its side of each other
-  // plane and of each two of them: near a concave corner, a face has points beyond either plane,
-  // but not beyond both.
+  // Returns whether a face has points within a gap of a place, in spacings, on the same side as the
+  // place. This must hold for each other plane and for each pair of other planes. At a concave
+  // corner, a face has points beyond either of two planes, but not beyond both.
   bool has_points_at(const Point& p, const Plane& face, const std::vector<Plane>& planes,
                      double gap) const {
     const double reach = gap * m_surface.cloud().spacing();
@@ -185,20 +187,21 @@ private:
     return true;
   }
 
-  // Whether a point is on the side of a plane on which a place is; each is if the place lies on it.
+  // Returns whether a point is on the same side of a plane as a place. This also holds if the place
+  // lies on the plane.
   static bool is_on_side_of(const Point& p, const Point& q, const Plane& plane) {
     const double height = plane.fit.height(p);
     return std::abs(height) < plane.tolerance ||
            (height > 0 ? 1 : -1) * plane.fit.height(q) >= plane.tolerance;
   }
 
-  // Returns the shortest displacement to where that number of planes meet and all their faces have
-  // points, or nothing if it is not below a bound.
+  // Returns the shortest displacement to an intersection of `number` planes where all their faces
+  // have points. Returns nothing if it is not shorter than a bound.
   std::optional<Vector> to_intersection(const Point& p, const std::vector<Plane>& planes,
                                         std::size_t number, double bound) const {
-    static constexpr double gap = 2.5; // spacings: between a crease and the points beside it
-    // Standard deviations: a displacement that is shorter may be due to noise. Beside the noise,
-    // the planes are off by points of other faces that are near enough to be mistaken for theirs.
+    static constexpr double gap = 2.5; // in spacings: between a crease and the points near it
+    // In standard deviations: shorter displacements may be due to noise. The factor also covers
+    // points of other faces that were assigned to the planes.
     static constexpr double sure = 6;
     std::optional<Vector> result;
     std::vector<char> is_chosen(planes.size(), 0);
@@ -222,7 +225,8 @@ private:
     return result;
   }
 
-  // Returns the shortest displacement to where planes meet, or nothing if they are nearly parallel.
+  // Returns the shortest displacement to the intersection of planes, or nothing if they are nearly
+  // parallel.
   static std::optional<Vector> to_intersection(const Point& p,
                                                const std::vector<const Plane*>& planes) {
     static constexpr double parallel =

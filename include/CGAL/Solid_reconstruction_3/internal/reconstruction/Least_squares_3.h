@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The diagonal of a matrix as its preconditioner; the iterations can be stopped.
+// The diagonal preconditioner of Eigen, with iterations that can be interrupted.
 class Stoppable_preconditioner : public Eigen::DiagonalPreconditioner<double>
 {
 public:
@@ -30,9 +30,9 @@ public:
   }
 };
 
-// The ways of the vertices of an interface that bring its facets nearest to the points of a cloud,
-// by least squares over all of them. Vertices with few points go towards the middle of their
-// neighbors.
+// The displacements of the vertices of an interface that minimize the distances of all points of a
+// cloud from their facets, by least squares. Vertices with few points move towards the mean of
+// their neighbors.
 template <class Facets> class Least_squares_3
 {
 public:
@@ -52,7 +52,7 @@ public:
   }
 
   std::vector<Vector> ways() const {
-    static constexpr double tolerance = 1e-4; // relative: what is left is for the next step
+    static constexpr double tolerance = 1e-4; // relative residual; the next step reduces it further
     Eigen::SparseMatrix<double> matrix(m_right.size(), m_right.size());
     matrix.setFromTriplets(m_entries.begin(), m_entries.end());
     Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper,
@@ -66,8 +66,8 @@ public:
     return result;
   }
 
-  // The ways of the vertices that few points hold, and that are far from all, to the middle of
-  // their neighbors: they are the tips of fins over creases, or close holes.
+  // Returns the displacements to the mean of their neighbors of vertices that have few points and
+  // are far from all points. Such vertices close holes, or are the tips of fins over sharp edges.
   std::vector<Vector> ways_of_loose() const {
     std::vector<Vector> result = m_to_middle;
     for (std::size_t v = 0; v < result.size(); ++v)
@@ -77,15 +77,15 @@ public:
   }
 
 private:
-  // Of vertices, beside points of weight 1: to where they are, and to the middle of their
-  // neighbors.
+  // Weights of a vertex, where a point has weight 1: for its present position, and for the mean of
+  // its neighbors.
   static constexpr double stiffness = .05, smoothness = .1;
 
   Eigen::Index row(std::size_t f, int k) const {
     return 3 * Eigen::Index(m_facets[f].vertices[std::size_t(k)]);
   }
 
-  // What the points of a facet add to its corners, in units of its normal.
+  // The contributions of the points of a facet to its corners, along its normal.
   struct Sums
   {
     double squares[3][3] = {}, heights[3] = {};
@@ -93,7 +93,7 @@ private:
 
   void add_points(const Sampled_surface_3& surface, const Cloud_triangles_3& triangles) {
     const Point_cloud_3& cloud = surface.cloud();
-    std::vector<Vector> normals; // null for facets of no area
+    std::vector<Vector> normals; // null for facets of area 0
     for (std::size_t f = 0; f < triangles.size(); ++f) {
       const auto& t = triangles[f];
       const Vector across = cross_product(t[1] - t[0], t[2] - t[0]);
@@ -134,10 +134,11 @@ private:
       }
   }
 
-  // Loose vertices, with few points or far from those that they have, and their neighbors.
+  // Finds loose vertices and their neighbors. A loose vertex has few points, or is far from its
+  // points.
   void find_loose(const Sampled_surface_3& surface, const std::vector<Point>& positions) {
-    static constexpr double few = .3, some = 3; // weights of points
-    static constexpr double far = 1.4;          // spacings: from points, beyond an edge
+    static constexpr double few = .3, some = 3; // in weights of points
+    static constexpr double far = 1.4; // in spacings; the distance from points beyond a sharp edge
     std::vector<char> is_loose;
     for (std::size_t v = 0; v < positions.size(); ++v) {
       Progress_scope::check();
@@ -174,10 +175,10 @@ private:
   const Facets& m_facets;
   std::vector<Eigen::Triplet<double>> m_entries;
   Eigen::VectorXd m_right;
-  std::vector<double> m_weights;                     // of the points of vertices
-  std::vector<char> m_is_far;                        // from points, with few of its own
+  std::vector<double> m_weights; // sums over the points of each vertex
+  std::vector<char> m_is_far;    // whether a vertex is far from points and has few
   std::vector<std::vector<std::size_t>> m_neighbors; // of loose vertices only
-  std::vector<Vector> m_to_middle;                   // of them
+  std::vector<Vector> m_to_middle;                   // displacement of a loose vertex to the mean
 };
 
 } // namespace internal

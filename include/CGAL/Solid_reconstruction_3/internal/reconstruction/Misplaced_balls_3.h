@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The inside of closed triangles, by the number of triangles that rays cross.
+// The inside of closed triangles, by the number of triangles that rays intersect.
 class Closed_triangles_3
 {
 public:
@@ -30,7 +30,7 @@ public:
 
   explicit Closed_triangles_3(const Triangles& triangles)
       : m_tree(triangles.begin(), triangles.end()) {
-    m_tree.build(); // now, not by the first question of a thread
+    m_tree.build(); // before threads query the tree
     if (!triangles.empty()) {
       const Bbox_3 box = m_tree.bbox();
       m_extent =
@@ -38,8 +38,8 @@ public:
     }
   }
 
-  // Returns whether the rays in three directions agree that a point is inside, or outside. A ray
-  // that meets an edge may be miscounted.
+  // Returns whether rays in three directions agree that a point is inside, or outside. One ray may
+  // count wrongly if it meets an edge.
   bool is_certainly(bool inside, const Point& p) const {
     return std::all_of(directions().begin(), directions().end(), [&](const auto& direction) {
       const Cloud_kernel::Ray_3 ray(p, m_extent * direction);
@@ -48,7 +48,7 @@ public:
   }
 
 private:
-  // Directions that are not those of edges of usual shapes.
+  // Returns directions that are not parallel to edges of common shapes.
   static const std::array<Cloud_kernel::Vector_3, 3>& directions() {
     static const std::array<Cloud_kernel::Vector_3, 3> result = {
         {{.4379, .6218, .6494}, {-.7127, .2816, .6425}, {.2311, -.8839, .4066}}};
@@ -56,11 +56,12 @@ private:
   }
 
   AABB_tree<Tree_traits_3<Cloud_kernel, Triangles::const_iterator>> m_tree;
-  double m_extent = 1; // of the triangles: rays are given by two points, in any unit
+  double m_extent = 1; // of the triangles; a ray is given by two points at this distance
 };
 
-// The centers of the balls of known side that lie on the other side of closed triangles: the
-// largest ball first, and none that is in a larger one of these.
+// Returns the centers of the balls of known side that lie on the other side of closed triangles.
+// Balls are sorted by decreasing radius. A ball whose center is in a larger ball of the result is
+// omitted.
 inline std::vector<Cloud_kernel::Point_3>
 misplaced_balls(const Sampled_surface_3& surface, const Closed_triangles_3::Triangles& triangles) {
   const Closed_triangles_3 solid(triangles);

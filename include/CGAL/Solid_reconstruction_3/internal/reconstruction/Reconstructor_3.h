@@ -43,21 +43,23 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Takes the interface of a complex from around a cloud to the surface that it samples, and divides
-// its facets where they do not fit.
+// The steps of a reconstruction. They move the interface of a complex from its initial position to
+// the surface that a cloud samples, and divide facets that do not fit.
 template <class Complex> class Reconstructor_3
 {
 public:
   using Point = Sampled_surface_3::Point;
   using Vector = Sampled_surface_3::Vector;
 
-  // The longest edges to begin with; the tolerance in spacings.
+  // \param edge the largest target edge length at the beginning
+  // \param tolerance the tolerance of the fit, in spacings
   Reconstructor_3(Complex& complex, const Sampled_surface_3& surface, double edge, double tolerance,
                   unsigned number_of_threads)
       : m_complex(complex), m_surface(surface), m_sizes(surface, edge, tolerance),
         m_tolerance(tolerance * surface.cloud().spacing()), m_threads(number_of_threads) {}
 
-  // Steps until it comes to rest, as long as the observer agrees. To be called once.
+  // Performs steps until the interface comes to rest, or until the observer returns `false`. It
+  // must be called only once.
   template <class Observer>
   Reconstruction_report_3<Complex> run(unsigned steps, Observer& observer) {
     bool goes_on = observer(std::as_const(m_complex), m_report.number_of_steps);
@@ -77,11 +79,11 @@ public:
   }
 
 private:
-  // Moves the vertices: while many facets are free, by what the facets around them know; then where
-  // all facets are nearest to all points. Returns whether that is not the end.
+  // Performs one step. While many facets are free, vertices move by `Cloud_approach_3`. Afterwards
+  // they move by `Least_squares_3`. Returns whether the interface has not come to rest.
   bool advance() {
     static constexpr double many = .1;                 // of the facets
-    static constexpr std::size_t steps_to_coarsen = 5; // what the interface has left behind
+    static constexpr std::size_t steps_to_coarsen = 5; // number of steps between two coarsenings
     const Front front(m_complex, m_surface);
     const Cloud_planes_3 planes(m_surface, front.triangles);
     Cloud_approach_3 approach(m_surface, front.facets(), front.positions, front.triangles, planes);
@@ -107,10 +109,10 @@ private:
     return !has_settled();
   }
 
-  // Moves vertices once more, without other changes.
+  // Moves the vertices to their final positions after the last step, and sharpens creases.
   void finish() {
-    static constexpr int fits = 2;   // by when vertices stay where they are
-    static constexpr int rounds = 4; // fins are rarely wider than two edges
+    static constexpr int fits = 2;   // number of fits until vertices are at rest
+    static constexpr int rounds = 4; // enough for fins of a few edges
     for (int i = 0; i < fits + rounds; ++i) {
       const Front front(m_complex, m_surface);
       const auto best = fit(front);
@@ -119,13 +121,14 @@ private:
     sharpen();
   }
 
-  // Moves vertices beside creases onto them, and splits edges that cut across.
+  // Moves vertices near creases onto them, and splits edges that cut across creases.
   void sharpen() {
-    static constexpr int rounds = 8;      // each halves the edges that cut across
-    static constexpr double shortest = 1; // spacings: halves of shorter edges would have no points
-    // Degrees: small facets at a sharp corner stay, as removing them would cut it off again.
+    static constexpr int rounds = 8;      // each round halves the edges that cut across
+    static constexpr double shortest = 1; // in spacings; shorter halves have no points
+    // In degrees: 0 keeps small facets at sharp corners. Their removal would cut off the corner
+    // again.
     static constexpr double smallest_angle = 0;
-    // Spacings: planes through more noise cut edges off instead of meeting in them.
+    // In spacings: with more noise, fitted planes do not meet in the edges.
     static constexpr double noisiest = .1;
     if (m_surface.noise() > noisiest * m_surface.cloud().spacing())
       return;
@@ -158,7 +161,7 @@ private:
     }
   }
 
-  // Returns the new vertex, or nothing if the edge cannot be split.
+  // Splits an edge. Returns the new vertex, or nothing if the edge cannot be split.
   std::optional<typename Complex::Vertex_handle> split(typename Complex::Vertex_handle v,
                                                        typename Complex::Vertex_handle w) {
     typename Complex::Cell_handle c;
@@ -196,17 +199,18 @@ private:
     return Least_squares_3(m_surface, front.facets(), front.positions, front.triangles);
   }
 
-  // How a vertex was to move last by the facets around it.
+  // The displacement that the facets gave to a vertex in the last step.
   struct Motion
   {
     Vector way;
-    double part; // of it that the vertex went
+    double part; // part of the displacement that was used
   };
 
-  // A vertex that goes back and forth goes half as far each time; short ways are none.
+  // Halves the displacement of a vertex whose direction is reversed. Short displacements become
+  // null.
   void calm(const Snapshot& front, std::vector<Vector>& ways) {
     static constexpr double half = .5, more = 1.2;
-    static constexpr double rest = .01; // spacings
+    static constexpr double rest = .01; // in spacings
     std::map<std::size_t, Motion> motions;
     for (std::size_t v = 0; v < ways.size(); ++v) {
       const std::size_t time_stamp = front.vertices[v]->time_stamp();
@@ -225,10 +229,10 @@ private:
 
   void refine(const Front& front, const Cloud_planes_3& planes, const std::vector<Vector>& ways,
               bool fits) {
-    static constexpr double rest = .1; // edges
+    static constexpr double rest = .1; // in edges
     std::vector<char> rests;
     for (std::size_t f = 0; f < front.triangles.size(); ++f) {
-      double edge = 0, way = 0; // squared
+      double edge = 0, way = 0; // squared lengths
       for (int k = 0; k < 3; ++k) {
         const auto& t = front.triangles[f];
         edge = (std::max)(edge, (t[k] - t[k + 1]).squared_length());
@@ -246,7 +250,7 @@ private:
       const Point q = positions[v] + ways[v];
       destinations.emplace_back(q.x(), q.y(), q.z());
     }
-    static constexpr unsigned passes = 3; // who is not there by then is sent anew
+    static constexpr unsigned passes = 3; // remaining displacements follow in the next step
     const Deformation_report<Complex> report =
         deform_interface_to(m_complex, front, destinations,
                             parameters::manifold_interface(true)
@@ -263,8 +267,8 @@ private:
   }
 
   void improve() {
-    static constexpr double longest = 1.5, shortest = .4; // of what is asked for
-    static constexpr double crease = 40;                  // degrees
+    static constexpr double longest = 1.5, shortest = .4; // in target edge lengths
+    static constexpr double crease = 40;                  // in degrees
     m_report.changes =
         m_report.changes + improve_interface(m_complex, parameters::sizing_field(std::cref(m_sizes))
                                                             .interface_split_length(longest)
@@ -272,23 +276,24 @@ private:
                                                             .feature_angle(crease));
   }
 
-  // Whether points come no nearer, or are much nearer than they have to be.
+  // Returns whether the distances of points have stopped decreasing, or are much smaller than the
+  // tolerance.
   bool has_settled() const {
     static constexpr std::size_t steps = 5;
-    static constexpr double part = .9;   // of what was before these steps
+    static constexpr double part = .9;   // of the value before these steps
     static constexpr double enough = .2; // of the tolerance
     const std::size_t n = m_residuals.size();
-    // Narrow tunnels have few points.
+    // Narrow tunnels have few points, so their free facets must also have stopped decreasing in
+    // number.
     if (n <= steps || double(m_free[n - 1]) < part * double(m_free[n - 1 - steps]))
       return false;
     return (m_residuals[n - 1] >= part * m_residuals[n - 1 - steps] ||
             m_residuals[n - 1] <= enough * m_tolerance);
   }
 
-  // Compares the interface with the sides of the points, which are known independently of it.
+  // Verifies the interface by the sides of the points, which were determined independently of it.
   void certify(const Front& front) {
-    static constexpr double radius =
-        2; // known depths: two tunnels and what is between them are wider
+    static constexpr double radius = 2; // in known depths; two tunnels are wider
     const auto tell = [&](const Point& p) {
       m_report.doubtful_places.emplace_back(p.x(), p.y(), p.z());
     };
@@ -304,7 +309,7 @@ private:
   }
 
   void measure(const Front& front) {
-    static constexpr double unfit = 4; // noises
+    static constexpr double unfit = 4; // in noises
     Reconstruction_report_3<Complex>& report = m_report;
     const Point_cloud_3& cloud = m_surface.cloud();
     report.number_of_points = cloud.size();
@@ -324,7 +329,7 @@ private:
     }
     std::sort(report.unfit_points.begin(), report.unfit_points.end());
     const Cloud_planes_3 planes(m_surface, front.triangles);
-    const auto facets = m_complex.interface_facets(); // in the order of the front's
+    const auto facets = m_complex.interface_facets(); // same order as in `front`
     for (std::size_t f = 0; f < facets.size(); ++f)
       if (!planes[f].is_near)
         report.facets_without_points.push_back(facets[f]);
@@ -337,9 +342,9 @@ private:
   unsigned m_threads;
   Reconstruction_report_3<Complex> m_report;
   std::map<std::size_t, Motion> m_motions; // by the time stamps of vertices
-  // After the approach, in each step.
-  std::vector<double> m_residuals; // of points
-  std::vector<std::size_t> m_free; // facets on their way to points
+  // One value for each step after the approach:
+  std::vector<double> m_residuals; // residual of the points
+  std::vector<std::size_t> m_free; // number of free facets
 };
 
 } // namespace internal

@@ -22,7 +22,7 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // The handles of a closed manifold surface that lie in small balls about its vertices. A patch of
-// the surface in such a ball has a handle if its genus is not 0.
+// the surface in such a ball has a handle if its genus is positive.
 class Small_handles_3
 {
 public:
@@ -36,7 +36,7 @@ public:
     find_neighbors();
   }
 
-  // A vertex of each handle. The radii of the balls about the vertices.
+  // Returns one vertex of each handle. `radii` are the radii of the balls about the vertices.
   std::vector<std::size_t> find(const std::vector<double>& radii) {
     std::vector<std::size_t> first_facets(m_positions.size(), nowhere);
     for (std::size_t f = m_facets.size(); f-- > 0;)
@@ -50,7 +50,7 @@ public:
       collect_patch(v, first_facets[v], radii[v]);
       has_handle[v] = genus_of_patch() > 0;
     }
-    // Neighbors see the same handle.
+    // Neighboring vertices belong to the same handle.
     Disjoint_sets handles(m_positions.size());
     for (const auto& f : m_facets)
       for (std::size_t k = 0; k < 3; ++k)
@@ -66,7 +66,8 @@ public:
 private:
   static constexpr std::size_t nowhere = (std::numeric_limits<std::size_t>::max)();
 
-  // A corner is 3 f + k; the edge opposite to it is shared with that of another corner.
+  // Finds the opposite corner of each corner. Corner k of facet f has the index 3 f + k. Two
+  // corners are opposite if they face the same edge.
   void find_neighbors() {
     std::vector<std::pair<std::array<std::size_t, 2>, std::size_t>> edges; // and opposite corners
     for (std::size_t c = 0; c < 3 * m_facets.size(); ++c) {
@@ -90,8 +91,8 @@ private:
     });
   }
 
-  // The facets in a ball about a vertex that are connected to it across edges. The facets at the
-  // vertex are visited in turn, as some may reach out of the ball.
+  // Collects the facets in a ball about a vertex that are connected to the vertex across edges.
+  // Facets at the vertex are tried in turn, because some of them may not lie in the ball.
   void collect_patch(std::size_t v, std::size_t first, double radius) {
     for (std::size_t f : m_patch)
       m_places[f] = nowhere;
@@ -118,10 +119,11 @@ private:
     m_patch.push_back(f);
   }
 
-  // By Euler's formula. A vertex counts once for each fan of facets at it.
+  // Returns the genus of the patch by Euler's formula. A vertex counts once for each fan of facets
+  // at it.
   int genus_of_patch() const {
     Disjoint_sets fans(3 * m_patch.size()); // of corners
-    std::vector<std::size_t> border;        // corners opposite to edges
+    std::vector<std::size_t> border;        // corners opposite to boundary edges
     std::size_t edges = 0;
     for (std::size_t c = 0; c < 3 * m_patch.size(); ++c) {
       const std::size_t other = m_opposite[3 * m_patch[c / 3] + c % 3], g = m_places[other / 3];
@@ -130,7 +132,7 @@ private:
         ++edges;
         continue;
       }
-      const std::size_t d = 3 * g + other % 3; // its facet is oriented as this one
+      const std::size_t d = 3 * g + other % 3; // both facets have the same orientation
       if (c < d)
         ++edges;
       fans.join(next(c), next(next(d)));
@@ -152,9 +154,9 @@ private:
 
   const std::vector<Point>& m_positions;
   std::vector<std::array<std::size_t, 3>> m_facets;
-  std::vector<std::size_t> m_opposite; // corners across edges
-  std::vector<std::size_t> m_patch;    // facets
-  std::vector<std::size_t> m_places;   // of facets in the patch
+  std::vector<std::size_t> m_opposite; // opposite corner of each corner
+  std::vector<std::size_t> m_patch;    // facets of the patch
+  std::vector<std::size_t> m_places;   // index of each facet in the patch
 };
 
 } // namespace internal

@@ -22,18 +22,19 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// An edge to split, and where the new vertex is to go.
+// An edge to split, and the destination of the new vertex.
 struct Crease_split_3
 {
   std::array<std::size_t, 2> edge;
   Crease_planes_3::Point destination;
-  double squared_distance; // of the destination from the surface
+  double squared_distance; // from the surface to the destination
 };
 
-// The edges of a surface whose middles are beside a crease, and the longest edge of each facet
-// whose centroid is, as a facet may cut off a corner that all of its edges meet. The edges have no
-// facets in common, as one new vertex may be all that a facet needs. Farthest from the crease
-// first; shorter edges than that are left alone.
+// Returns the edges of a surface that cut across a crease: edges whose midpoint is near a crease
+// but not on it, and the longest edge of each facet whose centroid is. A facet may cut off a corner
+// although all its edges touch the corner. No facet has two of the edges, because one new vertex
+// may be enough. The edges are sorted by decreasing distance from the crease. Edges shorter than
+// `shortest` are omitted.
 template <class Facets>
 std::vector<Crease_split_3>
 edges_across_creases(const Crease_planes_3& planes, const Facets& facets,
@@ -44,7 +45,7 @@ edges_across_creases(const Crease_planes_3& planes, const Facets& facets,
     return (positions[e[0]] - positions[e[1]]).squared_length();
   };
   std::map<Edge, std::vector<std::size_t>> facets_of_edges;
-  std::vector<Crease_split_3> candidates; // destinations are places on the surface yet
+  std::vector<Crease_split_3> candidates; // destinations are on the surface at first
   for (std::size_t f = 0; f < facets.size(); ++f) {
     const auto& v = facets[f].vertices;
     Edge longest = {{v[0], v[1]}};

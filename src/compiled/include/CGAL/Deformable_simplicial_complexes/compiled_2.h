@@ -6,7 +6,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_COMPILED_2_H
 
 /// \file
-/// Declares what the component `Compiled` contains in the plane: the class
+/// Declares the contents of the component `Compiled` for the plane: the class
 /// `CGAL::Deformable_simplicial_complex_2<>` and the functions that change it. A source file that
 /// includes this header uses the compiled code and does not instantiate these templates again.
 /// \pre The program links with `Deformable_simplicial_complex::Compiled`.
@@ -21,7 +21,7 @@
 #include <functional>
 #include <vector>
 
-#ifndef CGAL_DSC_INSTANTIATION // The component defines it where it instantiates the templates.
+#ifndef CGAL_DSC_INSTANTIATION // defined where the component instantiates the templates
 #define CGAL_DSC_INSTANTIATION extern
 #endif
 

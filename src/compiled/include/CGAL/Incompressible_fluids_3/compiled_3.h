@@ -6,14 +6,16 @@
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_COMPILED_3_H
 
 /// \file
-/// Declares what the component `Compiled` contains of fluids: `CGAL::Incompressible_fluid_3` in the
-/// default complex, and what `<CGAL/Deformable_simplicial_complexes/compiled_3.h>` declares.
+/// Declares the contents of the component `Compiled` for fluids: `CGAL::Incompressible_fluid_3`
+/// with the default complex, and the declarations of
+/// `<CGAL/Deformable_simplicial_complexes/compiled_3.h>`. A source file that includes this header
+/// uses the compiled code and does not instantiate these templates again.
 /// \pre The program links with `Deformable_simplicial_complex::Compiled`.
 
 #include <CGAL/Deformable_simplicial_complexes/compiled_3.h>
 #include <CGAL/Incompressible_fluid_3.h>
 
-#ifndef CGAL_DSC_FLUID_INSTANTIATION // The component defines it where it instantiates the class.
+#ifndef CGAL_DSC_FLUID_INSTANTIATION // defined where the component instantiates the class
 #define CGAL_DSC_FLUID_INSTANTIATION extern
 #endif
 

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_CHECK_TETRAHEDRA_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_CHECK_TETRAHEDRA_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CHECKS_CHECK_TETRAHEDRA_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CHECKS_CHECK_TETRAHEDRA_3_H
 
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
@@ -21,9 +21,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Makes tetrahedra positive by swapping two vertices of the negative ones. Throws
-// Invalid_cells_error if coordinates are not finite, indices do not exist, or tetrahedra are
-// flat.
+// Orients tetrahedra positively by swapping two vertices of the negative ones. Throws
+// `Invalid_cells_error` if coordinates are not finite, if indices do not exist, or if tetrahedra
+// are degenerate.
 template <class Traits>
 void orient_tetrahedra(const std::vector<typename Traits::Point_3>& points,
                        std::vector<std::array<std::size_t, 4>>& tetrahedra, const Traits& traits) {
@@ -65,4 +65,4 @@ void orient_tetrahedra(const std::vector<typename Traits::Point_3>& points,
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_CHECK_TETRAHEDRA_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CHECKS_CHECK_TETRAHEDRA_3_H

@@ -2,12 +2,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_CHECK_SURFACES_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_CHECK_SURFACES_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CHECKS_CHECK_SURFACES_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CHECKS_CHECK_SURFACES_3_H
 
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/refuse_surface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/checks/refuse_surface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/soups/Triangle_soup_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/soups/edge_crossings_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/soups/soup_intersections_3.h>
@@ -22,7 +22,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What has to be right before anything else can be asked for.
+// Checks a soup before any geometric predicate is evaluated. Throws `Invalid_surface_error` if the
+// soup has no triangles, coordinates that are not finite, or invalid indices.
 inline void check_numbers(const Triangle_soup_3& soup, std::size_t surface) {
   using Reason = Invalid_surface_error::Reason;
   if (soup.triangles.empty())
@@ -45,6 +46,7 @@ inline void check_numbers(const Triangle_soup_3& soup, std::size_t surface) {
     refuse_surface(Reason::bad_index, surface, std::move(facets));
 }
 
+// Throws `Invalid_surface_error` if triangles are degenerate.
 inline void check_areas(const Merged_soup_3& soup, std::size_t surface) {
   std::vector<std::size_t> facets;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t)
@@ -54,8 +56,9 @@ inline void check_areas(const Merged_soup_3& soup, std::size_t surface) {
     refuse_surface(Invalid_surface_error::Reason::degenerate_facet, surface, std::move(facets));
 }
 
-// Each edge must have an even number of triangles: then the number of triangles that are crossed on
-// the way from the outside to a point is always odd, or always even.
+// Throws `Invalid_surface_error` unless each edge has an even number of triangles. Then every path
+// from the outside to a given point crosses the same number of triangles modulo 2, and the inside
+// is well defined.
 inline void check_closedness(const Merged_soup_3& soup, std::size_t surface) {
   struct Offenders
   {
@@ -89,8 +92,8 @@ inline void check_closedness(const Merged_soup_3& soup, std::size_t surface) {
   odd.refuse(Reason::non_manifold_edge, surface);
 }
 
-// Of pairs of triangles that cross, refuses the first surface that meets itself, or else the first
-// two that meet.
+// Throws `Invalid_surface_error` if pairs of intersecting triangles are given. It reports the first
+// surface that intersects itself, or else the first two surfaces that intersect.
 inline void refuse_crossings(const Joined_soup_3& soup,
                              const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
   if (pairs.empty())
@@ -119,8 +122,9 @@ inline void refuse_crossings(const Joined_soup_3& soup,
                  first[0], first[1], std::move(offenders), {});
 }
 
-// Throws Invalid_surface_error unless each soup, its equal points merged, bounds a solid, and no
-// two of them cross. Returns all of them as one. n log n.
+// Returns the union of closed soups. Equal points of a soup are merged. Throws
+// `Invalid_surface_error` unless each soup bounds a solid and no two soups cross. Complexity: O(n
+// log n).
 inline Joined_soup_3 check_surfaces(const std::vector<Triangle_soup_3>& surfaces) {
   if (surfaces.empty())
     refuse_surface(Invalid_surface_error::Reason::empty, 0);
@@ -141,4 +145,4 @@ inline Joined_soup_3 check_surfaces(const std::vector<Triangle_soup_3>& surfaces
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_CHECK_SURFACES_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CHECKS_CHECK_SURFACES_3_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_REFUSE_SURFACE_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_REFUSE_SURFACE_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CHECKS_REFUSE_SURFACE_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CHECKS_REFUSE_SURFACE_H
 
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// What is wrong, and what to do about it.
+// Returns an explanation of a reason and advice for the user.
 inline const char* explanation(Invalid_surface_error::Reason reason) {
   using Reason = Invalid_surface_error::Reason;
   switch (reason) {
@@ -72,4 +72,4 @@ inline const char* explanation(Invalid_surface_error::Reason reason) {
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_REFUSE_SURFACE_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CHECKS_REFUSE_SURFACE_H

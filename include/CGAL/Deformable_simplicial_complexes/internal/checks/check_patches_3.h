@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_CHECK_PATCHES_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_CHECK_PATCHES_3_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CHECKS_CHECK_PATCHES_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CHECKS_CHECK_PATCHES_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/building/check_surfaces_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/checks/check_surfaces_3.h>
 
 #include <cstddef>
 #include <vector>
@@ -14,8 +14,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Throws Invalid_surface_error unless the triangles of soups that need not be closed, their equal
-// points merged, meet only in common vertices and edges. Returns all of them as one. n log n.
+// Returns the union of soups, which may be open. Equal points of a soup are merged. Throws
+// `Invalid_surface_error` unless triangles meet only in common vertices and edges. Complexity: O(n
+// log n).
 inline Joined_soup_3 check_patches(const std::vector<Triangle_soup_3>& patches) {
   if (patches.empty())
     refuse_surface(Invalid_surface_error::Reason::empty, 0);
@@ -34,4 +35,4 @@ inline Joined_soup_3 check_patches(const std::vector<Triangle_soup_3>& patches) 
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_CHECK_PATCHES_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CHECKS_CHECK_PATCHES_3_H
