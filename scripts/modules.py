@@ -16,6 +16,7 @@ The rules:
 - An internal header of the kernel includes no facade, which is a public header that reads named
   parameters, unless its module comes after LAST_MODULE_BELOW_FACADES.
 - Each internal header belongs to a module. A module has at most MAXIMUM_LINES lines.
+- Each path in backquotes in CONTRIBUTING.md exists, unless it has a placeholder.
 """
 
 import pathlib
@@ -85,8 +86,11 @@ class Header:
     def __init__(self, path):
         parts = path.relative_to(INCLUDE).parts
         self.name = "/".join(parts)
-        self.package = (parts[0] if len(parts) > 1 else
-                        PACKAGE_OF_TOP_HEADER.get(self.name, KERNEL))
+        if parts[0] == "license":  # license/PACKAGE.h
+            self.package = path.stem
+        else:
+            self.package = (parts[0] if len(parts) > 1 else
+                            PACKAGE_OF_TOP_HEADER.get(self.name, KERNEL))
         self.is_internal = "internal" in parts
         after = parts[parts.index("internal") + 1:] if self.is_internal else ()
         self.module = after[0] if len(after) > 1 else None
@@ -133,6 +137,16 @@ def broken_rules(headers):
             yield f"the module {module} of {package} has {lines} lines, more than {MAXIMUM_LINES}"
 
 
+def missing_paths():
+    """One line for each path in CONTRIBUTING.md that does not exist."""
+    for path in sorted(set(re.findall(r"`([\w.]+/[\w./-]*)[ `]", CONTRIBUTING.read_text()))):
+        if re.search(r"\b(NAME|PACKAGE|MODULE|NAME_\w+)\b", path):
+            continue
+        name = path.replace("KERNEL/", f"include/CGAL/{KERNEL}/")
+        if not any((folder / name).exists() for folder in (ROOT, ROOT / "src/compiled/include/CGAL")):
+            yield f"{CONTRIBUTING.name} names {path}, which does not exist"
+
+
 def rounded(lines):
     return f"{max(1, round(lines / ROUNDED_TO)) * ROUNDED_TO:,}".replace(",", " ")
 
@@ -176,61 +190,94 @@ def check_tables(headers, write):
         sys.exit(f"the tables of {CONTRIBUTING.name} are out of date: run scripts/modules.py table --write")
 
 
-# The picture: a column a package, a box a module, as high as its lines need; an arc for each pair of
-# modules with includes between them, an arrow from a package to the public headers of the kernel.
-COLUMN, BOX, LINE_HEIGHT, GAP, TOP = 300, 190, 18, 8, 60
+# The picture: the packages on top with their modules and the number of kernel headers that they include;
+# below them the kernel with a matrix of its modules: a number is the includes of a row's module from a
+# column's module. All numbers are below the diagonal if the rules hold.
+CELL, MARGIN, LABEL = 24, 20, 300
+STYLE = ("text{font:13px sans-serif}.t{font-weight:bold;font-size:14px}.n{fill:#555;font-size:11px}"
+         ".m{text-anchor:middle;font-size:12px}.p{fill:#eef3f8;stroke:#4878a0}.w{fill:white;stroke:#999}"
+         ".d{fill:#888}.g{stroke:#ddd}.a{stroke:#4878a0;stroke-width:2;fill:none;marker-end:url(#h)}")
+ARROW = ('<defs><marker id="h" markerWidth="8" markerHeight="8" refX="6" refY="3" orient="auto">'
+         '<path d="M0 0L6 3L0 6z" fill="#4878a0"/></marker></defs>')
+
+
+def text(x, y, words, style=""):
+    return f'<text x="{x:.0f}" y="{y:.0f}" class="{style}">{words}</text>'
+
+
+def box(x, y, width, height, style):
+    return f'<rect x="{x:.0f}" y="{y:.0f}" width="{width:.0f}" height="{height:.0f}" class="{style}"/>'
+
+
+def size_of(chosen):
+    return f"{len(chosen)} headers, {rounded(sum(h.lines for h in chosen))} lines"
+
+
+def draw_package(headers, name, x, y, width, height):
+    """The box of a package other than the kernel, and its arrow to the kernel."""
+    mine = [h for h in headers.values() if h.package == name]
+    yield box(x, y, width, height, "p") + text(x + 10, y + 22, name, "t")
+    yield text(x + 10, y + 42, "public: " + size_of([h for h in mine if not h.is_internal]), "n")
+    for i, module in enumerate(MODULES[name]):
+        top = y + 56 + 46 * i
+        yield box(x + 10, top, width - 20, 40, "w") + text(x + 20, top + 17, module)
+        yield text(x + 20, top + 33, size_of([h for h in mine if h.module == module]), "n")
+    used = {other for h in mine for other in h.includes
+            if other in headers and headers[other].package == KERNEL}
+    yield f'<path d="M{x + 30} {y + height}v44" class="a"/>'
+    yield text(x + 40, y + height + 27, f"uses {len(used)} public headers", "n")
+
+
+def draw_kernel(headers, x, y, width):
+    """The box of the kernel with the matrix of its modules."""
+    mine = [h for h in headers.values() if h.package == KERNEL]
+    modules = list(MODULES[KERNEL])
+    top, left = y + 106, x + 10 + LABEL
+    yield box(x, y, width, 106 + CELL * len(modules) + 44, "p")
+    yield text(x + 10, y + 22, f"{KERNEL} (the kernel)", "t")
+    yield box(x + 10, y + 34, width - 20, 30, "w")
+    yield text(x + 20, y + 54, "public: " + size_of([h for h in mine if not h.is_internal]))
+    yield text(x + 10, top - 8, "internal modules, in the order of the data flow", "n")
+    for i, module in enumerate(modules):
+        row, of_module = top + CELL * i, [h for h in mine if h.module == module]
+        yield box(x + 10, row, LABEL + CELL * len(modules), CELL, "w")
+        yield text(x + 16, row + 17, f"{i + 1}&#160;&#160;{module}")
+        yield text(x + 140, row + 17, size_of(of_module), "n")
+        yield text(left + CELL * (i + .5), top - 8, i + 1, "m") + box(left + CELL * i, row, CELL, CELL, "d")
+        yield f'<path d="M{left + CELL * i} {top}v{CELL * len(modules)}" class="g"/>'
+        for j, other in enumerate(modules):
+            n = sum(name in headers and headers[name].package == KERNEL and headers[name].module == other
+                    for h in of_module for name in h.includes)
+            if n and i != j:
+                fill = "#e06060" if j > i else f"rgb({max(120, 215 - 8 * n)},{max(170, 228 - 5 * n)},240)"
+                yield (f'<rect x="{left + CELL * j}" y="{row}" width="{CELL}" height="{CELL}" fill="{fill}"/>'
+                       + text(left + CELL * (j + .5), row + 17, n, "m"))
+    broken = len(list(broken_rules(headers)))
+    yield text(x + 10, top + CELL * len(modules) + 28,
+               "A number counts the includes of the module of the row from the module of the column. "
+               f"Includes that break a rule: {broken}.", "n")
 
 
 def draw(headers, path):
-    place, parts = {}, []
-    for column, (package, modules) in enumerate(MODULES.items()):
-        x, y = 20 + column * COLUMN, TOP
-        parts.append(f'<text x="{x}" y="{TOP - 20}" class="t">{package}</text>')
-        for module in ("public headers", *modules):
-            of_module = [h for h in headers.values() if h.package == package and
-                         (h.module == module or module == "public headers" and not h.is_internal)]
-            lines = sum(h.lines for h in of_module)
-            height = LINE_HEIGHT * 2
-            fill = "#d8e4f0" if module == "public headers" else "#f0ece0"
-            parts.append(f'<rect x="{x}" y="{y}" width="{BOX}" height="{height}" fill="{fill}" stroke="#666"/>'
-                         f'<text x="{x + 8}" y="{y + 15}">{module}</text>'
-                         f'<text x="{x + 8}" y="{y + 30}" class="n">{len(of_module)} headers, {rounded(lines)} lines</text>')
-            place[package, module] = (x, y + height / 2)
-            y += height + GAP
-    arcs = {}
-    for h in headers.values():
-        for other in (headers[name] for name in h.includes if name in headers):
-            a = (h.package, h.module or "public headers")
-            b = (other.package, other.module or "public headers")
-            if a != b and a in place and b in place and "public headers" not in (a[1],):
-                arcs[a, b] = arcs.get((a, b), 0) + 1
-    broken = len(list(broken_rules(headers)))
-    for (a, b), n in sorted(arcs.items()):
-        (xa, ya), (xb, yb) = place[a], place[b]
-        width = min(4, .5 + n / 5)
-        if xa == xb and b[1] != "public headers":
-            bow = min(90, abs(ya - yb) / 4 + 10)
-            parts.append(f'<path d="M{xa + BOX} {ya} C{xa + BOX + bow} {ya} {xb + BOX + bow} {yb} {xb + BOX} {yb}" '
-                         f'class="a" stroke-width="{width:.1f}"/>')
-        elif xa != xb:
-            parts.append(f'<path d="M{xa} {ya} C{xa - 60} {ya} {xb + BOX + 60} {yb} {xb + BOX} {yb}" '
-                         f'class="k" stroke-width="{width:.1f}"/>')
-    height = max(y for _, y in place.values()) + 60
-    width = COLUMN * len(MODULES) + 20
-    style = ("text{font:12px sans-serif}.t{font:bold 13px sans-serif}.n{fill:#666;font-size:10px}"
-             ".a{fill:none;stroke:#999}.k{fill:none;stroke:#4878b0;opacity:.5}")
+    others = [name for name in PACKAGES if name != KERNEL]
+    width = LABEL + CELL * len(MODULES[KERNEL]) + 20
+    of_package = (width - 12 * (len(others) - 1)) / len(others)
+    height = 60 + 46 * max(len(MODULES[name]) for name in others)
+    parts = [part for i, name in enumerate(others) for part in draw_package(
+        headers, name, round(MARGIN + i * (of_package + 12)), MARGIN, round(of_package), height)]
+    parts += draw_kernel(headers, MARGIN, MARGIN + height + 50, width)
+    total = 2 * MARGIN + height + 50 + 150 + CELL * len(MODULES[KERNEL])
     pathlib.Path(path).write_text(
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height:.0f}"><style>{style}</style>'
-        f'<rect width="100%" height="100%" fill="white"/>{"".join(parts)}'
-        f'<text x="20" y="{height - 14:.0f}">{sum(arcs.values())} includes between modules, '
-        f'{broken} break a rule. Grey: within a package, upwards. Blue: of the kernel\'s public headers.</text></svg>\n')
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width + 2 * MARGIN}" height="{total}">\n'
+        f'<style>{STYLE}</style>{ARROW}\n<rect width="100%" height="100%" fill="white"/>\n'
+        + "\n".join(parts) + "\n</svg>\n")
 
 
 def main():
     headers = read_headers()
     command = sys.argv[1] if len(sys.argv) > 1 else ""
     if command == "check":
-        broken = list(broken_rules(headers))
+        broken = [*broken_rules(headers), *missing_paths()]
         print("\n".join(broken), end="\n" if broken else "")
         sys.exit(bool(broken))
     elif command == "table":
