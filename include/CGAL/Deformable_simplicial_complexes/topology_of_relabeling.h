@@ -1,9 +1,15 @@
-// Copyright (c) 2026 The deformable simplicial complex authors
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TOPOLOGY_OF_RELABELING_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TOPOLOGY_OF_RELABELING_H
+
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,14 @@
-// Copyright (c) 2026 The deformable simplicial complex authors
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Incompressible_fluids_3, written for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_ERRORS_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_ERRORS_H
+
+#include <CGAL/license/Incompressible_fluids_3.h>
 
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 

@@ -1,9 +1,14 @@
-// Copyright (c) 2026 The deformable simplicial complex authors
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Interface_flows, written for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #ifndef CGAL_INTERFACE_FLOWS_ADVECT_ADAPTIVELY_H
 #define CGAL_INTERFACE_FLOWS_ADVECT_ADAPTIVELY_H
+
+#include <CGAL/license/Interface_flows.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>

@@ -1,9 +1,14 @@
-// Copyright (c) 2026 The deformable simplicial complex authors
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Solid_reconstruction_3, written for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #ifndef CGAL_SOLID_RECONSTRUCTION_3_RECONSTRUCT_POINT_SET_3_H
 #define CGAL_SOLID_RECONSTRUCTION_3_RECONSTRUCT_POINT_SET_3_H
+
+#include <CGAL/license/Solid_reconstruction_3.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/default_parameters.h>

@@ -1,9 +1,14 @@
-// Copyright (c) 2026 The deformable simplicial complex authors
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Cut_loci_2, written for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #ifndef CGAL_CUT_LOCI_2_IO_CUT_LOCUS_2_H
 #define CGAL_CUT_LOCI_2_IO_CUT_LOCUS_2_H
+
+#include <CGAL/license/Cut_loci_2.h>
 
 #include <CGAL/Cut_loci_2/Sphere_like_surface_2.h>
 #include <CGAL/Cut_loci_2/cut_locus_2.h>

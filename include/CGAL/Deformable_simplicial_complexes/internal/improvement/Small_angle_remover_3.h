@@ -1,4 +1,8 @@
-// Copyright (c) 2026 The deformable simplicial complex authors
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 

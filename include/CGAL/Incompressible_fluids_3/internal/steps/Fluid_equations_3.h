@@ -1,4 +1,7 @@
-// Copyright (c) 2026 The deformable simplicial complex authors
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Incompressible_fluids_3, written for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
