@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CGAL_COMPAT_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CGAL_COMPAT_H
 
-// What CGAL 6 calls by other names than CGAL 5.5: nothing else here depends on the version of CGAL.
+// Names that differ between CGAL 5.5 and CGAL 6. Only this header depends on the version of CGAL.
 
 #include <CGAL/version.h>
 
@@ -29,15 +29,27 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 #if CGAL_VERSION_NR >= 1060000000
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Traits of an `AABB_tree` of primitives in space, for any supported version of \cgal.
 template <class Kernel, class Primitive>
 using Primitive_tree_traits_3 = AABB_traits_3<Kernel, Primitive>;
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Traits of an `AABB_tree` of triangles in space. `Iterator` has the value type
+/// `Kernel::Triangle_3`.
 template <class Kernel, class Iterator>
 using Tree_traits_3 = AABB_traits_3<Kernel, AABB_triangle_primitive_3<Kernel, Iterator>>;
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Traits of an `AABB_tree` of segments in space. `Iterator` has the value type
+/// `Kernel::Segment_3`.
 template <class Kernel, class Iterator>
 using Segment_tree_traits_3 = AABB_traits_3<Kernel, AABB_segment_primitive_3<Kernel, Iterator>>;
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Predicate that stops the simplification of a surface mesh at a number of edges.
 template <class Mesh>
 using Edge_count_stop_predicate = Surface_mesh_simplification::Edge_count_stop_predicate<Mesh>;
-// The value of a variant if it has this type, else null.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Returns a pointer to the value of a variant, or null if the value has another type than `Type`.
+/// The variant is one that \cgal returns: of `std` or of `boost`, depending on the version.
 template <class Type, class Variant> const Type* get_alternative(const Variant& variant) {
   return std::get_if<Type>(&variant);
 }
