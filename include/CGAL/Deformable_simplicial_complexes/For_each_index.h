@@ -44,10 +44,10 @@ public:
   /// Calls `function(i)` once for each index `i` in [0, `n`), in any order.
   /// \param n number of indices
   /// \param function function object, callable as `const`
-  /// \param worthwhile the loop is sequential for fewer indices. Use a smaller value for long calls,
-  ///        because the start of a parallel loop costs as much as many short calls.
-  /// \pre Calls of `function` for different indices can run at once and do not depend on each other.
-  ///      Only one thread at a time calls this function of an object.
+  /// \param worthwhile the loop is sequential for fewer indices. Use a smaller value for long
+  ///        calls, because the start of a parallel loop costs as much as many short calls.
+  /// \pre Calls of `function` for different indices can run at once and are independent of each
+  ///      other. Only one thread at a time calls this function of an object.
   /// \note An exception of `function` passes through. Some of the other calls are then missing.
   ///       The scopes of `Progress_scope` belong to the calling thread; other threads of the loop
   ///       do not call their callbacks.

@@ -159,8 +159,8 @@ public:
   /// \param visitor model of `DeformationVisitor`, by value or `std::reference_wrapper`
   /// \return the numbers of operations
   /// \pre The complex has not changed since the snapshot.
-  /// \throws Error if `improve_interface()` throws it, for example if `options.feature_angle` is out
-  ///         of its range; the complex is then unchanged. An exception of the visitor and
+  /// \throws Error if `improve_interface()` throws it, for example if `options.feature_angle` is
+  ///         out of its range; the complex is then unchanged. An exception of the visitor and
   ///         `Interrupted_error` leave a valid complex.
   template <class Visitor>
   Improvement_report apply(Complex& complex, const Visitor& visitor) const {

@@ -5,7 +5,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CGAL_COMPAT_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CGAL_COMPAT_H
 
-// Names that differ between CGAL 5.5 and CGAL 6. Only this header depends on the version of CGAL.
+// Names that differ between CGAL 5.5 and CGAL 6.
 
 #include <CGAL/version.h>
 

@@ -19,8 +19,8 @@ namespace Deformable_simplicial_complexes {
 Sorts a range by `operator<`, as `std::sort()` does, and calls `Progress_scope::check()` at
 intervals. n log n in the size of the range.
 
-\throws Interrupted_error if a `Progress_scope` stops the function. The elements of the range are then
-        valid but unspecified: elements can be missing or duplicate.
+\throws Interrupted_error if a `Progress_scope` stops the function. The elements of the range are
+        then valid but unspecified: elements can be missing or duplicate.
 */
 template <class Iterator> void stoppable_sort(Iterator first, Iterator last) {
   internal::Sparse_check check;
