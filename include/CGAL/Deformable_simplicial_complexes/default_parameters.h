@@ -8,8 +8,10 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
+/// \ingroup PkgDeformableSimplicialComplexesRef
 /// Default values of the named parameters that are numbers, with their units and reasons. A
-/// parameter of several functions can have several default values.
+/// parameter of several functions can have several default values. "The paper" is the one by
+/// Misztal and B&aelig;rentzen, see \ref dsc_mb "[1]" in the user manual.
 namespace defaults {
 
 /// \ingroup PkgDeformableSimplicialComplexesRef
