@@ -49,7 +49,7 @@ Constants of the adaptation of an interface.
 */
 template <int dimension> struct Adaptation_rule
 {
-  /// @name Target edge lengths
+  /// \name Target edge lengths
   /// Bounds on target edge lengths, in mean edges of the initial interface. The lower bound limits
   /// the refinement at the rims of thin sheets. The upper bound applies to flat parts; curves have
   /// few segments, so it is greater in the plane.
@@ -61,7 +61,7 @@ template <int dimension> struct Adaptation_rule
   static constexpr double gradation = .5;
   /// @}
 
-  /// @name Operations
+  /// \name Operations
   /// Edges that are longer or shorter than these multiples of their target edge length are split or
   /// collapsed. The halves of a split edge are long enough not to be collapsed.
   /// @{
@@ -72,7 +72,7 @@ template <int dimension> struct Adaptation_rule
   static constexpr double swept_volume = dimension == 2 ? .01 : .1;
   /// @}
 
-  /// @name Worn interfaces
+  /// \name Worn interfaces
   /// An interface is worn if the part of its edges that are too long or too short exceeds one of
   /// these bounds. Below the bounds, it stays unchanged, because each operation changes volumes.
   /// @{

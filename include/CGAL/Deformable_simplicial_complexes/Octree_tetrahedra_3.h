@@ -21,9 +21,9 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Conforming tetrahedralization of an octree. Each tetrahedron lies in one leaf. A leaf without
-smaller neighbors is divided into six tetrahedra around a diagonal (Kuhn's subdivision). A leaf with
-a corner of a smaller leaf on its surface is a cone: its center is joined to the triangles of its
+Conforming tetrahedralization of an octree. Each tetrahedron lies in one leaf. A leaf that shares no
+face or edge with a smaller leaf is divided into six tetrahedra around a diagonal (Kuhn's
+subdivision). Any other leaf is divided as a cone: its center is joined to the triangles of its
 surface.
 */
 class Octree_tetrahedra_3
