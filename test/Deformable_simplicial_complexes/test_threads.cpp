@@ -1,5 +1,5 @@
-#include "plane.h"
 #include "mesh_helpers.h"
+#include "plane.h"
 #include "small_meshes.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>

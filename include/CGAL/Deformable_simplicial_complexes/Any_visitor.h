@@ -19,34 +19,60 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// What is told of each change of the mesh, whatever its type: so the templates that change it are
-// compiled once, and not for each visitor again.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Base class of visitors, with a virtual function for each function of `DeformationVisitor` except
+`go_further()`. Functions that change the mesh take an `Any_visitor`, so they are compiled only once
+for each type of complex. The functions of this class do nothing. `DeformationVisitor` documents
+when they are called. They must not change the complex, and their exceptions pass through.
+
+\tparam Complex a deformable simplicial complex
+*/
 template <class Complex> class Any_visitor
 {
 public:
-  using Vertex_handle = typename Complex::Vertex_handle;
-  using Cell_handle = typename Complex::Cell_handle;
-  using Star = std::vector<Cell_handle>;
-  using Event = Topology_event<Complex>;
+  using Vertex_handle = typename Complex::Vertex_handle; ///< a vertex
+  using Cell_handle = typename Complex::Cell_handle;     ///< a cell
+  using Star = std::vector<Cell_handle>;                 ///< the cells around a vertex
+  using Event = Topology_event<Complex>;                 ///< a change of components
 
+  /// Called before the planned cells of the cavity replace the removed cells.
   virtual void before_replacement(const Cavity<Complex>&) {}
+  /// Called after the planned cells of the cavity have replaced the removed cells.
   virtual void after_replacement(const Cavity<Complex>&) {}
+  /// Called before smoothing moves a vertex with this star to this target.
   virtual void before_smoothing(Vertex_handle, const Star&, const typename Complex::Point&) {}
+  /// Called after smoothing has moved a vertex with this star.
   virtual void after_smoothing(Vertex_handle, const Star&) {}
+  /// Called after a new vertex has split the edge between two other vertices.
   virtual void after_split(Vertex_handle, Vertex_handle, Vertex_handle) {}
+  /// Called after a vertex has been inserted.
   virtual void after_insertion(Vertex_handle) {}
+  /// Called before the first vertex is collapsed into the second one.
   virtual void before_collapse(Vertex_handle, Vertex_handle) {}
+  /// Called after a flip has created these cells.
   virtual void after_flip(const std::vector<Cell_handle>&) {}
+  /// Called after the label of a cell has changed from this label.
   virtual void after_relabel(Cell_handle, typename Complex::Label) {}
+  /// Called after components have merged, split, vanished or appeared.
   virtual void after_topology_event(const Event&) {}
 
+  /// Constructs a visitor that does nothing. Visitors cannot be copied.
   Any_visitor() = default;
   virtual ~Any_visitor() = default;
   Any_visitor(const Any_visitor&) = delete;
   Any_visitor& operator=(const Any_visitor&) = delete;
 };
 
-// Tells a visitor of the user.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Adaptor that passes the calls of `Any_visitor` to a visitor of the user.
+
+\tparam Complex a deformable simplicial complex
+\tparam Visitor model of `DeformationVisitor`
+*/
 template <class Complex, class Visitor> class Visitor_adaptor final : public Any_visitor<Complex>
 {
 public:
@@ -55,6 +81,7 @@ public:
   using typename Any_visitor<Complex>::Star;
   using typename Any_visitor<Complex>::Event;
 
+  /// Refers to a visitor. \pre The visitor outlives the object.
   explicit Visitor_adaptor(Visitor& visitor) : m_visitor(visitor) {}
 
   void before_replacement(const Cavity<Complex>& cavity) override {

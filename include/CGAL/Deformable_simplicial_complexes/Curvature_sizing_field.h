@@ -79,9 +79,9 @@ public:
   Curvature_sizing_field(const Complex& dsc, double tolerance, double shortest, double longest,
                          double gradation = .5, double feature_angle = 180) {
     if (!(tolerance > 0 && shortest > 0 && shortest <= longest && gradation > 0))
-      throw Error(
-          "a size field by curvature needs a tolerance, a gradation and lengths that are positive, "
-          "the shortest one up to the longest one");
+      throw Error("a sizing field by curvature needs a tolerance, a gradation and lengths that are "
+                  "positive, "
+                  "the shortest one up to the longest one");
     if (!(feature_angle >= 0 && feature_angle <= 180))
       throw Error("the angle of features is out of range: use 0 to 180 degrees");
     const Interface_snapshot<Complex> interface_(dsc);

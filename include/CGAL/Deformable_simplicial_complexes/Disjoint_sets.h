@@ -19,20 +19,29 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// Sets of the numbers below a size. The representative of a set is its least element.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Partition of the numbers below a size into disjoint sets. The representative of a set is its least
+element, so it does not depend on the order of the unions. Both functions take amortized logarithmic
+time. Only one thread at a time can use an object, because `find()` also changes it.
+*/
 class Disjoint_sets
 {
 public:
+  /// Constructs `size` sets of one element each.
   explicit Disjoint_sets(std::size_t size) : m_parents(size) {
     std::iota(m_parents.begin(), m_parents.end(), std::size_t(0));
   }
 
+  /// Returns the least element of the set of `i`. \pre `i` is less than the size.
   std::size_t find(std::size_t i) {
     while (m_parents[i] != i)
       i = m_parents[i] = m_parents[m_parents[i]];
     return i;
   }
 
+  /// Unites the sets of `i` and `j`. \pre Both are less than the size.
   void join(std::size_t i, std::size_t j) {
     i = find(i);
     j = find(j);

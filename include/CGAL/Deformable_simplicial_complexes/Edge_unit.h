@@ -21,27 +21,44 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// By what edges are measured: the user's wish for their length, a function of position, or a length
-// of the input.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Target edge length: a sizing field of the user, or a constant.
+
+Any number of threads can call one object at once if the sizing field permits this.
+
+\tparam Complex a deformable simplicial complex
+*/
 template <class Complex> class Edge_unit
 {
 public:
-  using Point = typename Complex::Approximate_point;
+  using Point =
+      typename Complex::Approximate_point; ///< a position in the coordinates of the complex
 
-  // The parameter sizing_field, or `constant` if it is not given.
+  /// Constructs a constant target edge length, for a named parameter `sizing_field` that is not
+  /// given.
   Edge_unit(const CGAL::internal_np::Param_not_found&, double constant) : m_constant(constant) {}
-  template <class SizeField>
-  Edge_unit(const SizeField& field, double constant)
+  /// Constructs the target edge length from a sizing field, which is copied.
+  /// \param field function object `double field(Point p)`, callable as `const`, or a
+  ///        `std::reference_wrapper` of one
+  /// \param constant not used by `operator()()`
+  template <class SizingField>
+  Edge_unit(const SizingField& field, double constant)
       : m_constant(constant), m_field([field](const Point& p) { return double(field(p)); }) {}
 
+  /// Returns whether the target edge length is a sizing field of the user.
   bool is_sizing_field() const { return bool(m_field); }
 
+  /// Returns the target edge length at a point, in the coordinates of the complex.
+  /// \throws Error if the sizing field is not positive at `p`. An exception of the sizing field
+  ///         passes through.
   double operator()(const Point& p) const {
     if (!is_sizing_field())
       return m_constant;
     const double length = m_field(p);
     if (!(length > 0))
-      throw Error("the size field is not positive at a point of the domain: use lengths");
+      throw Error("the sizing field is not positive at a point of the domain: use lengths");
     return length;
   }
 
@@ -50,13 +67,29 @@ private:
   std::function<double(const Point&)> m_field;
 };
 
-// Throws if a complex has an interface, but no length that its edges are measured by.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Throws an exception if a complex has an interface, but no mean edge of the initial interface to be
+the unit of lengths. This happens if the complex was built without an interface. The time is
+constant if there is such a mean edge.
+
+\throws Error if there are vertices on the interface and `complex.mean_interface_edge()` is 0
+*/
 template <class Complex> void require_interface_edge(const Complex& complex) {
   if (!(complex.mean_interface_edge() > 0) && !complex.interface_vertices().empty())
     throw Error("there is no unit of lengths, as the complex was built without an interface; call "
                 "measure_interface_edges()");
 }
 
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the length of the edge between `v` and `w` divided by the target edge length at its
+midpoint. The time is constant apart from the sizing field.
+
+\throws Error if the sizing field is not positive there
+*/
 template <class Complex>
 double length_in_units(const Complex& complex, typename Complex::Vertex_handle v,
                        typename Complex::Vertex_handle w, const Edge_unit<Complex>& unit) {

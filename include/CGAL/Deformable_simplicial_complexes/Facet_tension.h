@@ -17,15 +17,32 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// How a facet of the interface contracts: along its edges `facet_edges` of the space, by
-// `weights` times their vectors, which sum up to the negative gradient of what it measures. To each
-// corner belongs a share of that. All is zero in a facet without measure.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Forces by which a facet of the interface reduces its measure, the length in the plane or the area in
+space. The specializations for 2 and 3 exist.
+
+Edge `k` of the facet has the ends `(i, j)`, which are entry `k` of `Complex::Space::facet_edges`.
+The force of the edge is `weights[k]` times the vector from corner `i` to corner `j`. This force
+acts on corner `i`, and the opposite force acts on corner `j`. The sum of the forces at a corner is
+the negative gradient of the measure. A facet of measure 0 has only zero weights and shares.
+
+The time is constant, and no function throws.
+
+\tparam d dimension of the complex, 2 or 3
+*/
 template <int d> struct Facet_tension;
 
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// The forces of an edge in the plane.
 template <> struct Facet_tension<2>
 {
-  std::array<double, 1> weights;
-  std::array<double, 2> shares;
+  std::array<double, 1> weights; ///< the inverse of the length
+  std::array<double, 2> shares;  ///< half of the length for each end
+
+  /// Computes the forces of the edge with the ends `p`.
+  /// \param p ends as seen from one of them: on a torus, images next to each other
 
   template <class Point> explicit Facet_tension(const std::array<Point, 2>& p) {
     const double length = std::sqrt((p[1] - p[0]).squared_length());
@@ -34,16 +51,21 @@ template <> struct Facet_tension<2>
   }
 };
 
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// The forces of a triangle in space.
 template <> struct Facet_tension<3>
 {
-  std::array<double, 3> weights; // halved cotangents of the angles opposite to the edges
-  std::array<double, 3> shares;  // mixed areas
+  std::array<double, 3> weights; ///< half of the cotangents of the angles opposite to the edges
+  std::array<double, 3> shares;  ///< mixed area of each corner; they sum up to the area
 
-  // Meyer, Desbrun, Schröder, Barr, Discrete differential-geometry operators for triangulated
-  // 2-manifolds, section 3: Voronoi areas, but halves and quarters in obtuse triangles.
+  /// Computes the forces of the triangle with the corners `p`. The weights are those of the
+  /// cotangent formula. The shares are the mixed areas of M. Meyer, M. Desbrun, P. Schröder and A.
+  /// H. Barr, *Discrete differential-geometry operators for triangulated 2-manifolds*, section 3:
+  /// Voronoi areas, but half of the area for an obtuse corner and a quarter for each other corner.
+  /// \param p corners as seen from one of them: on a torus, images next to each other
   template <class Point> explicit Facet_tension(const std::array<Point, 3>& p) {
     const double doubled_area = std::sqrt(cross_product(p[1] - p[0], p[2] - p[0]).squared_length());
-    std::array<double, 3> parts; // of the area, on each edge as seen from the center
+    std::array<double, 3> parts; // half of the triangle of an edge and the circumcenter
     int obtuse = -1;
     for (int i = 0; i < 3; ++i) {
       const int apex = (i + 2) % 3; // opposite to edge i

@@ -23,12 +23,20 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// Calls a function for the indices below n, in any order and, if linked with TBB, on several
-// threads. The calls must not depend on each other: then the number of threads changes no bit of
-// the results.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Parallel loop over indices. It uses several threads if the program is linked with TBB; otherwise, it
+is a sequential loop. If the calls are independent of each other, the results are bitwise identical
+for any number of threads.
+
+The threads are kept between the loops of an object. An object cannot be copied.
+*/
 class For_each_index
 {
 public:
+  /// Constructs a loop. Threads start with the first loop that needs them.
+  /// \param number_of_threads the number of threads, which is clamped to [1, 1024]
   explicit For_each_index(unsigned number_of_threads = 1)
       : m_number_of_threads(
             (std::max)(1u, (std::min)(number_of_threads, maximum_number_of_threads))) {}
@@ -36,10 +44,19 @@ public:
   For_each_index(const For_each_index&) = delete;
   For_each_index& operator=(const For_each_index&) = delete;
 
+  /// Returns the number of threads. Without TBB, the loop does not use them.
   unsigned number_of_threads() const { return m_number_of_threads; }
 
-  // Threads are used from `worthwhile` indices on: starting them costs about a thousand small
-  // calls.
+  /// Calls `function(i)` once for each index `i` in [0, `n`), in any order.
+  /// \param n number of indices
+  /// \param function function object, callable as `const`
+  /// \param worthwhile the loop is sequential for fewer indices. Use a smaller value for long
+  ///        calls, because the start of a parallel loop costs as much as many short calls.
+  /// \pre Calls of `function` for different indices can run at once and are independent of each
+  ///      other. Only one thread at a time calls this function of an object.
+  /// \note An exception of `function` passes through. Some of the other calls are then missing.
+  ///       The scopes of `Progress_scope` belong to the calling thread; other threads of the loop
+  ///       do not call their callbacks.
   template <class Function>
   void operator()(std::size_t n, const Function& function, std::size_t worthwhile = 2000) const {
 #ifdef CGAL_LINKED_WITH_TBB
@@ -67,7 +84,7 @@ private:
 
   unsigned m_number_of_threads;
 #ifdef CGAL_LINKED_WITH_TBB
-  mutable tbb::task_arena m_arena; // of all calls: making one takes much longer than a call
+  mutable tbb::task_arena m_arena; // kept, because its construction takes longer than a loop
 #endif
 };
 

@@ -27,44 +27,84 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// Tolerance to the smooth surface, feature angle, and what else a flow asks for.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Options of the adaptation of an interface by its curvature.
+*/
 struct Adaptation_options
 {
-  double tolerance;         // of the distance between edges and surface, in mean edges; 0 for none
-  double feature_angle;     // between the normals of facets that meet in a sharp edge, in degrees
-  bool only_if_worn = true; // the interface stays as it is while most edges have their length
-  bool splits_junctions = false; // of more than three phases
+  /// Bound on the distance between an edge and the smooth surface, in mean edges of the initial
+  /// interface; 0 for no adaptation.
+  double tolerance;
+  /// Edges are sharp if the normals of their facets differ by more, in degrees, in [0, 180].
+  double feature_angle;
+  /// Whether the interface stays unchanged while most edges have suitable lengths, and while the
+  /// motion is rigid.
+  bool only_if_worn = true;
+  /// Whether junctions of more than three phases are split, in the plane.
+  bool splits_junctions = false;
 };
 
-// By which sizes an interface is adapted, and when.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Constants of the adaptation of an interface.
+
+\tparam dimension dimension of the complex, 2 or 3
+*/
 template <int dimension> struct Adaptation_rule
 {
-  // Bounds on sizes, in mean edges of the input. Rims of thin sheets would ask for ever smaller
-  // ones. Facets carry the motion of a surface also where it is flat; curves have few of them, and
-  // a thread is long.
-  static constexpr double shortest = .2, longest = dimension == 2 ? 4 : 1;
-  // Between neighbors, by the length of the edge between them: facets keep their angles.
+  /// \name Target edge lengths
+  /// Bounds on target edge lengths, in mean edges of the initial interface. The lower bound limits
+  /// the refinement at the rims of thin sheets. The upper bound applies to flat parts; curves have
+  /// few segments, so it is greater in the plane.
+  /// @{
+  static constexpr double shortest = .2, ///< lower bound
+      longest = dimension == 2 ? 4 : 1;  ///< upper bound
+  /// Bound on the difference of the target edge lengths of two neighbors, relative to their
+  /// distance, so that facets keep good angles.
   static constexpr double gradation = .5;
-  // An edge is split and collapsed by these units of its size. They are a factor of three apart, so
-  // that halves are not collapsed again.
-  static constexpr double split = 1.5, collapse = .5;
-  // In squares or cubes of the size: a curve feels each collapse, a surface has thousands.
-  static constexpr double swept_volume = dimension == 2 ? .01 : .1;
+  /// @}
 
-  // An interface is worn if more than these parts of its edges are, by the sizes at their ends, to
-  // be split, where flat parts may have edges of `longest_if_flat`, as what is stretched without
-  // being bent is as good as before; or to be collapsed. A few do no harm, and all that is changed
-  // has another volume than it had.
-  static constexpr double many_long_ones = .015, many_short_ones = .003;
+  /// \name Operations
+  /// Edges that are longer or shorter than these multiples of their target edge length are split or
+  /// collapsed. The halves of a split edge are long enough not to be collapsed.
+  /// @{
+  static constexpr double split = 1.5, ///< longer edges are split
+      collapse = .5;                   ///< shorter edges are collapsed
+  /// Bound on the volume that one operation sweeps, in cubes of the target edge length, in the
+  /// plane in squares. A curve has few segments, so each collapse has a greater effect.
+  static constexpr double swept_volume = dimension == 2 ? .01 : .1;
+  /// @}
+
+  /// \name Worn interfaces
+  /// An interface is worn if the part of its edges that are too long or too short exceeds one of
+  /// these bounds. Below the bounds, it stays unchanged, because each operation changes volumes.
+  /// @{
+  static constexpr double many_long_ones = .015, ///< bound on the part of the long edges
+      many_short_ones = .003;                    ///< bound on the part of the short edges
+  /// Upper bound on target edge lengths for this test of long edges, in mean edges of the initial
+  /// interface. A flat part that was only stretched does not need more vertices.
   static constexpr double longest_if_flat = 3 * longest;
+  /// @}
 };
 
-// Whether a motion changes lengths: not if it is rigid.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns whether a motion of the vertices changes the length of an edge of the interface. A rigid
+motion does not, up to rounding and the errors of time integration. Linear in the size of the
+interface.
+
+\param interface_ the snapshot
+\param from, to positions of the vertices before and after, in the order of the snapshot
+*/
 template <class Complex, class Points>
 bool is_stretched(const Interface_snapshot<Complex>& interface_, const Points& from,
                   const Points& to) {
-  // Of the square of a length: far above rounding and what a step of Runge and Kutta leaves of a
-  // rotation, far below what a step does that leads anywhere.
+  // Relative change of a squared length. It is far above the error of a Runge-Kutta step of a
+  // rotation, and far below the effect of a time step that deforms the interface.
   static constexpr double rigid = 1e-6;
   bool result = false;
   internal::for_each_edge_of(interface_.facets(), [&](std::size_t a, std::size_t b) {
@@ -77,10 +117,22 @@ bool is_stretched(const Interface_snapshot<Complex>& interface_, const Points& f
   return result;
 }
 
-// Keeps edges as long as the curvature of an interface asks for.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Adaptation of the edges of an interface to its curvature. The target edge length of a vertex keeps
+edges within the tolerance of the smooth surface, see `Curvature_sizing_field`.
+
+\tparam Complex a deformable simplicial complex
+*/
 template <class Complex> class Interface_adaptation
 {
 public:
+  /// Computes the target edge lengths of the vertices. n log n in the size of the interface.
+  /// \param complex the complex
+  /// \param interface_ its snapshot, which must outlive the object
+  /// \param options the options; `only_if_worn` is not used
+  /// \pre `options.tolerance` and `complex.mean_interface_edge()` are positive.
   Interface_adaptation(const Complex& complex, const Interface_snapshot<Complex>& interface_,
                        const Adaptation_options& options)
       : m_interface(interface_), m_positions(interface_.positions(complex)),
@@ -89,7 +141,8 @@ public:
                   options.feature_angle),
         m_sizes(sizes(Rule::longest)) {}
 
-  // Whether too many edges are far longer than the curvature allows, or short.
+  /// Returns whether the interface is worn: too many of its edges are much longer than their target
+  /// edge length, or much shorter. n log n in the size of the interface.
   bool is_worn() const {
     const std::vector<double> sizes_if_flat = sizes(Rule::longest_if_flat);
     std::size_t edges = 0, short_ones = 0, long_ones = 0;
@@ -105,8 +158,16 @@ public:
            double(short_ones) > Rule::many_short_ones * double(edges);
   }
 
-  // Splits on the smooth surface, and collapses; no vertex is moved that does not have to. The
-  // complex is still that of the beginning.
+  /// Splits long edges at points of the smooth surface and collapses short edges, by
+  /// `improve_interface()`. Vertices are not smoothed, and the cells are not optimized; the next
+  /// deformation does this.
+  /// \param complex the complex
+  /// \param visitor model of `DeformationVisitor`, by value or `std::reference_wrapper`
+  /// \return the numbers of operations
+  /// \pre The complex has not changed since the snapshot.
+  /// \throws Error if `improve_interface()` throws it, for example if `options.feature_angle` is
+  ///         out of its range; the complex is then unchanged. An exception of the visitor and
+  ///         `Interrupted_error` leave a valid complex.
   template <class Visitor>
   Improvement_report apply(Complex& complex, const Visitor& visitor) const {
     const Curvature_sizing_field<Complex::dimension> field(m_interface, m_positions, m_sizes,
@@ -119,14 +180,14 @@ public:
                                           .aggressiveness(0.)
                                           .feature_angle(m_options.feature_angle)
                                           .split_junctions(m_options.splits_junctions)
-                                          .quality_threshold(0.) // left to the motion
+                                          .quality_threshold(0.) // the deformation optimizes cells
                                           .visitor(visitor));
   }
 
 private:
   using Rule = Adaptation_rule<Complex::dimension>;
 
-  // Of vertices. The longest one is in mean edges.
+  // Returns the target edge lengths of the vertices. `longest` is in mean edges.
   std::vector<double> sizes(double longest) const {
     return m_lengths.graded(longest * m_edge, Rule::gradation);
   }
@@ -139,8 +200,26 @@ private:
   std::vector<double> m_sizes;
 };
 
-// The recipe by which all flows keep an interface fit: adapts it if the tolerance is not 0, it is
-// worn, and the step stretches it, as `is_stretching(interface)` says.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Adapts the edges of the interface to its curvature before a time step of a flow. Does nothing if
+`options.tolerance` is not positive. With `options.only_if_worn`, also does nothing unless the
+interface is worn and the time step stretches it. n log n in the size of the interface, plus a pass
+over the cells.
+
+\param complex the complex
+\param options the options
+\param is_stretching function object that takes the `Interface_snapshot` and returns whether the
+       time step changes lengths, for example by `is_stretched()`; called only if the interface is
+       worn
+\param visitor model of `DeformationVisitor`, by value or `std::reference_wrapper`
+\return the numbers of operations
+\pre `complex.mean_interface_edge()` is positive if there is an interface, see
+     `require_interface_edge()`.
+\throws Error if `improve_interface()` throws it; the complex is then unchanged. An exception of
+        `visitor` or `Interrupted_error` leaves a valid complex.
+*/
 template <class Complex, class IsStretching, class Visitor>
 Improvement_report keep_interface_fit(Complex& complex, const Adaptation_options& options,
                                       const IsStretching& is_stretching, const Visitor& visitor) {

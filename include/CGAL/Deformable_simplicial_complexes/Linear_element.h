@@ -17,40 +17,60 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// A finite cell as a linear finite element (P1): functions are given by their values at its corners
-// and linear between them. The function that is 1 at one corner and 0 at the others falls off
-// towards the opposite facet, so that its gradient is the inward normal of that facet over d times
-// what the cell measures.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Linear finite element (P1) on a finite cell. A function is linear in the cell and given by its
+values at the corners. The basis function of a corner is 1 at this corner and 0 at the others. Its
+gradient is the inward normal of the opposite facet, as long as the measure of the facet, divided by
+`d` times the measure of the cell.
+
+The element stores normals and the measure, and does not refer to the complex. The time of each
+function is constant, and no function throws. `const` functions can be called by any number of
+threads.
+
+\tparam Complex a deformable simplicial complex
+*/
 template <class Complex> class Linear_element
 {
 public:
-  using Vector = typename Complex::Approximate_vector;
-  static constexpr int d = Complex::dimension;
+  using Vector = typename Complex::Approximate_vector; ///< a vector of the complex
+  static constexpr int d = Complex::dimension;         ///< dimension, 2 or 3
 
-  using Corners = std::array<typename Complex::Approximate_point, d + 1>;
+  using Corners = std::array<typename Complex::Approximate_point, d + 1>; ///< corners of a cell
 
+  /// Constructs the element of a cell.
+  /// \param corners positions of the corners as seen from one of them: on a torus, images next to
+  ///        each other
   explicit Linear_element(const Corners& corners) : m_frame(Complex::Space::frame(corners)) {}
 
+  /// Constructs the element of the cell `c` of a complex.
+  /// \pre `c` is finite.
   Linear_element(const Complex& complex, typename Complex::Cell_handle c)
       : Linear_element(corners_of(complex, c)) {}
 
-  // Area or volume.
+  /// Returns the signed measure, the area or the volume: positive for a positively oriented cell.
   double measure() const { return m_frame.parallelotope / factorial; }
 
-  // Of the function that is 1 at a corner.
+  /// Returns the gradient of the basis function of a corner, in 1 / length.
+  /// \pre The measure is not 0.
   Vector gradient(int corner) const { return m_frame.normals[corner] / -m_frame.parallelotope; }
 
-  // By how much the measure changes when a corner moves. Also where the cell is flat.
+  /// Returns the gradient of the measure with respect to the position of a corner. The cell can be
+  /// flat.
   Vector measure_gradient(int corner) const { return m_frame.normals[corner] / -factorial; }
 
-  // The integral of the product of two gradients.
+  /// Returns the entry of the stiffness matrix for two corners: the integral over the cell of the
+  /// scalar product of the gradients of their basis functions.
+  /// \pre The measure is not 0.
   double stiffness(int i, int j) const {
     return m_frame.normals[i] * m_frame.normals[j] / (factorial * m_frame.parallelotope);
   }
 
-  // What the stiffness of a corner with each is times a conductivity that is inverse to the
-  // measure, so that cells of all sizes count alike. That is limited for cells that are flat, so
-  // that none rules the others, and 0 if it is up to rounding only that they are not.
+  /// Returns the row of the stiffness matrix for a corner, with a conductivity that is the inverse
+  /// of the measure. Cells of all sizes then have the same weight. For nearly flat cells, the
+  /// measure is replaced by a small fraction of the measure of a round cell, so the entries are
+  /// bounded. All entries are 0 if the cell is inverted, or flat up to rounding.
   std::array<double, d + 1> evened_stiffness(int corner) const {
     static constexpr double flattest = 5e-4, rounding = 1e-15; // of a round cell
     std::array<double, d + 1> result = {};
@@ -64,10 +84,12 @@ public:
     return result;
   }
 
-  // The integral of the function that is 1 at a corner: the part of the mass that a vertex carries.
+  /// Returns the integral of the basis function of a corner: the entry of the lumped mass matrix
+  /// for unit density.
   double lumped_mass() const { return measure() / (d + 1); }
 
-  // The divergence of a vector field, times the measure.
+  /// Returns the integral of the divergence of a vector field over the cell. The cell can be flat.
+  /// \param values the vectors at the corners
   double divergence(const std::array<Vector, d + 1>& values) const {
     double result = 0;
     for (int i = 0; i <= d; ++i)
@@ -83,7 +105,7 @@ private:
     return result;
   }
 
-  // About what a cell with such facets would measure if it were round.
+  // Returns the approximate measure of a round cell whose largest facet is that of this cell.
   double extent() const {
     double largest = 0;
     for (int i = 0; i <= d; ++i)
@@ -91,10 +113,10 @@ private:
     return Complex::Space::measure_of_extent(largest);
   }
 
-  static constexpr double factorial = d == 3 ? 6 : 2; // of d
+  static constexpr double factorial = d == 3 ? 6 : 2; // d!
 
-  // Each normal is d - 1 times as long as its facet measures, and the parallelotope of the edges at
-  // a corner measures d! times the cell, which measures height times facet over d.
+  // The outward normal of a facet has d - 1 times the measure of the facet as its length. The
+  // parallelotope of the edges at a corner has d! times the measure of the cell.
   typename Complex::Space::Frame m_frame;
 };
 

@@ -24,15 +24,27 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// Tetrahedra that fill an octree, each in one leaf. A leaf beside larger ones or its equals is cut
-// into the six tetrahedra along a diagonal (Kuhn); one with a vertex of a smaller leaf on its
-// surface is the cone from its center over that surface.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Conforming tetrahedralization of an octree. Each tetrahedron lies in one leaf. A leaf that shares no
+face or edge with a smaller leaf is divided into six tetrahedra around a diagonal (Kuhn's
+subdivision). Any other leaf is divided as a cone: its center is joined to the triangles of its
+surface.
+*/
 class Octree_tetrahedra_3
 {
 public:
-  using Point = Octree_3::Place; // in units of the octree
+  using Point = Octree_3::Place; ///< coordinates in units of the octree
 
-  // The label of a block of a level.
+  /// Constructs the tetrahedra. n log n in their number. The order of points and tetrahedra is
+  /// deterministic.
+  /// \param octree the octree; not used after the construction
+  /// \param label_of function object `int label_of(unsigned level, Point block)`, called for each
+  ///        leaf, whose tetrahedra get this label
+  /// \pre `octree.complete()` was called.
+  /// \throws Interrupted_error if a `Progress_scope` stops the construction. An exception of
+  ///         `label_of` passes through.
   template <class LabelOf>
   Octree_tetrahedra_3(const Octree_3& octree, const LabelOf& label_of) : m_octree(octree) {
     std::vector<std::array<std::uint64_t, 4>> corners;
@@ -56,7 +68,10 @@ public:
     }
   }
 
-  // Removes the tetrahedra of a label, and the points that no other tetrahedron has.
+  /// Removes the tetrahedra of a label, and the points that belong to no other tetrahedron. The
+  /// other tetrahedra keep their order; the points get new indices. Linear in the number of
+  /// tetrahedra.
+  /// \throws std::bad_alloc if there is no memory. The members are then not consistent.
   void remove(int label) {
     static constexpr std::size_t unused = -1;
     std::vector<std::size_t> numbers(points.size(), unused);
@@ -80,9 +95,11 @@ public:
     points.swap(kept_points);
   }
 
-  std::vector<Point> points;
-  std::vector<std::array<std::size_t, 4>> tetrahedra; // positively oriented
-  std::vector<int> labels;                            // of tetrahedra
+  std::vector<Point> points; ///< the points, each once
+  /// Indices of the corners of each tetrahedron in `points`; all tetrahedra are positively
+  /// oriented.
+  std::vector<std::array<std::size_t, 4>> tetrahedra;
+  std::vector<int> labels; ///< the label of each tetrahedron
 
 private:
   using Triangle = std::array<Point, 3>;
@@ -99,7 +116,7 @@ private:
       static constexpr std::size_t triangles_of_cube = 12;
       if (m_surface.size() > triangles_of_cube) {
         const Point center = {origin[0] + side / 2, origin[1] + side / 2, origin[2] + side / 2};
-        for (const Triangle& t : m_surface) // seen from outside
+        for (const Triangle& t : m_surface) // counterclockwise seen from outside
           corners.push_back({grid_key(t[0]), grid_key(t[2]), grid_key(t[1]), grid_key(center)});
         return;
       }
@@ -118,15 +135,15 @@ private:
       }
   }
 
-  // The triangles of a face of a leaf, counterclockwise seen from outside. They depend on the face
-  // alone, so that leaves on both sides have the same.
+  // Adds the triangles of a face of a leaf, counterclockwise seen from outside. They depend only on
+  // the face, so the leaves on both sides have the same triangles.
   void add_face(unsigned level, Point block, int axis, bool is_upper) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     Point neighbor = block;
-    neighbor[axis] += is_upper ? 1 : -1; // a block that does not exist below 0
-    block[axis] += is_upper;             // the face is the lower one of this block
+    neighbor[axis] += is_upper ? 1 : -1; // wraps around outside the root
+    block[axis] += is_upper;             // this block has the face as its lower face
     const std::uint32_t side = 1u << level, half = side / 2;
-    const auto corner = [&](std::uint32_t i, std::uint32_t j) { // in halves of sides
+    const auto corner = [&](std::uint32_t i, std::uint32_t j) { // in half sides
       Point p = {block[0] << level, block[1] << level, block[2] << level};
       p[u] += i * half;
       p[v] += j * half;
@@ -167,7 +184,8 @@ private:
     }
   }
 
-  // Whether one of the blocks around an edge, the first one of which is given, is split.
+  // Returns whether one of the four blocks around an edge is split. The edge is parallel to `axis`
+  // and starts at the lower corner of `block`.
   bool is_edge_split(unsigned level, const Point& block, int axis) const {
     for (const unsigned i : {0u, 1u})
       for (const unsigned j : {0u, 1u}) {
@@ -181,7 +199,7 @@ private:
   }
 
   const Octree_3& m_octree;
-  std::vector<Triangle> m_surface; // of a leaf
+  std::vector<Triangle> m_surface; // triangles of the current leaf
 };
 
 } // namespace Deformable_simplicial_complexes

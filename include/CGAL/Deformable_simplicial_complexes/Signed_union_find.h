@@ -19,16 +19,25 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// Disjoint sets whose members are on one of two sides: of each two of a set, whether they are on
-// the same one is known.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Partition of the numbers below a size into disjoint sets in which each element has a sign relative
+to the other elements: any two elements of a set are on the same side or on opposite sides. An
+example is the consistent orientation of facets. The representative of a set is its least element.
+Both functions take amortized logarithmic time. Only one thread at a time can use an object, because
+`find()` also changes it.
+*/
 class Signed_union_find
 {
 public:
+  /// Constructs `size` sets of one element each.
   explicit Signed_union_find(std::size_t size) : m_parents(size), m_opposite(size, 0) {
     std::iota(m_parents.begin(), m_parents.end(), std::size_t(0));
   }
 
-  // The representative of a set, and whether i is on the other side than it.
+  /// Returns the representative of the set of `i`, and whether `i` is on the opposite side.
+  /// \pre `i` is less than the size.
   std::pair<std::size_t, bool> find(std::size_t i) {
     std::size_t root = i;
     char opposite = 0;
@@ -46,7 +55,10 @@ public:
     return {root, result};
   }
 
-  // Unites two sets, if they are not one already.
+  /// Unites the sets of `i` and `j` such that both elements are on the same side or, if
+  /// `are_opposite`, on opposite sides. Has no effect if they are in one set, even if their sides
+  /// there contradict `are_opposite`; use `find()` to detect this.
+  /// \pre Both are less than the size.
   void unite(std::size_t i, std::size_t j, bool are_opposite) {
     const auto a = find(i), b = find(j);
     if (a.first == b.first)
@@ -59,7 +71,7 @@ public:
 
 private:
   std::vector<std::size_t> m_parents;
-  std::vector<char> m_opposite; // to the parent
+  std::vector<char> m_opposite; // whether an element and its parent are on opposite sides
 };
 
 } // namespace Deformable_simplicial_complexes

@@ -21,14 +21,26 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// The squared distances from the planes of the facets around a vertex, each plane shifted by an
-// offset: (X. Jiao, Face offsetting: A unified approach for explicit moving interfaces, Journal of
-// Computational Physics 220, 2007). Eigenvectors of large eigenvalues span the primary space, along
-// which the facets hold the vertex: 1 direction on a smooth surface, 2 on a ridge, 3 at a corner.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Quadric of a vertex in space: the weighted sum of the squared distances from the planes of its
+facets. Each plane can be shifted by an offset. Eigenvectors of large eigenvalues span the primary
+space, in which the facets determine the position of the vertex. Its dimension is 1 on a smooth
+surface, 2 on a ridge and 3 at a corner. The other eigenvectors span the null space.
+
+See X. Jiao, *Face offsetting: A unified approach for explicit moving interfaces*, Journal of
+Computational Physics 220, 2007. Each function takes constant time, and no function throws.
+
+\tparam Vector a vector in space with coordinates of type `double`
+*/
 template <class Vector> class Vertex_quadric_3
 {
 public:
-  // A facet with a unit normal, by which its plane is shifted.
+  /// Adds the plane of a facet.
+  /// \param unit_normal its normal, of length 1
+  /// \param weight positive, for example the area of the facet or its angle at the vertex
+  /// \param offset displacement of the plane along the normal, a length
   void add(const Vector& unit_normal, double weight, double offset = 0) {
     const Eigen::Vector3d n(unit_normal.x(), unit_normal.y(), unit_normal.z());
     m_matrix += weight * n * n.transpose();
@@ -36,10 +48,13 @@ public:
     m_sum_of_offsets += weight * std::abs(offset);
   }
 
-  // Finds the spaces. Eigenvalues up to `threshold` times the largest one belong to the null space:
-  // on an edge between two facets of the same weight, dihedral angles up to
-  // 2 atan(sqrt(threshold)) count as smooth. The primary space has a minimum dimension if that is
-  // known otherwise. To be called after all facets are added.
+  /// Computes the primary space and the null space. To be called after all facets are added, and
+  /// before the functions below except `sum_of_weights()`.
+  /// \param threshold eigenvalues up to `threshold` times the largest one belong to the null space,
+  ///        in [0, 1). At an edge of two facets with equal weights, the surface counts as smooth if
+  ///        the normals differ by at most 2 atan(sqrt(`threshold`)).
+  /// \param minimum_rank lower bound on the dimension of the primary space, in [0, 3], for a vertex
+  ///        on a known feature
   void analyse(double threshold, int minimum_rank = 0) {
     static constexpr double rounding = 1e-10;
     threshold = (std::max)(threshold, rounding);
@@ -52,12 +67,16 @@ public:
     m_rank = (std::max)(m_rank, minimum_rank);
   }
 
+  /// Returns the sum of the weights.
   double sum_of_weights() const { return m_matrix.trace(); }
 
-  // Dimension of the primary space; 0 if there is no facet.
+  /// Returns the dimension of the primary space: 0 if there is no facet and `minimum_rank` is 0.
   int rank() const { return m_rank; }
 
-  // Where the shifted planes meet, relative to the vertex, as far as they define it.
+  /// Returns the displacement in the primary space to the point with the least weighted sum of
+  /// squared distances from the shifted planes. This is their common point if there is one.
+  /// \pre `minimum_rank` was not greater than the rank of the planes; otherwise, the result has no
+  ///      meaning.
   Vector displacement() const {
     Eigen::Vector3d result = Eigen::Vector3d::Zero();
     for (int i = 3 - m_rank; i < 3; ++i) {
@@ -67,8 +86,9 @@ public:
     return Vector(result(0), result(1), result(2));
   }
 
-  // Where facets go that cancel each other in the displacement, as those of a thin sheet at its
-  // rim: the direction of the sum of their offsets, of length 1, or 0 if that cancels, too.
+  /// Returns the direction of the weighted sum of the offset vectors, of length 1, or 0 if they
+  /// cancel each other. It replaces the displacement where the facets cancel each other there, for
+  /// example at the rim of a thin sheet.
   Vector mean_direction() const {
     static constexpr double negligible = 1e-6;
     const double length = m_offset.norm();
@@ -77,7 +97,7 @@ public:
     return Vector(m_offset(0), m_offset(1), m_offset(2)) / length;
   }
 
-  // The part of a vector in the null space: along the surface or the ridge.
+  /// Returns the component of a vector in the null space: along the surface or the ridge.
   Vector project_on_null_space(const Vector& vector) const {
     const Eigen::Vector3d v(vector.x(), vector.y(), vector.z());
     Eigen::Vector3d result = Eigen::Vector3d::Zero();
@@ -93,6 +113,13 @@ private:
   int m_rank = 0;
 };
 
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Checks a threshold of `Vertex_quadric_3::analyse()`.
+
+\throws Error if the threshold is not in [0, 1)
+*/
 inline void check_eigenvalue_threshold(double threshold) {
   if (!(threshold >= 0 && threshold < 1))
     throw Error("a threshold of eigenvalues is out of range: use 0 to less than 1");

@@ -35,21 +35,40 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// Moves the vertices of an interface so that volumes of labels, in the plane their areas, change by
-// given amounts, up to rounding: by Newton's method with one unknown for each label, the length of
-// the way in a direction that goes with it. Volumes are those that the interface encloses: where it
-// ends on the boundary of the domain, the part between it and the boundary is not counted.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Computes positions of the vertices of an interface that change the volumes of labels, in the plane
+the areas, by given amounts. The complex does not change; pass the positions to
+`deform_interface_to()`.
+
+Newton's method solves for one unknown per label: the step length in a direction that belongs to the
+label. The change of a volume is the volume that the facets of the interface sweep. Where the
+interface ends on the boundary of the domain, this is the change of the volume of the label only if
+the vertices there stay on the boundary.
+
+Lengths and volumes are in the coordinates of the complex. Any number of threads can call functions
+of one object at once.
+
+\tparam Complex a deformable simplicial complex
+*/
 template <class Complex> class Volume_changer
 {
 public:
-  using Label = typename Complex::Label;
-  using Point = typename Complex::Approximate_point;
-  using Vector = typename Complex::Approximate_vector;
+  using Label = typename Complex::Label;               ///< a label
+  using Point = typename Complex::Approximate_point;   ///< a position of a vertex
+  using Vector = typename Complex::Approximate_vector; ///< a displacement
 
+  /// Refers to the snapshot of an interface.
+  /// \pre The snapshot outlives the object. For `gradients()` and `change_by()`, the complex must
+  ///      not have changed, because these functions read the sides of the domain from its vertices.
   explicit Volume_changer(const Interface_snapshot<Complex>& interface_)
       : m_interface(interface_) {}
 
-  // Changes of the volumes of labels between two states of the vertices.
+  /// Returns the changes of the volumes of all labels at the interface when each vertex moves along
+  /// a straight line from one position to another. Linear in the size of the interface, times the
+  /// logarithm of the number of labels.
+  /// \param from, to positions of the vertices, in the order of the snapshot
   std::map<Label, double> changes(const std::vector<Point>& from,
                                   const std::vector<Point>& to) const {
     std::map<Label, double> result;
@@ -61,11 +80,15 @@ public:
     return result;
   }
 
-  // Directions of the vertices for each of some labels, in their order; where one is zero, it may
-  // be left out.
+  /// For each vertex a direction for each label. The key is the index of the label in the sorted
+  /// list of labels. A missing direction is zero.
   using Directions = std::vector<boost::container::flat_map<Eigen::Index, Vector>>;
 
-  // Those in which the volumes of labels change fastest.
+  /// Returns the gradients of the volumes of labels with respect to the vertices. Components that
+  /// would move a vertex off its sides of the domain are 0. Linear in the size of the interface,
+  /// times the logarithm of the number of labels.
+  /// \param labels the labels; the mapped values are not used
+  /// \param positions of the vertices, in the order of the snapshot
   Directions gradients(const std::map<Label, double>& labels,
                        const std::vector<Point>& positions) const {
     std::map<Label, Eigen::Index> row;
@@ -87,9 +110,22 @@ public:
     return result;
   }
 
-  static constexpr int most_iterations = 10; // Newton's method doubles the digits in each
+  static constexpr int most_iterations = 10; ///< default bound on the evaluations
 
-  // Labels that are not mentioned take what is left.
+  /// Changes volumes by given amounts, by motions in given directions. Stops when the largest error
+  /// no longer decreases, which is the case at the accuracy of rounding, or after `iterations`
+  /// evaluations of the volumes. `positions` are those with the smallest error that was found.
+  /// Check the result with `changes()`: no error is thrown if amounts cannot be reached.
+  ///
+  /// Each iteration is linear in the size of the interface, times the square of the number of
+  /// labels at a vertex. The dense system of up to 64 labels takes the cube of their number; more
+  /// labels take an iterative solution of a sparse system.
+  /// \param amounts changes of the volumes. Labels that are not mentioned take the rest.
+  /// \param directions for each vertex and each label of `amounts`, such as `gradients()`
+  /// \param positions of the vertices, in the order of the snapshot; changed
+  /// \param iterations bound on the evaluations; there is one Newton step less
+  /// \throws Interrupted_error if a `Progress_scope` stops the function; `positions` are then the
+  ///         best ones so far.
   void change_by(const std::map<Label, double>& amounts, const Directions& directions,
                  std::vector<Point>& positions, int iterations = most_iterations) const {
     const std::vector<Point> start = positions;
@@ -114,11 +150,13 @@ public:
     }
   }
 
-  // Along the normals: flat parts between two labels stay flat and go equally far.
+  /// Changes volumes by given amounts, by motions along the normals of the vertices. Where the
+  /// interface is flat between two labels, it stays flat, and its vertices have displacements of
+  /// equal length. See the function above for the other parameters, the result and exceptions.
   void change_by(const std::map<Label, double>& amounts, std::vector<Point>& positions,
                  int iterations = most_iterations) const {
     Directions directions = gradients(amounts, positions);
-    std::vector<double> areas(positions.size(), 0); // a third of each facet around
+    std::vector<double> areas(positions.size(), 0); // for each vertex, 1 / d of the incident facets
     for (const auto& facet : m_interface.facets()) {
       const Vector share = normal(corners(facet, positions)) / d;
       for (std::size_t v : facet.vertices)
@@ -134,7 +172,7 @@ private:
   static constexpr int d = Complex::dimension;
   using Corners = std::array<Point, Complex::dimension>;
 
-  // Those of a facet, as seen from the first.
+  // Returns the corners of a facet as seen from the first corner.
   template <class Facet>
   Corners corners(const Facet& facet, const std::vector<Point>& positions) const {
     Corners result;
@@ -144,13 +182,13 @@ private:
     return result;
   }
 
-  // Towards the front of a facet, as long as that measures.
+  // Returns the normal towards the front of a facet; its length is the measure of the facet.
   static Vector normal(const Corners& p) { return Complex::Space::facet_normal(p) / (d - 1); }
 
-  // What a facet sweeps on its way, positive if towards its front; exact for motions of the corners
-  // along straight lines.
+  // Returns the signed volume that a facet sweeps while its corners move along straight lines,
+  // positive towards its front; exact up to rounding.
   double swept_measure(const Corners& a, const Corners& b) const {
-    // Simpson's rule is exact for the polynomial in time that the flux is, of degree d - 1.
+    // The flux is a polynomial in time of degree d - 1, for which Simpson's rule is exact.
     const Vector image = m_interface.domain.near(a[0], b[0]) - b[0];
     Corners m;
     Vector way(NULL_VECTOR);
@@ -162,10 +200,10 @@ private:
     return way * (normal(a) + 4 * normal(m) + normal(b)) / 6;
   }
 
-  // Up to here the cube of the number of labels is a short time.
+  // Up to this number of labels, a dense solution is fast enough.
   static constexpr Eigen::Index few_labels = 64;
 
-  // Lengths of the ways in the directions that change volumes as they are missing.
+  // Returns the step lengths in the directions that change the volumes by the missing amounts.
   static Eigen::VectorXd solve_directly(const Directions& gradients, const Directions& directions,
                                         const Eigen::VectorXd& missing) {
     Eigen::MatrixXd products = Eigen::MatrixXd::Zero(missing.size(), missing.size());
@@ -173,7 +211,7 @@ private:
       for (const auto& [i, a] : gradients[v])
         for (const auto& [j, b] : directions[v])
           products(i, j) += a * b;
-    // Singular where all labels are given, as their sum is.
+    // Singular if all labels are given, as the sum of their volumes is constant.
     static constexpr double rounding = 1e-10;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
     decomposition.setThreshold(rounding);
@@ -181,7 +219,8 @@ private:
     return decomposition.solve(missing);
   }
 
-  // The same by iterations, with the products of labels that share vertices only.
+  // Returns the same step lengths by an iterative solver. Only labels that share a vertex have an
+  // entry in the sparse matrix.
   static Eigen::VectorXd solve_iteratively(const Directions& gradients,
                                            const Directions& directions,
                                            const Eigen::VectorXd& missing) {
@@ -192,21 +231,21 @@ private:
           entries.emplace_back(int(i), int(j), a * b);
     Eigen::SparseMatrix<double> products(missing.size(), missing.size());
     products.setFromTriplets(entries.begin(), entries.end());
-    static constexpr double residual = 1e-6; // relative; the next iteration corrects what is left
+    static constexpr double residual = 1e-6; // relative; later Newton steps correct the rest
     Eigen::BiCGSTAB<Eigen::SparseMatrix<double>> solver;
     solver.setTolerance(residual);
     solver.compute(products);
     const Eigen::VectorXd lengths = solver.solve(missing);
     if (solver.info() == Eigen::Success && lengths.allFinite())
       return lengths;
-    // Slower, but right where all labels are given and the system is singular.
+    // Slower, but also solves the singular system in which all labels are given.
     Eigen::LeastSquaresConjugateGradient<Eigen::SparseMatrix<double>> least_squares;
     least_squares.setTolerance(residual);
     least_squares.compute(products);
     return least_squares.solve(missing);
   }
 
-  // One step of Newton's method.
+  // Moves the positions by one step of Newton's method.
   static void advance(const Directions& gradients, const Directions& directions,
                       const Eigen::VectorXd& missing, std::vector<Point>& positions) {
     const Eigen::VectorXd lengths = missing.size() <= few_labels
@@ -217,7 +256,7 @@ private:
         positions[v] = positions[v] + lengths(i) * direction;
   }
 
-  // What is left of a vector where the vertex must stay on sides of the domain.
+  // Returns the component of a vector along the sides of the domain on which the vertex lies.
   template <class Vertex_handle> static Vector within_sides(const Vector& vector, Vertex_handle v) {
     std::array<double, d> result;
     for (int axis = 0; axis < d; ++axis)

@@ -11,7 +11,8 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-// What CGAL 6 calls by other names than CGAL 5.5: nothing else here depends on the version of CGAL.
+// Names that differ between CGAL 5.5 and CGAL 6. The documentation is in the branch for CGAL 5.5,
+// because Doxygen reads this branch.
 
 #include <CGAL/version.h>
 
@@ -43,19 +44,31 @@ template <class Kernel, class Iterator>
 using Segment_tree_traits_3 = AABB_traits_3<Kernel, AABB_segment_primitive_3<Kernel, Iterator>>;
 template <class Mesh>
 using Edge_count_stop_predicate = Surface_mesh_simplification::Edge_count_stop_predicate<Mesh>;
-// The value of a variant if it has this type, else null.
 template <class Type, class Variant> const Type* get_alternative(const Variant& variant) {
   return std::get_if<Type>(&variant);
 }
 #else
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Traits of an `AABB_tree` of primitives in space, for any supported version of \cgal.
 template <class Kernel, class Primitive>
 using Primitive_tree_traits_3 = AABB_traits<Kernel, Primitive>;
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Traits of an `AABB_tree` of triangles in space. `Iterator` has the value type
+/// `Kernel::Triangle_3`.
 template <class Kernel, class Iterator>
 using Tree_traits_3 = AABB_traits<Kernel, AABB_triangle_primitive<Kernel, Iterator>>;
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Traits of an `AABB_tree` of segments in space. `Iterator` has the value type
+/// `Kernel::Segment_3`.
 template <class Kernel, class Iterator>
 using Segment_tree_traits_3 = AABB_traits<Kernel, AABB_segment_primitive<Kernel, Iterator>>;
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Predicate that stops the simplification of a surface mesh at a number of edges.
 template <class Mesh>
 using Edge_count_stop_predicate = Surface_mesh_simplification::Count_stop_predicate<Mesh>;
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Returns a pointer to the value of a variant, or null if the value has another type than `Type`.
+/// The variant is one that \cgal returns: of `std` or of `boost`, depending on the version.
 template <class Type, class Variant> const Type* get_alternative(const Variant& variant) {
   return boost::get<Type>(&variant);
 }

@@ -23,9 +23,25 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// What improves the mesh of the user changes it by these functions only. The visitor is told of
-// each change before, when nothing has changed yet if it throws, and after.
+// Mesh optimization changes a complex only by the functions of this header, so its visitor receives
+// all changes.
 
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Commits a cavity by `Complex::replace()`, and calls a visitor before and after the replacement. The
+functions below also call the functions of the visitor for each kind of proposal. n log n in the
+size of the cavity, plus the costs of `Complex::replace()` for components.
+
+\param complex the complex
+\param cavity the proposal
+\param visitor the visitor
+\pre See `Complex::replace()`.
+\throws Stale_proposal_error if the complex has changed since the cavity was begun; the complex is
+        then unchanged, but `before_replacement()` was called. If a function of the visitor throws
+        before the replacement, the complex is unchanged. If one throws after the replacement, the
+        complex is valid.
+*/
 template <class Complex>
 void replace_cavity(Complex& complex, Cavity<Complex>& cavity, Any_visitor<Complex>& visitor) {
   visitor.before_replacement(cavity);
@@ -33,6 +49,20 @@ void replace_cavity(Complex& complex, Cavity<Complex>& cavity, Any_visitor<Compl
   visitor.after_replacement(cavity);
 }
 
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Moves a vertex to a target by `Complex::set_point()`, and calls a visitor before and after the
+motion. Linear in the star.
+
+\param complex the complex
+\param v a finite vertex
+\param star the star of `v`
+\param target the target, which is rounded
+\param visitor the visitor. If it throws before the motion, the complex is unchanged. If it throws
+       after the motion, the complex is valid.
+\pre `complex.is_positive_star(v, star, target)`
+*/
 template <class Complex>
 void smooth_vertex(Complex& complex, typename Complex::Vertex_handle v,
                    const std::vector<typename Complex::Cell_handle>& star,
@@ -42,15 +72,34 @@ void smooth_vertex(Complex& complex, typename Complex::Vertex_handle v,
   visitor.after_smoothing(v, star);
 }
 
-// The spacing where a vertex of the interface was collapsed into this one: not less than before, as
-// the interface may have shrunk.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Updates the spacing of a vertex into which a vertex of the interface was collapsed. The spacing
+becomes the mean length of the edges of the interface at the vertex if this is greater. A smaller
+length does not count, because the interface can have shrunk. A vertex without spacing stays so.
+Linear in the star. `commit_proposal()` calls this function.
+*/
 template <class Complex>
 void coarsen_spacing(const Complex& complex, typename Complex::Vertex_handle kept) {
   if (kept->spacing() > 0)
     kept->set_spacing((std::max)(kept->spacing(), float(complex.interface_edge_length(kept))));
 }
 
-// Commits the split of the edge between v and w and counts it.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Commits the split of an edge, calls the visitor, and counts the split in a report. If the edge is on
+the interface, its ends and the new vertex get a new spacing.
+
+\param complex the complex
+\param cavity a proposal of `propose_edge_split()` for the edge; the new vertex is its last one
+\param v, w the ends of the edge
+\param visitor the visitor; `after_split()` is called last
+\param report `report.split` is increased after the replacement
+\pre `cavity.kind()` is `Proposal_kind::split`.
+\throws Stale_proposal_error as `replace_cavity()`
+*/
 template <class Complex>
 void commit_split(Complex& complex, Cavity<Complex>& cavity, typename Complex::Vertex_handle v,
                   typename Complex::Vertex_handle w, Any_visitor<Complex>& visitor,
@@ -65,7 +114,20 @@ void commit_split(Complex& complex, Cavity<Complex>& cavity, typename Complex::V
   visitor.after_split(middle, v, w);
 }
 
-// Commits a collapse, an insertion or a flip and counts it.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Commits a collapse, an insertion or a flip, calls the visitor, and counts the operation in a report.
+
+\param complex the complex
+\param cavity the proposal
+\param visitor the visitor; `before_collapse()` is called first, `after_insertion()` or
+       `after_flip()` is called last
+\param report the number of operations of this kind is increased after the replacement
+\pre `cavity.kind()` is `Proposal_kind::collapse`, `insertion` or `flip`. Use `commit_split()` for a
+     split, and `replace_cavity()` for any other replacement.
+\throws Stale_proposal_error as `replace_cavity()`
+*/
 template <class Complex>
 void commit_proposal(Complex& complex, Cavity<Complex>& cavity, Any_visitor<Complex>& visitor,
                      Improvement_report& report) {

@@ -123,9 +123,9 @@ Improvement_report control_detail(Complex& dsc, const NamedParameters& np = Name
                        defaults::Interface_collapse_length::in_shortest_edges)};
   internal::check_detail_thresholds(thresholds);
   const unsigned rounds =
-      internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                                defaults::Number_of_iterations::over_mesh);
-  const auto unit = wanted_length(dsc, np), short_unit = shortest_wanted_length(dsc, np);
+      count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                      defaults::Number_of_iterations::over_mesh);
+  const auto unit = target_edge_length(dsc, np), short_unit = shortest_target_edge_length(dsc, np);
 
   const std::function<bool(typename Complex::Cell_handle)> where =
       parameter_or(np, tags::where, [](typename Complex::Cell_handle) { return true; });

@@ -19,17 +19,33 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the point or vector of type `Result` with the coordinates `coordinates[i]...`. The functions
+below are easier to call.
+
+\pre `coordinates` has all these entries.
+*/
 template <class Result, int... i>
 Result from_coordinates(const double* coordinates, std::integer_sequence<int, i...>) {
   return Result(coordinates[i]...);
 }
 
-// The point or vector of some type with these coordinates.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the point or vector of type `Point` with `d` coordinates.
+*/
 template <class Point, std::size_t d> Point point_of(const std::array<double, d>& coordinates) {
   return from_coordinates<Point>(coordinates.data(), std::make_integer_sequence<int, int(d)>());
 }
 
-// The point of a complex with these coordinates.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the point of type `Complex::Approximate_point` with given coordinates.
+*/
 template <class Complex>
 typename Complex::Approximate_point
 point_at(const std::array<double, Complex::dimension>& coordinates) {
@@ -37,7 +53,11 @@ point_at(const std::array<double, Complex::dimension>& coordinates) {
       coordinates.data(), std::make_integer_sequence<int, Complex::dimension>());
 }
 
-// The vector of a complex with these coordinates.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the vector of type `Complex::Approximate_vector` with given coordinates.
+*/
 template <class Complex>
 typename Complex::Approximate_vector
 vector_of(const std::array<double, Complex::dimension>& coordinates) {
@@ -45,7 +65,11 @@ vector_of(const std::array<double, Complex::dimension>& coordinates) {
       coordinates.data(), std::make_integer_sequence<int, Complex::dimension>());
 }
 
-// The coordinates of a point or vector.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the first `d` coordinates of a point, vector or array.
+*/
 template <int d, class Point> std::array<double, d> coordinates_of(const Point& p) {
   std::array<double, d> result;
   for (int axis = 0; axis < d; ++axis)
@@ -53,13 +77,23 @@ template <int d, class Point> std::array<double, d> coordinates_of(const Point& 
   return result;
 }
 
-// The number of coordinates of a point, vector or array.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the number of coordinates of a point or vector of \cgal.
+*/
 template <class Point> auto number_of_coordinates(const Point& p) -> decltype(p.dimension()) {
   return p.dimension();
 }
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Returns the number of coordinates of an array.
 template <std::size_t n> int number_of_coordinates(const std::array<double, n>&) { return int(n); }
 
-// Whether all coordinates of a point or vector are numbers.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns whether all coordinates of a point, vector or array are finite: neither infinite nor NaN.
+*/
 template <class Point> bool has_finite_coordinates(const Point& p) {
   bool result = true;
   for (int axis = 0; axis < number_of_coordinates(p); ++axis)

@@ -14,149 +14,186 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// The default values of named parameters that are numbers, with their units and reasons; where
-// several functions take a parameter, why they differ.
-
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default values of the named parameters that are numbers, with their units and reasons. A
+/// parameter of several functions can have several default values. "The paper" is the one by
+/// Misztal and B&aelig;rentzen, see \ref dsc_mb "[1]" in the user manual.
 namespace defaults {
 
-// quality_threshold: cells of lower quality are improved.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default values of `quality_threshold`, in [0, 1]: cells of lower quality are improved.
 struct Quality_threshold
 {
-  // Once for each mesh, and above the others, so that the steps that follow begin with few cells to
-  // improve.
+  /// Of functions that construct a complex. A new mesh is optimized once. The value is greater than
+  /// `in_motion`, so the first deformations have few cells to improve.
   static constexpr double of_new_mesh = .3;
-  // In each step: the mesh must let the interface move; more of it would be remeshed for nothing.
+  /// Of `deform_interface()`, in each pass. The mesh must only permit the motion of the interface;
+  /// a greater value costs time and remeshes more cells.
   static constexpr double in_motion = .2;
-  // Of the cells that a change of the interface made bad: what is done between steps leaves the
-  // mesh as motion does.
+  /// Of `improve_interface()`, for cells that it changes: the same quality as after a deformation.
   static constexpr double beside_interface = in_motion;
-  // On request, not in each step. From here on, vertices have to be inserted.
+  /// Of `improve_mesh()`. With a greater value, the function inserts more vertices.
   static constexpr double of_mesh = .25;
-  // With minutes instead of seconds; few meshes get farther.
+  /// Of `improve_mesh()` with `aggressive`, which raises the threshold in steps up to this value.
   static constexpr double of_mesh_if_aggressive = .46;
 };
 
-// minimum_facet_angle: facets of the interface with a smaller angle are removed, in degrees.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default values of `minimum_facet_angle`, in degrees: facets of the interface with a smaller
+/// angle are removed, in space.
 struct Minimum_facet_angle
 {
-  // Each removal changes the interface, which nobody has asked for: only what would soon be in the
-  // way of the motion.
+  /// Of `deform_interface()`. Each removal changes the interface, so only facets are removed that
+  /// would soon block the motion.
   static constexpr double in_motion = 5;
-  // That the triangles become better is what improve_interface() is called for.
+  /// Of `improve_interface()`, whose purpose is better facets.
   static constexpr double of_interface = 15;
 };
 
-// minimum_angle: tetrahedra with a smaller dihedral angle in the end are removed, in the plane
-// triangles with a smaller angle, in degrees. Of those that flows leave, few have any; these would
-// stay.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default value of `minimum_angle` of `deform_interface()`, in degrees. After the last pass, cells
+/// with a smaller angle are removed if they moved and have a low quality: tetrahedra by their
+/// dihedral angles, triangles by their angles.
 inline constexpr double minimum_angle = 5;
 
-// relabeling_threshold: trapped cells below this quality take another label; the paper's.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default value of `relabeling_threshold`, in [0, 1]: cells of lower quality between two sheets of
+/// the interface can change their label. The value of the paper.
 inline constexpr double relabeling_threshold = .01;
 
-// maximum_number_of_passes: nearly all motions end after less than ten.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default value of `maximum_number_of_passes` of `deform_interface()`. Most deformations end
+/// earlier, because all vertices have arrived or passes make no progress.
 inline constexpr unsigned maximum_number_of_passes = 20;
 
-// number_of_threads
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default value of `number_of_threads`.
 inline constexpr unsigned number_of_threads = 1;
 
-// integration_tolerance: how far a path may end from where it should, in mean edges of the
-// interface; far below what a straight edge leaves of a curve.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default value of `integration_tolerance`, in mean edges of the initial interface: bound on the
+/// estimated error of each step of the adaptive integration of a path. It is far below the distance
+/// between an edge and a curved interface.
 inline constexpr double integration_tolerance = 1e-4;
 
-// What advect_adaptively() asks for: in long runs of flows that stretch an interface and may bring
-// it back, or of flows that contract it and bring nothing back.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default values of `advect_adaptively()`, and of `Incompressible_fluid` for some parameters of
+/// the same names. They are for long runs of flows that stretch an interface and can reverse this.
+/// Flows that contract the interface cannot reverse it and have values of their own.
+/// \tparam dimension dimension of the complex, 2 or 3
+/// \tparam contracts whether the flow decreases the measure of the interface
 template <int dimension, bool contracts = false> struct Adaptive_advection
 {
-  // interface_tolerance: of the distance between edges and the smooth surface, in mean edges of the
-  // interface: at which the volume of a sheet of a few triangles' thickness stays within 0.02 %.
-  // Curves have few segments, which may be ten times as exact for nothing.
+  /// `interface_tolerance`, in mean edges of the initial interface: distance between edges and the
+  /// smooth surface. Curves have few segments, so a smaller tolerance costs little in the plane.
   static constexpr double interface_tolerance = dimension == 2 ? .005 : .04;
-  // adaptation_interval: in steps; the cost of one is then about that of motion. Contraction
-  // shortens edges at junctions within a step.
+  /// `adaptation_interval`, in time steps. A contraction shortens edges at junctions within one
+  /// time step, so each time step adapts.
   static constexpr unsigned adaptation_interval = contracts ? 1 : 4;
-  // feature_angle: below a cube, above the rims of thin sheets, in degrees. Contraction rounds
-  // corners of curves at once: they are refined.
+  /// `feature_angle`, in degrees: below the angle of the edges of a cube, above the angle at the
+  /// rim of a thin sheet. In the plane, a contraction rounds corners at once, so there are no
+  /// features.
   static constexpr double feature_angle = contracts && dimension == 2 ? 180 : 85;
-  // quality_threshold: thin sheets leave no room for more.
+  /// `quality_threshold`: cells in thin sheets cannot have a high quality.
   static constexpr double quality_threshold = contracts ? Quality_threshold::in_motion : .1;
-  // minimum_angle and minimum_facet_angle: what is pressed flat may become thick again, in degrees,
-  // unless the flow contracts.
+  /// `minimum_angle`, in degrees: a flat cell can become thick again, unless the flow contracts the
+  /// interface.
   static constexpr double minimum_angle = contracts ? defaults::minimum_angle : .1;
+  /// `minimum_facet_angle`, in degrees, for the same reason.
   static constexpr double minimum_facet_angle = contracts ? Minimum_facet_angle::in_motion : 0;
-  // collapse_length: of edges off the interface, in mean edges of the interface: the mesh stays as
-  // fine as a step or two need.
+  /// `collapse_length` of edges off the interface, in mean edges of the initial interface: the mesh
+  /// stays fine enough for the next time steps.
   static constexpr double collapse_length = 2;
 };
 
-// implicitness: when in a step of a fluid forces are taken, as part of the step: half-way, which
-// keeps energy.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default value of `implicitness`, in [0.5, 1]: the part of a time step of a fluid after which
+/// forces are evaluated. The midpoint conserves energy.
 inline constexpr double implicitness = .5;
 
-// volume_tolerance: of the volume that is wanted; what Newton's method reaches in two steps or
-// three.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default value of `volume_tolerance` of `restore_volumes()`, relative to the target volume.
 inline constexpr double volume_tolerance = 1e-10;
 
-// split_length: longer edges off the interface are split, in units of the wanted length; the
-// paper's.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default value of `split_length`, in units of the target edge length: longer edges off the
+/// interface are split. The value of the paper.
 inline constexpr double split_length = 4;
 
-// collapse_quality: the least quality of a cell that a collapse may make; the paper's.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default value of `collapse_quality`, in [0, 1]: no collapse creates a cell of lower quality. The
+/// value of the paper.
 inline constexpr double collapse_quality = .25;
 
-// aggressiveness: up to which ratio of the eigenvalues of a vertex' quadric it may move in their
-// direction; the paper's.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default value of `aggressiveness`, in [0, 1): a vertex moves along eigenvectors of its quadric
+/// whose eigenvalues are at most this multiple of the largest one. The value of the paper.
 inline constexpr double aggressiveness = .025;
 
-// swept_volume: what an operation on the interface may add to a phase, in cubes of the wanted
-// length.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default value of `swept_volume`, in cubes of the target edge length, in the plane in squares:
+/// bound on the volume between the interface before and after one operation.
 inline constexpr double swept_volume = .1;
 
-// flip_angle: up to which dihedral angle edges of the interface are flipped, in degrees: what is
-// flat for the eye.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default value of `flip_angle`, in degrees: edges of the interface are flipped if the normals of
+/// their facets differ by less. The interface looks flat there.
 inline constexpr double flip_angle = 5;
 
-// feature_angle: edges of the interface with a larger dihedral angle are kept, in degrees.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default value of `feature_angle` of `improve_interface()`, in degrees: edges of the interface
+/// are sharp, and stay sharp, if the normals of their facets differ by more.
 inline constexpr double feature_angle = 60;
 
-// What remove_degeneracies() removes; the paper's: degenerate_quality of tetrahedra,
-// degenerate_cosine of the smallest angle of facets (2.6 degrees), degenerate_length of edges, in
-// units of the shortest of the input.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default values of `remove_degeneracies()`. The values of the paper.
 struct Degenerate
 {
+  /// `degenerate_quality`: tetrahedra of lower quality are removed.
   static constexpr double quality = .005;
+  /// `degenerate_cosine`: facets, in the plane triangles, with an angle of larger cosine are
+  /// removed.
   static constexpr double cosine = .999;
+  /// `degenerate_length`: shorter edges are removed, in units of the sizing field or of the
+  /// shortest edge of the initial interface.
   static constexpr double length = .5;
 };
 
-// interface_split_length: longer edges of the interface are split, in units of the wanted length;
-// the paper's.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default value of `interface_split_length`, in units of the target edge length: longer edges of
+/// the interface are split. The value of the paper.
 inline constexpr double interface_split_length = 2;
 
-// interface_collapse_length: shorter edges of the interface are collapsed.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default values of `interface_collapse_length`: shorter edges of the interface are collapsed.
 struct Interface_collapse_length
 {
-  static constexpr double in_shortest_edges = .5; // of the input: the paper's, for control_detail()
-  // In units of the wanted length, which is the mean one of the input if none is given:
-  // improve_interface() is to keep the shape, and has flips for the sake of angles.
-  static constexpr double in_wanted_lengths = .25;
+  /// Of `control_detail()`, in units of the sizing field or of the shortest edge of the initial
+  /// interface. The value of the paper.
+  static constexpr double in_shortest_edges = .5;
+  /// Of `improve_interface()`, in units of the sizing field or of the mean edge of the initial
+  /// interface. The function keeps the shape, and also has flips that improve angles.
+  static constexpr double in_target_lengths = .25;
 };
 
-// fit_tolerance: of the root of the mean square of the distances of points from a facet, in
-// spacings of the points: what is flat or smooth is met closer than that, so that all of a surface
-// is within a fiftieth.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default value of `fit_tolerance` of `reconstruct_point_set_3()`, in units of the spacing of the
+/// points: bound on the root mean square distance between a facet and its points.
 inline constexpr double fit_tolerance = .03;
 
-// number_of_iterations: bounds on rounds.
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default values of `number_of_iterations`.
 struct Number_of_iterations
 {
-  // Rounds end by themselves where nothing is left to do, mostly before.
+  /// Of functions that optimize the mesh, such as `improve_mesh()`: bound on the rounds. Rounds end
+  /// earlier if there is nothing to improve.
   static constexpr unsigned over_mesh = 10;
-  // Each goes over the whole interface again and smooths it a little more.
+  /// Of `improve_interface()`. Each round processes and smooths the whole interface again.
   static constexpr unsigned over_interface = 1;
-  // Steps of a reconstruction: most end after 30; long narrow tunnels take one for each width.
+  /// Of `reconstruct_point_set_3()`: bound on the steps. Long narrow tunnels take many steps.
   static constexpr unsigned of_reconstruction = 80;
-  // Steps towards volumes, each with several steps of Newton's method.
+  /// Of `restore_volumes()`: bound on the deformations. Before each deformation, Newton's method
+  /// computes its destinations.
   static constexpr unsigned towards_volumes = 5;
 };
 

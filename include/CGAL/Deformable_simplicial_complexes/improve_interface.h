@@ -134,7 +134,7 @@ Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = N
       number_parameter(np, tags::aggressiveness, defaults::aggressiveness),
       number_parameter(np, tags::interface_split_length, defaults::interface_split_length),
       number_parameter(np, tags::interface_collapse_length,
-                       defaults::Interface_collapse_length::in_wanted_lengths),
+                       defaults::Interface_collapse_length::in_target_lengths),
       number_parameter(np, tags::swept_volume, defaults::swept_volume),
       angle_parameter(np, tags::flip_angle, defaults::flip_angle, 90,
                       "angle up to which edges are flipped") *
@@ -149,9 +149,9 @@ Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = N
       parameter_or(np, tags::split_junctions, false)};
   internal::check_interface_thresholds(thresholds);
   const unsigned iterations =
-      internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                                defaults::Number_of_iterations::over_interface);
-  const auto unit = wanted_length(dsc, np);
+      count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                      defaults::Number_of_iterations::over_interface);
+  const auto unit = target_edge_length(dsc, np);
 
   return internal::remesh_interface(dsc, thresholds, unit, iterations, visitor.any());
 }

@@ -90,11 +90,11 @@ Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedP
       quality_parameter(np, tags::quality_threshold,
                         aggressive ? Threshold::of_mesh_if_aggressive : Threshold::of_mesh);
   const unsigned rounds =
-      internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                                defaults::Number_of_iterations::over_mesh);
+      count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                      defaults::Number_of_iterations::over_mesh);
   const bool smooth_interface = parameter_or(np, tags::smooth_interface, false);
 
-  const unsigned number_of_threads = internal::count_parameter(
+  const unsigned number_of_threads = count_parameter(
       np, tags::number_of_threads, "number_of_threads", defaults::number_of_threads);
 
   return internal::improve_whole_mesh(

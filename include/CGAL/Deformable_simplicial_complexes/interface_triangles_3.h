@@ -24,7 +24,16 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// The corners of a triangle of a snapshot, as seen from the first.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the corners of a triangle of a snapshot as seen from the first corner: on a torus, the
+nearest images. Constant time.
+
+\param triangle a triangle of the snapshot
+\param domain the domain of the snapshot
+\param positions of the vertices, in the order of the snapshot
+*/
 template <class Triangle, class Domain, class Point>
 std::array<Point, 3> corners(const Triangle& triangle, const Domain& domain,
                              const std::vector<Point>& positions) {
@@ -33,20 +42,43 @@ std::array<Point, 3> corners(const Triangle& triangle, const Domain& domain,
           domain.near(p, positions[triangle.vertices[2]])};
 }
 
-// Whether a triangle goes forwards (1), backwards (-1) or not at all (0) when labelled phases grow
-// into the outside, label 0.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the sign of the motion of a triangle along its normal when phases grow into the outside,
+which has label 0.
+
+\return 1 if label 0 is in front, -1 if label 0 is behind, and 0 if neither label is 0
+*/
 template <class Triangle> double sign_of_growth(const Triangle& triangle) {
   return triangle.in_front == 0 ? 1 : triangle.behind == 0 ? -1 : 0;
 }
 
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+A triangle of a snapshot with its normal and its angles.
+
+\tparam Vector a vector in space
+*/
 template <class Vector> struct Weighted_triangle
 {
-  std::size_t index; // in the snapshot
-  Vector unit_normal;
-  std::array<double, 3> angles; // at the corners: weights that do not depend on how a face is cut
+  std::size_t index;            ///< index of the triangle in the snapshot
+  Vector unit_normal;           ///< normal towards the front, of length 1
+  std::array<double, 3> angles; ///< angles at the corners, in radians; as weights, they do not
+                                ///< depend on the triangulation of a flat face
 };
 
-// The triangles of a snapshot that have an area.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the triangles of a snapshot that have a positive area, in its order. Linear in the size of
+the interface.
+
+\tparam Complex a deformable simplicial complex in space
+\param interface_ the snapshot
+\param positions of the vertices, in the order of the snapshot
+*/
 template <class Complex>
 std::vector<Weighted_triangle<typename Complex::Approximate_vector_3>>
 weighted_triangles(const Interface_snapshot<Complex>& interface_,
@@ -65,8 +97,18 @@ weighted_triangles(const Interface_snapshot<Complex>& interface_,
   return result;
 }
 
-// The normals of the vertices of a snapshot, of length 1 or, where facets cancel, 0: means of those
-// of the facets, weighted by the angles there, each facet seen from the smaller label.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the normals of the vertices of a snapshot: the means of the normals of the incident
+triangles, weighted by the angles. Each normal points from the larger label to the smaller label.
+Its length is 1, or 0 where normals cancel each other. Linear in the size of the interface.
+
+\tparam Complex a deformable simplicial complex in space
+\param interface_ the snapshot
+\param positions of the vertices, in the order of the snapshot
+\return the normals, in the order of the snapshot
+*/
 template <class Complex>
 std::vector<typename Complex::Approximate_vector_3>
 vertex_normals(const Interface_snapshot<Complex>& interface_,
@@ -86,8 +128,19 @@ vertex_normals(const Interface_snapshot<Complex>& interface_,
   return result;
 }
 
-// Whether each vertex of a snapshot is on an edge where the normals of two facets differ by more
-// than an angle, in radians.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns for each vertex of a snapshot whether it is the end of a sharp edge, where the normals of
+two triangles differ by more than an angle. If more than two triangles share an edge, only triangles
+that follow each other in the snapshot are compared there. n log n in the size of the interface.
+
+\tparam Complex a deformable simplicial complex in space
+\param interface_ the snapshot
+\param positions of the vertices, in the order of the snapshot
+\param angle the angle, in radians
+\return 1 or 0 for each vertex, in the order of the snapshot
+*/
 template <class Complex>
 std::vector<char>
 vertices_on_features(const Interface_snapshot<Complex>& interface_,

@@ -100,21 +100,6 @@ inline void check_threshold(double quality) {
     throw Error("a threshold of quality is out of range: use 0 to 1");
 }
 
-// Returns a count given as any integer, or its default value. Throws Error if the count is
-// negative, since the conversion would give a huge number.
-template <class NamedParameters, class Tag>
-unsigned count_parameter(const NamedParameters& np, Tag tag, const char* name,
-                         unsigned default_value) {
-  const auto count =
-      CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, tag), default_value);
-  static_assert(std::is_integral<decltype(count)>::value, "a count is an integer");
-  if constexpr (std::is_signed<decltype(count)>::value)
-    if (count < 0)
-      throw Error(std::string(name) + " is negative: use 0 or more");
-  return static_cast<unsigned>(
-      (std::min<std::uintmax_t>)(count, (std::numeric_limits<unsigned>::max)()));
-}
-
 } // namespace internal
 
 #undef CGAL_DSC_SHARED_PARAMETERS

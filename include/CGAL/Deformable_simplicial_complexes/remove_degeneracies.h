@@ -96,9 +96,9 @@ Improvement_report remove_degeneracies(Complex& dsc,
   if (!(length >= 0))
     throw Error("the length of a degenerate edge is out of range: use 0 or more");
   const unsigned rounds =
-      internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                                defaults::Number_of_iterations::over_mesh);
-  const auto unit = shortest_wanted_length(dsc, np);
+      count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                      defaults::Number_of_iterations::over_mesh);
+  const auto unit = shortest_target_edge_length(dsc, np);
 
   Improvement_report report;
   Deformable_simplicial_complexes::Cavity<Complex> cavity(dsc);

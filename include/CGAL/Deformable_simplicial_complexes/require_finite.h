@@ -21,8 +21,16 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// Throws an error if points or vectors given for interface vertices are not finite. `name` is the
-// name of one value in the message.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Throws an exception if points or vectors are not finite. Linear in their number.
+
+\param values points or vectors, one for each vertex of an interface
+\param name name of one value in the message of the exception, such as `a velocity`
+\throws Invalid_destination_error with the indices of all values that have an infinite or NaN
+        coordinate
+*/
 template <class Values> void require_finite(const Values& values, const std::string& name) {
   std::vector<std::size_t> refused;
   for (std::size_t i = 0; i < values.size(); ++i)

@@ -83,8 +83,8 @@ Volume_report<Complex> restore_volumes(Complex& dsc,
   const double tolerance =
       choose_parameter(get_parameter(np, tags::volume_tolerance), defaults::volume_tolerance);
   const unsigned iterations =
-      internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                                defaults::Number_of_iterations::towards_volumes);
+      count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                      defaults::Number_of_iterations::towards_volumes);
   if (!(tolerance > 0))
     throw Error("the tolerance of volumes is out of range: use more than 0");
   double domain = 0, wanted = 0;

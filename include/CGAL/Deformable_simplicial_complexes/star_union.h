@@ -22,7 +22,13 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// The vertices of cells.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the vertices of cells, each once, in the order in which they first occur. The infinite
+vertex is among them if one of the cells is infinite. Linear in the number of cells. Any number of
+threads can call the function at once.
+*/
 template <class Complex>
 std::vector<typename Complex::Vertex_handle>
 vertices_of(const Complex& complex, const std::vector<typename Complex::Cell_handle>& cells) {
@@ -34,7 +40,14 @@ vertices_of(const Complex& complex, const std::vector<typename Complex::Cell_han
   return result;
 }
 
-// The finite cells around vertices, each once, by their stars.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the finite cells that are incident to vertices, each once, in the order of the stars. Linear
+in the size of the stars. Any number of threads can call the function at once.
+
+\pre The vertices are finite.
+*/
 template <class Complex>
 std::vector<typename Complex::Cell_handle>
 stars_of(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices) {
@@ -49,13 +62,27 @@ stars_of(const Complex& complex, const std::vector<typename Complex::Vertex_hand
   return result;
 }
 
-// Whether one pass over all cells is cheaper than the stars of some vertices.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns whether a pass over all cells of a complex is estimated to take less time than the stars of
+a number of vertices.
+*/
 template <class Complex> bool are_many(const Complex& complex, std::size_t number_of_vertices) {
-  static constexpr std::size_t many = 8; // a star costs about as much as 8 cells of a pass each
+  static constexpr std::size_t many =
+      8; // ratio of the costs of a star and of the cells of a vertex in a pass
   return number_of_vertices * many > complex.number_of_vertices();
 }
 
-// The same in no particular order.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the finite cells that are incident to vertices, each once, in an unspecified order. Uses
+`stars_of()` or one pass over all cells, whichever is estimated to be faster. Any number of threads
+can call the function at once.
+
+\pre The vertices are finite.
+*/
 template <class Complex>
 std::vector<typename Complex::Cell_handle>
 star_union(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices) {
@@ -75,7 +102,15 @@ star_union(const Complex& complex, const std::vector<typename Complex::Vertex_ha
   return result;
 }
 
-// The same by increasing time stamp, for sums that depend on the order.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the finite cells that are incident to vertices, each once, by increasing time stamp. Sums in
+this order are deterministic. Takes the time of `star_union()` and of a radix sort of the cells. Any
+number of threads can call the function at once.
+
+\pre The vertices are finite.
+*/
 template <class Complex>
 std::vector<typename Complex::Cell_handle>
 sorted_star_union(const Complex& complex,

@@ -19,7 +19,15 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// std::sort() that asks now and then whether to go on. The order is lost when it is stopped.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Sorts a range by `operator<`, as `std::sort()` does, and calls `Progress_scope::check()` at
+intervals. n log n in the size of the range.
+
+\throws Interrupted_error if a `Progress_scope` stops the function. The elements of the range are
+        then valid but unspecified: elements can be missing or duplicate.
+*/
 template <class Iterator> void stoppable_sort(Iterator first, Iterator last) {
   internal::Sparse_check check;
   std::sort(first, last, [&](const auto& a, const auto& b) {
@@ -28,7 +36,14 @@ template <class Iterator> void stoppable_sort(Iterator first, Iterator last) {
   });
 }
 
-// Sorts items and keeps one of those that are equal.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Sorts items by `operator<` and removes duplicates. n log n in their number.
+
+\throws Interrupted_error if a `Progress_scope` stops the function. The number of items is then
+        unchanged, and their values are unspecified.
+*/
 template <class Item> void sort_and_unify(std::vector<Item>& items) {
   stoppable_sort(items.begin(), items.end());
   items.erase(std::unique(items.begin(), items.end()), items.end());

@@ -19,7 +19,17 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// For each vertex, whether facets between different labels meet there.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns for each vertex of a snapshot whether it lies on a junction: whether its facets separate
+different pairs of labels. A vertex in which two components with the same two labels touch is not on
+a junction. Linear in the size of the interface.
+
+\tparam Complex a deformable simplicial complex
+\param interface_ the snapshot
+\return 1 or 0 for each vertex, in the order of the snapshot
+*/
 template <class Complex>
 std::vector<char> vertices_on_junctions(const Interface_snapshot<Complex>& interface_) {
   std::vector<char> result(interface_.vertices.size(), false);

@@ -142,8 +142,8 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
       number_parameter(np, tags::interface_tolerance, Defaults::interface_tolerance),
       angle_parameter(np, tags::feature_angle, Defaults::feature_angle, 180, "angle of features"),
       !contracts, contracts && !has_topology_control};
-  const unsigned interval = internal::count_parameter(
-      np, tags::adaptation_interval, "adaptation_interval", Defaults::adaptation_interval);
+  const unsigned interval = count_parameter(np, tags::adaptation_interval, "adaptation_interval",
+                                            Defaults::adaptation_interval);
   if (!(options.tolerance >= 0))
     throw Error("the tolerance of the interface is out of range: use 0 or more");
   if (interval == 0)

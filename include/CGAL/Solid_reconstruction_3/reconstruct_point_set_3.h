@@ -146,10 +146,10 @@ Complex reconstruct_point_set_3(const PointRange& points,
   if (!(tolerance > 0 && tolerance <= (std::numeric_limits<double>::max)()))
     throw Error("the tolerance of the fit is not positive and finite: use 0.03, for example");
   const unsigned steps =
-      internal::count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                                defaults::Number_of_iterations::of_reconstruction);
-  const unsigned threads = internal::count_parameter(
-      np, tags::number_of_threads, "number_of_threads", defaults::number_of_threads);
+      count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                      defaults::Number_of_iterations::of_reconstruction);
+  const unsigned threads = count_parameter(np, tags::number_of_threads, "number_of_threads",
+                                           defaults::number_of_threads);
   auto observer = parameter_or(np, tags::observer, Reconstruction_observer_3());
   Reconstruction_report_3<Complex> unwanted;
   auto report = parameter_or(np, tags::report, std::ref(unwanted));

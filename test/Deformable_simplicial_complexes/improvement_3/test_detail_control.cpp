@@ -15,7 +15,7 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// Splits of long edges and collapses of short ones, by thresholds and by size fields.
+// Splits of long edges and collapses of short ones, by thresholds and by sizing fields.
 
 namespace test_detail_control {
 

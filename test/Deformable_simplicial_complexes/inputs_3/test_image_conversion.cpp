@@ -251,10 +251,10 @@ TEST(Octree_tetrahedra, fill_the_voxels_and_the_space_around) {
     const internal::Voxel_components_3 components(internal::labelled_voxels(image(7, Noise{3})));
     const internal::Voxel_pyramid_3 pyramid(components, 1);
     const internal::Voxel_octree_3 octree(pyramid, side);
-    const DSC::Octree_tetrahedra_3 mesh(
-        octree.tree(), [&](unsigned level, const DSC::Octree_3::Place& block) {
-          return octree.component(level, block);
-        });
+    const DSC::Octree_tetrahedra_3 mesh(octree.tree(),
+                                        [&](unsigned level, const DSC::Octree_3::Place& block) {
+                                          return octree.component(level, block);
+                                        });
     double all = 0;
     std::vector<double> volumes(components.number(), 0);
     std::map<std::set<std::size_t>, int> facets;

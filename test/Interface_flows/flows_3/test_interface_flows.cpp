@@ -217,8 +217,8 @@ TEST(Volume_changer, keeps_flat_parts_flat) {
   }
   const Snapshot snapshot(dsc);
   std::vector<Position> positions = snapshot.positions(dsc);
-  CGAL::Deformable_simplicial_complexes::Volume_changer<Complex>(snapshot).change_by(
-      {{1, -.4}}, positions);
+  CGAL::Deformable_simplicial_complexes::Volume_changer<Complex>(snapshot).change_by({{1, -.4}},
+                                                                                     positions);
   for (const Position& p : positions)
     EXPECT_NEAR(p.z(), .1, 1e-12); // the area is 4
 }

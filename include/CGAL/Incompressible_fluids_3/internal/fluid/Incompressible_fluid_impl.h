@@ -320,10 +320,10 @@ auto Incompressible_fluid<Complex, Solver>::options(const NamedParameters& np) c
       internal::deformation_options(m_complex, np),
       number_parameter(np, tags::implicitness, defaults::implicitness),
       number_parameter(np, tags::interface_tolerance, Defaults::interface_tolerance),
-      internal::count_parameter(np, tags::adaptation_interval, "adaptation_interval",
-                                Defaults::adaptation_interval),
-      internal::count_parameter(np, tags::number_of_threads, "number_of_threads",
-                                defaults::number_of_threads)};
+      count_parameter(np, tags::adaptation_interval, "adaptation_interval",
+                      Defaults::adaptation_interval),
+      count_parameter(np, tags::number_of_threads, "number_of_threads",
+                      defaults::number_of_threads)};
   if (!(result.implicitness >= .5 && result.implicitness <= 1))
     throw Error("the implicitness is out of range: use 0.5 to 1");
   if (!(result.interface_tolerance >= 0))
