@@ -30,7 +30,7 @@ ctest --test-dir build-checked --output-on-failure --no-tests=error --parallel "
 
 echo "== With the address and undefined behaviour sanitizers: damaged files and random changes"
 sanitized=(test_fuzzed_readers test_random_abuse)
-cmake -S . -B build-sanitized -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O0 -g1" \
+cmake -S . -B build-sanitized -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O0 -g1" -DDSC_BUILD_COMPILED=OFF \
   -DDSC_SANITIZE=ON -DDSC_BUILD_PROGRAM=OFF -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_BENCHMARKS=OFF
 cmake --build build-sanitized --parallel "$jobs" --target "${sanitized[@]}"
 ctest --test-dir build-sanitized --output-on-failure --no-tests=error --parallel "$jobs" \

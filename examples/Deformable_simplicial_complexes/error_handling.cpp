@@ -9,11 +9,11 @@
 #include <limits>
 #include <vector>
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
 using Surface = DSC::Labelled_surface_3<Point>;
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 void print(const char* what, const std::vector<std::size_t>& indices) {
   std::cout << "  " << what << ':';

@@ -261,7 +261,7 @@ TEST(Energy_budget, does_not_depend_on_the_origin) {
 // A singular system without a solution: the residual stagnates, which is told.
 TEST(Minimal_residuals, tell_that_they_stagnate) {
   const Eigen::VectorXd diagonal = Eigen::Vector4d(1, 2, 3, 0), right = Eigen::Vector4d(1, 1, 1, 1);
-  const dsc::DSC::For_each_index for_each(1);
+  const DSC::For_each_index for_each(1);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(4);
   const auto multiply = [&](const Eigen::VectorXd& in, Eigen::VectorXd& out) {
     out = diagonal.cwiseProduct(in);
@@ -286,7 +286,7 @@ TEST(Fluid_equations, of_flat_cells_are_finite) {
   const auto& corners = mesh.cells.front().vertices;
   positions[corners[3]] =
       (positions[corners[0]] + positions[corners[1]] + positions[corners[2]]) / 3;
-  const dsc::DSC::For_each_index for_each(1);
+  const DSC::For_each_index for_each(1);
   Equations equations(for_each, mesh, properties, {.01, .5}, positions);
   equations.assemble(positions, [](std::size_t) { return .5; }, {});
   EXPECT_GE(equations.number_of_flat_cells(), 1u);
