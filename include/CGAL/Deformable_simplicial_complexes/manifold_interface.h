@@ -16,7 +16,8 @@
 
 #include <vector>
 
-/// \file Tests whether the interface is manifold, and relabeling that keeps it manifold, as used
+/// \file
+/// Tests whether the interface is manifold, and relabeling that keeps it manifold, as used
 /// with the parameter `manifold_interface()`.
 
 namespace CGAL {

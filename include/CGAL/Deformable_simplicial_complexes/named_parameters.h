@@ -22,7 +22,8 @@
 #include <string>
 #include <type_traits>
 
-/// \file Named parameters of the package. They are chained like those of CGAL:
+/// \file
+/// Named parameters of the package. They are chained like those of CGAL:
 /// `deform_interface(dsc, destination, parameters::maximum_number_of_passes(20).visitor(v))` with
 /// `namespace parameters = CGAL::Deformable_simplicial_complexes::parameters`.
 

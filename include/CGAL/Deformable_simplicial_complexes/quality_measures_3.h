@@ -15,7 +15,8 @@
 #include <array>
 #include <cmath>
 
-/// \file Models of `TetrahedronQualityMeasure_3`: 1 for the regular tetrahedron, 0 for a degenerate
+/// \file
+/// Models of `TetrahedronQualityMeasure_3`: 1 for the regular tetrahedron, 0 for a degenerate
 /// one, negative for an inverted one, invariant under similarity transformations.
 
 namespace CGAL {

@@ -15,7 +15,8 @@
 #include <utility>
 #include <vector>
 
-/// \file Models of `TopologyControl`: values of the parameter `topology_control()`, which permit or
+/// \file
+/// Models of `TopologyControl`: values of the parameter `topology_control()`, which permit or
 /// forbid changes of the topology of the interface.
 
 namespace CGAL {
