@@ -1,6 +1,7 @@
-// The cut locus of a point of a torus of revolution: where two or more shortest ways from it end.
-// Usage: cut_locus [SPACING [V [B [FILE.svg]]]]: of the point (0, V) of the torus
-// ((2 + cos v) cos u, (2 + cos v) sin u, B sin v).
+// Computes the cut locus of a point on a torus of revolution: the points where two or more shortest
+// geodesics from the source end.
+// Usage: cut_locus [SPACING [V [B [FILE.svg]]]]
+// The source is the point (0, V) of the torus ((2 + cos v) cos u, (2 + cos v) sin u, B sin v).
 #include <CGAL/Cut_loci_2/IO/cut_locus_2.h>
 #include <CGAL/Cut_loci_2/cut_locus_2.h>
 

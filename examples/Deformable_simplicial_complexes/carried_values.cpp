@@ -1,3 +1,5 @@
+// Carries a temperature on the vertices and a density on the cells through a deformation and a mesh
+// improvement.
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Carried_cell_averages.h>
 #include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>
@@ -27,8 +29,8 @@ using Vertex_handle = Complex::Vertex_handle;
 using Cell_handle = Complex::Cell_handle;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
-// A property map for vertices or cells that come and go. Time stamps are used once each, whereas
-// the handle of a new cell may equal that of one that is gone.
+// A property map for vertices or cells that are created and removed. The keys are time stamps: no
+// time stamp is used twice, whereas a new cell may get the handle of a removed cell.
 template <class Handle> struct Values
 {
   using key_type = Handle;
@@ -49,7 +51,7 @@ double volume(Cell_handle c) {
                       c->vertex(3)->point());
 }
 
-// The integral of a density.
+// Returns the integral of a density.
 double mass(const Complex& complex, const Values<Cell_handle>& density) {
   double result = 0;
   for (const Cell_handle c : complex.cells())
@@ -58,7 +60,7 @@ double mass(const Complex& complex, const Values<Cell_handle>& density) {
 }
 
 int main() {
-  // One surface of two components, both of which enclose label 1
+  // One surface with two connected components; both enclose label 1
   CGAL::Surface_mesh<Point> spheres;
   CGAL::make_icosahedron(spheres, Point(-.7, 0, 0), .5);
   CGAL::make_icosahedron(spheres, Point(.7, 0, 0), .5);
@@ -77,7 +79,7 @@ int main() {
 
   const double before = mass(complex, density);
   {
-    // From here to the end of the block, `density` holds masses instead.
+    // From here to the end of the block, `density` stores masses.
     DSC::Carried_vertex_values vertex_values(complex, temperature);
     DSC::Carried_cell_averages cell_averages(complex, density);
     DSC::Deformation_visitor_pair visitor(vertex_values, cell_averages);

@@ -1,3 +1,4 @@
+// Writes a checkpoint in the middle of a flow, reads it, and resumes the flow.
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
@@ -17,7 +18,7 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
 
-// Steps of a flow in which two spheres grow together
+// Steps of a flow in which two spheres grow and merge
 void run(Complex& complex, int first_step, int last_step) {
   const double dt = .04;
   for (int step = first_step; step < last_step; ++step)
@@ -32,12 +33,12 @@ int main() {
   Complex complex =
       DSC::make_deformable_simplicial_complex_3<Complex>(spheres, CGAL::Tetgen_tetrahedralizer_3());
 
-  // What the program needs besides the complex goes along as text: here, the number of steps done.
+  // The checkpoint also stores a text of the program: here, the number of steps done.
   run(complex, 0, 6);
   CGAL::IO::write_checkpoint("spheres.checkpoint", complex.state(), std::to_string(6));
   run(complex, 6, 12);
 
-  // In most cases this is another program, some other day.
+  // In most cases, another program reads the checkpoint later.
   const CGAL::IO::Checkpoint_3 checkpoint = CGAL::IO::read_checkpoint("spheres.checkpoint");
   Complex restored;
   restored.restore(checkpoint.state);

@@ -1,3 +1,5 @@
+// Catches the exceptions of builders, of a deformation and of a reader, and prints their messages
+// and data.
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
@@ -22,7 +24,7 @@ void print(const char* what, const std::vector<std::size_t>& indices) {
   std::cout << '\n';
 }
 
-// Runs something and tells what is wrong with its input.
+// Runs a function and prints the error that its input causes.
 template <class Function> void report_errors(const Function& function) {
   try {
     function();
@@ -56,11 +58,11 @@ int main() {
   const std::vector<std::array<std::size_t, 3>> facets = {
       {0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
 
-  // A surface with a hole; then one without, and a tetrahedralizer that returns nothing
+  // A surface with a hole; then a closed surface, with a tetrahedralizer that returns nothing
   report_errors([&] { make({points, {facets[0], facets[1], facets[2]}, 1}); });
   report_errors([&] { make({points, facets, 1}); });
 
-  // A second tetrahedron that is flat; two that are not
+  // Two tetrahedra of which the second one is degenerate; then two valid ones
   Complex complex;
   report_errors([&] { complex.assign(points, {{0, 1, 2, 3}, {1, 2, 3, 3}}, {1, 2}); });
   complex.assign(points, {{0, 1, 2, 3}, {1, 2, 3, 4}}, {1, 2});

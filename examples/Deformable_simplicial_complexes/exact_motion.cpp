@@ -1,3 +1,4 @@
+// Moves a vertex within its star by exact predicates, and computes admissible destinations.
 #include <CGAL/Deformable_simplicial_complex_3.h>
 
 #include <algorithm>
@@ -11,7 +12,7 @@ using Point = Complex::Point_3;
 using Vertex_handle = Complex::Vertex_handle;
 
 int main() {
-  // An octahedron in eight tetrahedra around its center, which is the last point
+  // An octahedron of eight tetrahedra around its center, which is the last point
   const std::vector<Point> points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0},
                                      {0, 0, 1}, {0, 0, -1}, {0, 0, 0}};
   const std::vector<std::array<std::size_t, 4>> tetrahedra = {
@@ -31,26 +32,26 @@ int main() {
   };
   std::cout.precision(17);
 
-  // Inside its star a vertex goes wherever it is asked to.
+  // A vertex reaches every destination inside its star.
   print(complex.move_vertex(center, Point(.25, .25, .25)));
 
-  // It stays strictly inside of it: however close it comes to the facet x + y + z = 1, no
-  // tetrahedron becomes flat.
+  // The vertex stays strictly inside its star: it stops before the facet x + y + z = 1, and no
+  // tetrahedron becomes degenerate.
   print(complex.move_vertex(center, Point(2, 2, 2)));
 
-  // The question can be asked without moving anything.
+  // The star can be tested for a point without moving the vertex.
   std::vector<Complex::Cell_handle> star;
   complex.star(center, star);
   for (const Point& q : {Point(0, 0, .999), Point(0, 0, 1)})
     std::cout << "at " << q << (complex.is_positive_star(center, star, q) ? ": valid" : ": invalid")
               << std::endl;
 
-  // A vertex of the boundary of a domain that is no box has nowhere to go: its admissible
-  // destination is where it is.
+  // A boundary vertex of a domain that is not a box cannot move: its admissible destination is its
+  // position.
   std::cout << "admissible destination: "
             << complex.admissible_destination(vertices[0], Point(3, 0, 0)) << std::endl;
 
-  // The way back is free, and leads to the very same coordinates.
+  // The vertex returns to exactly the same coordinates.
   print(complex.move_vertex(center, points[6]));
   return center->point() == points[6] && complex.is_valid() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

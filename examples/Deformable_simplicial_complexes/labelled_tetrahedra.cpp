@@ -1,3 +1,5 @@
+// Builds a complex of four labels from labelled tetrahedra, and measures volumes, interfaces and
+// triple lines.
 #include <CGAL/Deformable_simplicial_complex_3.h>
 
 #include <algorithm>
@@ -12,11 +14,11 @@ using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
 using Indices = std::array<std::size_t, 3>;
 
-// Label 0 below; above, label 1 on one side, and on the other one the labels 2 and 3
+// Label 0 below; above, label 1 on one side and the labels 2 and 3 on the other side
 int label_at(const Point& p) { return p.z() < 0 ? 0 : p.x() < 0 ? 1 : p.y() < 0 ? 2 : 3; }
 
 int main() {
-  // The box [-1,1]^3 in n^3 cubes, each cut into six tetrahedra around a diagonal
+  // The box [-1,1]^3 in n^3 cubes, each of six tetrahedra around a diagonal
   const std::size_t n = 4;
   const auto index = [=](const Indices& i) { return (i[2] * (n + 1) + i[1]) * (n + 1) + i[0]; };
   std::vector<Point> points;
@@ -55,7 +57,7 @@ int main() {
                   << " facets, area " << complex.area(a, b) << '\n';
   }
 
-  // The triple lines: edges around which there are three labels
+  // The triple lines: edges where three labels meet
   double length = 0;
   const Complex::Triangulation& triangulation = complex.triangulation();
   for (const Complex::Edge& e : triangulation.finite_edges()) {

@@ -1,3 +1,4 @@
+// Changes a mesh by single operations: an edge removal, a vertex insertion and an edge collapse.
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
@@ -16,7 +17,7 @@ using Vertex_handle = Complex::Vertex_handle;
 using Cavity = Complex::Cavity;
 
 int main() {
-  // A long octahedron in four tetrahedra around its axis, which joins the last two points
+  // A long octahedron of four tetrahedra around its axis, which joins the last two points
   const std::vector<Point> points = {{1, 0, 0},  {0, 1, 0}, {-1, 0, 0},
                                      {0, -1, 0}, {0, 0, 3}, {0, 0, -3}};
   Complex complex;
@@ -29,7 +30,7 @@ int main() {
               << cavity.quality_after() << std::endl;
   };
 
-  // A proposal fills the cavity and leaves the complex alone; to replace is to commit it.
+  // A proposal fills the cavity and does not change the complex; `replace()` commits it.
   Complex::Cell_handle c;
   int i, j;
   if (complex.triangulation().is_edge(v[4], v[5], c, i, j) &&
@@ -38,7 +39,7 @@ int main() {
     print("edge removal");
   }
 
-  // A cavity of one's own: a tetrahedron is replaced by the four around a point inside of it.
+  // A user-defined cavity: a tetrahedron is replaced by four tetrahedra around a point inside it.
   c = complex.cells().front();
   cavity.clear();
   cavity.remove(c);
@@ -59,7 +60,7 @@ int main() {
     print("vertex insertion");
   }
 
-  // The new vertex goes again: it collapses into one of its neighbors.
+  // The new vertex collapses into one of its neighbors.
   const Vertex_handle w = cavity.vertices()[inserted].handle;
   if (complex.triangulation().is_edge(w, v[0], c, i, j)) {
     if (c->vertex(i) != w)

@@ -1,3 +1,4 @@
+// Stops a flow after half a second; the complex stays valid.
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
@@ -20,7 +21,7 @@ int main() {
       CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), .1,
       [](const auto& p) { return (p - CGAL::ORIGIN).squared_length() < .25; });
 
-  // Half a second is enough for some of the steps only.
+  // The time limit suffices for only some of the steps.
   const auto end = Clock::now() + std::chrono::milliseconds(500);
   int done = 0;
   try {

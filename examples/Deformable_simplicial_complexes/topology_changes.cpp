@@ -1,3 +1,5 @@
+// Merges two growing spheres, shrinks the result, and prints the topology changes that the reports
+// contain.
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/advect_interface.h>
@@ -30,7 +32,7 @@ void print(int step, const Complex& complex, const Report& report) {
 }
 
 int main() {
-  // One surface of two components, both of which enclose label 1
+  // One surface with two connected components; both enclose label 1
   CGAL::Surface_mesh<Point> spheres;
   CGAL::make_icosahedron(spheres, Point(-.7, 0, 0), .5);
   CGAL::make_icosahedron(spheres, Point(.7, 0, 0), .5);
@@ -38,7 +40,7 @@ int main() {
   Complex complex =
       DSC::make_deformable_simplicial_complex_3<Complex>(spheres, CGAL::Tetgen_tetrahedralizer_3());
 
-  // The spheres grow together, then what they have become shrinks.
+  // The spheres grow and merge, then the merged solid shrinks.
   const double dt = .3 * complex.mean_interface_edge();
   for (int step = 0; step < 30; ++step) {
     const DSC::Normal_offset offset{step < 15 ? 1. : -1.};

@@ -1,3 +1,4 @@
+// Keeps a temperature on the vertices by a visitor, while the flow creates and removes vertices.
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/advect_interface.h>
@@ -20,9 +21,9 @@ using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
 using Vertex_handle = Complex::Vertex_handle;
 
-// Keeps a temperature for each vertex while vertices come and go. Handles are compared by the
-// creation of their vertices and not by addresses, so that the order in the map is the same in each
-// run.
+// Stores a temperature for each vertex and follows creations and removals of vertices. Handles are
+// ordered by the creation of their vertices, not by addresses, so the order in the map is
+// deterministic.
 struct Temperatures : public DSC::Deformation_visitor
 {
   explicit Temperatures(const Complex& complex) : complex(complex) {}
@@ -35,7 +36,7 @@ struct Temperatures : public DSC::Deformation_visitor
     temperature[v] = (temperature.at(a) + temperature.at(b)) / 2;
     ++splits;
   }
-  // The mean of those around that are known: some may be new as well.
+  // Sets the mean of the neighbors with known temperatures; other neighbors may be new, too.
   void after_insertion(Vertex_handle v) {
     std::vector<Vertex_handle> neighbors;
     complex.triangulation().finite_adjacent_vertices(v, std::back_inserter(neighbors));
@@ -55,12 +56,12 @@ struct Temperatures : public DSC::Deformation_visitor
   }
   void after_relabel(Complex::Cell_handle /*cell*/, int /*before*/) { ++relabeled_cells; }
 
-  // Two passes at the most: what does not arrive then is taken up in the next step.
+  // Allows at most two passes; the next step moves vertices that do not arrive.
   bool go_further(unsigned pass) { return pass <= 2; }
 };
 
 int main() {
-  // One surface of two components, both of which enclose label 1
+  // One surface with two connected components; both enclose label 1
   CGAL::Surface_mesh<Point> spheres;
   CGAL::make_icosahedron(spheres, Point(-.7, 0, 0), .5);
   CGAL::make_icosahedron(spheres, Point(.7, 0, 0), .5);

@@ -1,4 +1,4 @@
-// A ball of liquid falls onto a floor and spreads there.
+// Simulates a ball of liquid that falls onto a floor and spreads there.
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
@@ -16,7 +16,8 @@ using Fluid = CGAL::Incompressible_fluid_3<Complex>;
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 
 int main() {
-  // Label 1 in a ball of radius 0.5, 0 around it. There is room below the floor: it is no boundary.
+  // Label 1 in a ball of radius 0.5, label 0 around it. The domain extends below the floor, so the
+  // floor is not a boundary of the domain.
   const auto label_at = [](const Complex::Approximate_point& p) {
     return (p - CGAL::ORIGIN).squared_length() < .25 ? 1 : 0;
   };
@@ -31,13 +32,14 @@ int main() {
   Fluid fluid(complex, properties);
   dsc::Wall_behavior behavior;
   behavior.contact_angle = 60; // degrees
-  behavior.separates = false;  // what is wet stays wet
+  behavior.separates = false;  // wet parts stay wet
   fluid.add_solid(dsc::Plane_solid_3(Fluid::Point(0, 0, -.6), Fluid::Vector(0, 0, 1)), behavior);
   fluid.set_velocities([](Complex::Vertex_handle) { return Fluid::Vector(0, 0, -.5); });
 
   std::cout << " time   energy      volume  contacts\n" << std::fixed;
   for (int step = 0; step < 20; ++step) {
-    // Forces at the end of a step damp what is faster than that: a drop that is to come to rest.
+    // The implicit scheme takes the forces at the end of the time step. It damps fast oscillations,
+    // so the drop comes to rest.
     const double dt = (std::min)(.05, fluid.largest_step(.5));
     const Fluid::Report report = fluid.advance(dt, dsc::parameters::implicitness(1.));
     std::cout << std::setw(5) << std::setprecision(3) << report.time << std::setw(9)

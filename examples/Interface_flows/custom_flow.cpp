@@ -1,3 +1,5 @@
+// Defines a flow as a model of `InterfaceVelocity`: mean curvature flow of a sphere, compared with
+// the exact radius.
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/advect_interface.h>
@@ -18,9 +20,9 @@ using Point = Complex::Approximate_point_3;
 using Vector = Complex::Approximate_vector_3;
 using Mesh = CGAL::Surface_mesh<Complex::Point_3>;
 
-// A model of InterfaceVelocity. Each vertex goes where the area of the interface decreases
-// fastest, that is, with the mean curvature of a surface. Where several labels meet, all sheets
-// pull.
+// A model of `InterfaceVelocity`. The velocity of a vertex is the direction of steepest descent of
+// the area: the mean curvature vector of the surface. Along junctions, all incident sheets
+// contribute.
 struct Area_decrease
 {
   void operator()(const DSC::Interface_snapshot<Complex>& interface_,
@@ -54,7 +56,7 @@ int main() {
       surface, CGAL::Tetgen_tetrahedralizer_3(),
       CGAL::Deformable_simplicial_complexes::parameters::normalize(true));
 
-  // A sphere stays one; the square of its radius decreases by 4 dt.
+  // A sphere stays a sphere; the square of its radius decreases by 4 dt.
   const double h = complex.mean_interface_edge(), dt = .04 * h * h;
   for (int step = 0; step < 20; ++step) {
     const auto report = DSC::advect_interface(complex, Area_decrease(), step * dt, dt);

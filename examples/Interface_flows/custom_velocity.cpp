@@ -1,3 +1,4 @@
+// Moves a surface in a velocity field that is a lambda.
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/advect_interface.h>
@@ -33,8 +34,8 @@ int main(int argc, char* argv[]) {
   Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       surface, CGAL::Tetgen_tetrahedralizer_3(), DSC::parameters::normalize(true));
 
-  // A vortex about the z-axis that is faster near the axis and turns back at half time: it keeps
-  // volumes, and in the end everything is where it began.
+  // A vortex about the z-axis, faster near the axis, that reverses at half of the period. It
+  // preserves volumes, and each point returns to its start.
   const double period = 2;
   const auto vortex = [=](const Point& p, double t) {
     const double angular =

@@ -1,3 +1,4 @@
+// Builds two soap bubbles with a common wall from labelled patches, and rotates them.
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
@@ -20,7 +21,8 @@ using Patch = DSC::Labelled_patch_3<Point>;
 
 constexpr std::size_t around = 48; // points of the circle where the walls meet
 
-// Rings about the x axis from the circle of radius sqrt(3)/2 at x = 0 to a point on the axis.
+// Returns rings of triangles about the x axis, from the circle of radius sqrt(3)/2 at x = 0 to a
+// point on the axis.
 template <class Profile> Patch patch(std::size_t rings, const Profile& profile) {
   Patch result;
   for (std::size_t i = 0; i < rings; ++i)
@@ -43,7 +45,7 @@ template <class Profile> Patch patch(std::size_t rings, const Profile& profile) 
   return result;
 }
 
-// Edges where three labels meet.
+// Counts the edges where three labels meet.
 std::size_t length_of_triple_line(const Complex& complex) {
   const auto& triangulation = complex.triangulation();
   std::size_t edges = 0;
@@ -60,7 +62,7 @@ std::size_t length_of_triple_line(const Complex& complex) {
 }
 
 int main() {
-  // Two soap bubbles of radius 1 about (-1/2, 0, 0) and (1/2, 0, 0) with a flat wall between them.
+  // Two soap bubbles of radius 1 about (-1/2, 0, 0) and (1/2, 0, 0) with a planar wall between them
   struct Place
   {
     double x, radius;
@@ -75,7 +77,7 @@ int main() {
   Patch left = patch(16, cap(-1)), right = patch(16, cap(1)), wall = patch(7, [radius](double t) {
                                                                 return Place{0, (1 - t) * radius};
                                                               });
-  // Seen from in front, the corners of a triangle are ordered counterclockwise.
+  // Seen from the front side, the corners of a triangle are in counterclockwise order.
   right.label_behind = 2;
   right.label_in_front = 0;
   left.label_behind = 0;
@@ -85,7 +87,7 @@ int main() {
 
   Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       std::vector<Patch>{left, right, wall}, CGAL::Tetgen_tetrahedralizer_3());
-  const double exact = 4 * CGAL_PI / 3 - CGAL_PI * .25 * 2.5 / 3; // a ball without its cap
+  const double exact = 4 * CGAL_PI / 3 - CGAL_PI * .25 * 2.5 / 3; // the volume of a ball without its cap
   std::cout << "volumes " << complex.volume(1) << " and " << complex.volume(2) << ", of round ones "
             << exact << "; " << length_of_triple_line(complex) << " edges between three labels\n";
 

@@ -1,5 +1,5 @@
-// Foams that fill space come to rest: that of Kelvin, whose cells are truncated octahedra, and that
-// of Weaire and Phelan, which has less area.
+// Relaxes foams that fill space: the foam of Kelvin, whose cells are truncated octahedra, and the
+// foam of Weaire and Phelan, which has less area.
 // Usage: periodic_foam [kelvin|weaire-phelan [EDGE [STEPS]]]
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
@@ -34,11 +34,11 @@ struct Angles
   double sum = 0, number = 0;
 };
 
-// The angles of the phases along the lines where three of them meet, in degrees: the least and the
-// largest of the means along the lines of three labels each. Plateau's are 120 degrees.
+// Returns the smallest and the largest angle of a phase along a triple line, in degrees. Each angle
+// is a mean over the lines of the same three labels. By Plateau's law, all angles are 120 degrees.
 std::pair<double, double> plateau_angles(const Complex& foam) {
   using Edge = std::pair<std::size_t, std::size_t>; // by time stamps
-  std::map<Edge, std::map<int, double>> angles;     // of the labels around an edge
+  std::map<Edge, std::map<int, double>> angles;     // the labels around an edge
   for (Complex::Cell_handle c : foam.finite_cells())
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < i; ++j) {
@@ -73,8 +73,9 @@ int main(int argc, char** argv) {
   const double edge = argc > 2 ? std::atof(argv[2]) : .25;
   const int steps = argc > 3 ? std::atoi(argv[3]) : 10;
 
-  // Centers of cells of the volume 1/2 in a box of two periods of the body-centered lattice, as a
-  // cell is a neighbor of itself in one, or of cells of 1/8 in one period of the structure A15.
+  // Centers of the cells. Kelvin: cells of volume 1/2 in a box of two periods of the body-centered
+  // lattice, because in one period a cell is its own neighbor. Weaire and Phelan: cells of volume
+  // 1/8 in one period of the structure A15.
   std::vector<Point> centers;
   const double period = is_kelvin ? 2 : 1, volume = is_kelvin ? 1. / 2 : 1. / 8;
   if (is_kelvin)

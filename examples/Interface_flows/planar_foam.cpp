@@ -1,5 +1,5 @@
-// A dry foam on a flat torus coarsens: cells with fewer than six sides shrink, others grow, at
-// pi / 3 for each side (von Neumann, Mullins).
+// Coarsens a dry foam on a flat torus: the area of a cell of n sides grows at the rate (n - 6) pi /
+// 3 (von Neumann, Mullins).
 // Usage: planar_foam [CELLS [EDGE [STEPS [FILE.svg]]]]
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
@@ -26,7 +26,7 @@ using Complex =
 using Point = Complex::Approximate_point_2;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
-// The label of the nearest seed.
+// Returns the label of the nearest seed.
 int nearest(const Domain& domain, const std::vector<Point>& seeds, const Point& p) {
   int label = 0;
   double least = 1;
@@ -38,8 +38,8 @@ int nearest(const Domain& domain, const std::vector<Point>& seeds, const Point& 
   return label;
 }
 
-// How many sides each cell has; one that takes part in a vertex of four cells is left out, as one
-// of these is about to get another side.
+// Returns the number of sides of each cell. Cells at a vertex where four cells meet are left out,
+// because one of them is about to change its number of sides.
 std::map<int, int> numbers_of_sides(const Complex& foam) {
   std::map<int, int> result;
   std::set<int> undecided;
@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
   const char* const picture = argc > 4 ? argv[4] : nullptr;
   const double dt = edge * edge / 5;
 
-  // Seeds that keep clear of each other
+  // Seeds with a minimum distance from each other
   const Domain domain({1, 1});
   std::mt19937 random(1);
   const auto coordinate = [&] { return double(random()) / 4294967296.; };
@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
   Complex foam = DSC::make_deformable_simplicial_complex_2<Complex>(
       domain, edge, [&](const Point& p) { return nearest(domain, seeds, p); });
 
-  // Changes of areas, for the numbers of sides, and their regression
+  // Rates of change of the areas by the numbers of sides, and their linear regression
   double xx = 0, xy = 0;
   std::size_t exchanged = 0, vanished = 0;
   for (int step = 0; step < steps; ++step) {

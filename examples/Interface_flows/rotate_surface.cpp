@@ -1,3 +1,4 @@
+// Rotates a solid by half a turn and writes each step as a frame of an animation.
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/PVD_series.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
@@ -22,7 +23,7 @@ using Point = Complex::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 
 int main(int argc, char* argv[]) {
-  // A closed surface: that of a file, or an ellipsoid
+  // A closed surface from a file, or an ellipsoid
   Mesh surface;
   if (argc > 1) {
     if (!CGAL::IO::read_polygon_mesh(argv[1], surface)) {
@@ -46,7 +47,7 @@ int main(int argc, char* argv[]) {
   std::cout << complex.number_of_vertices() << " vertices, " << complex.number_of_cells()
             << " tetrahedra, volume of the solid " << complex.volume(1) << std::endl;
 
-  // Half a turn about the z-axis in ten steps, each a frame of an animation
+  // Half a turn about the z-axis in ten steps; each step is a frame of an animation
   const DSC::Rigid_rotation_3 rotation({0, 0, 0}, {0, 0, 1}, CGAL_PI);
   const double dt = .1;
   CGAL::IO::PVD_series animation("rotate_surface.pvd");

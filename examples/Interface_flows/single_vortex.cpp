@@ -1,6 +1,6 @@
-// A disk in a single vortex, pulled to a long thread and brought back: how long it gets, how well
-// its area is kept, and how much of it is not where it was. Usage: single_vortex [PERIOD [SEGMENTS
-// [DT]]]
+// Stretches a disk to a thread in a single vortex and back, and prints its length, the change of
+// its area, and the area by which it differs from the disk at the end.
+// Usage: single_vortex [PERIOD [SEGMENTS [DT]]]
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Interface_flows/velocity_fields_2.h>
@@ -26,7 +26,7 @@ double length(const Complex& dsc) {
   return sum;
 }
 
-// The area between the interface, seen from the center, and the circle.
+// Returns the area between the interface and the circle, as seen from the center.
 double symmetric_difference(const Complex& dsc) {
   static constexpr int parts = 20; // of each segment
   double sum = 0;

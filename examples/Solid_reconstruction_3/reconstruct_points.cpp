@@ -1,4 +1,5 @@
-// The solid whose surface points sample: those of a file, or else random ones of a torus.
+// Reconstructs a solid from points on its surface: the points of a file, or random points of a
+// torus.
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/point_set_3.h>
@@ -26,9 +27,9 @@ std::vector<Point_and_normal_3> torus() {
   while (points.size() < 3000) {
     const double u = random.uniform_real(0., 2 * CGAL_PI), v = random.uniform_real(0., 2 * CGAL_PI);
     const double radius = 2 + std::cos(v);
-    if (random.uniform_real(0., 3.) < radius) // as many on each part of the same area
+    if (random.uniform_real(0., 3.) < radius) // the density of the points is uniform on the surface
       points.push_back({{radius * std::cos(u), radius * std::sin(u), std::sin(v)},
-                        CGAL::NULL_VECTOR}); // normals are not known
+                        CGAL::NULL_VECTOR}); // the normals are unknown
   }
   return points;
 }
@@ -41,7 +42,7 @@ int main(int argc, char** argv) {
                   .normal_map(CGAL::Second_of_pair_property_map<Point_and_normal_3>())
                   .observer([](const Complex& c, std::size_t step) {
                     std::cout << "step " << step << ": volume " << c.volume(1) << '\n';
-                    return true; // go on
+                    return true; // continue
                   })
                   .report(std::ref(report)));
   std::cout << "Euler characteristic " << complex.euler_characteristic(1) << ", points are "

@@ -46,7 +46,7 @@ automatic differentiation.
         `template <class T> std::array<T, 3> operator()(const T& u, const T& v) const`. `T` is a
         number type that is constructible from `double`. The functions of `<cmath>` are found for
         `T` by argument-dependent lookup.
-\cgalModels{RiemannianMetric_2}
+\cgalModels `RiemannianMetric_2`
 */
 template <class Embedding> class Embedded_surface_2
 {
@@ -86,7 +86,7 @@ differentiation.
 
 \tparam Tensor has `template <class T> std::array<T, 3> operator()(const T& u, const T& v) const`.
         It returns E, F and G. `T` is a number type as for `Embedded_surface_2`.
-\cgalModels{RiemannianMetric_2}
+\cgalModels `RiemannianMetric_2`
 */
 template <class Tensor> class Metric_tensor_2
 {

@@ -77,7 +77,7 @@ directions makes the metric at the source isotropic.
         directions `n` of unit length. `T` is a number type as for `Embedded_surface_2`.
 \tparam Differentiated the class template of the metric of an embedding of a chart. `Embedding` must
         accept only the number types that this template uses.
-\cgalModels{RiemannianMetric_2}
+\cgalModels `RiemannianMetric_2`
 */
 template <class Embedding, template <class> class Differentiated = Embedded_surface_2>
 class Sphere_like_surface_2

@@ -38,7 +38,7 @@ A domain answers all questions that depend on the shape of space as a whole: whi
 cells are outside, where a corner of a cell is as seen from the cell, and where a vertex of the
 boundary may go. In a ball, all cells see a vertex at its position.
 
-\cgalModels{SimplicialDomain}
+\cgalModels `SimplicialDomain`
 */
 class Ball_domain
 {

@@ -40,7 +40,7 @@ as seen from the box are thus doubles, and no rounding occurs across the seam.
 
 \tparam d the dimension
 
-\cgalModels{SimplicialDomain}
+\cgalModels `SimplicialDomain`
 */
 template <int d> class Torus_domain
 {

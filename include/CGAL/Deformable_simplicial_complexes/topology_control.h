@@ -25,7 +25,7 @@ namespace Deformable_simplicial_complexes {
 /// \ingroup PkgDeformableSimplicialComplexesRef
 /// Topology control that permits all changes: components of a phase may merge, split, appear and
 /// vanish. This is the default.
-/// \cgalModels{TopologyControl}
+/// \cgalModels `TopologyControl`
 struct Allow_topology_changes
 {
   /// Returns true.
@@ -40,7 +40,7 @@ struct Allow_topology_changes
 /// Topology control that forbids all changes: the Betti numbers of each phase and of the interface
 /// stay the same. Vertices that would have to pass through another part of the interface do not
 /// reach their destinations.
-/// \cgalModels{TopologyControl}
+/// \cgalModels `TopologyControl`
 struct Forbid_topology_changes
 {
   /// Returns false.
@@ -54,7 +54,7 @@ struct Forbid_topology_changes
 /// \ingroup PkgDeformableSimplicialComplexesRef
 /// Topology control that permits changes only where space passes from one label of a given pair to
 /// the other, in either direction.
-/// \cgalModels{TopologyControl}
+/// \cgalModels `TopologyControl`
 class Allow_topology_changes_between
 {
 public:
