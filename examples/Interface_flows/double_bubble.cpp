@@ -87,7 +87,7 @@ int main() {
 
   Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       std::vector<Patch>{left, right, wall}, CGAL::Tetgen_tetrahedralizer_3());
-  const double exact = 4 * CGAL_PI / 3 - CGAL_PI * .25 * 2.5 / 3; // the volume of a ball without its cap
+  const double exact = 4 * CGAL_PI / 3 - CGAL_PI * .25 * 2.5 / 3; // ball without a cap
   std::cout << "volumes " << complex.volume(1) << " and " << complex.volume(2) << ", of round ones "
             << exact << "; " << length_of_triple_line(complex) << " edges between three labels\n";
 

@@ -23,7 +23,7 @@ namespace CGAL {
 Triangle of a deformable simplicial complex in the plane. The triangles are the cells of the
 complex.
 
-\tparam Traits model of `DeformableSimplicialComplexTraits_2`
+\tparam Traits `Deformable_simplicial_complex_traits_2`, or a class with the same members
 \tparam Fb a face base class of 2D triangulations
 */
 template <class Traits, class Fb = Triangulation_face_base_2<Traits>>

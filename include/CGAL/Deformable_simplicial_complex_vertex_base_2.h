@@ -22,7 +22,7 @@ namespace CGAL {
 
 Vertex of a deformable simplicial complex in the plane.
 
-\tparam Traits model of `DeformableSimplicialComplexTraits_2`
+\tparam Traits `Deformable_simplicial_complex_traits_2`, or a class with the same members
 \tparam Vb a vertex base class of 2D triangulations with points
 */
 template <class Traits, class Vb = Triangulation_vertex_base_2<Traits>>
@@ -32,7 +32,7 @@ class Deformable_simplicial_complex_vertex_base_2
 {
 public:
   using Cell_handle = typename Vb::Face_handle; ///< handle of a triangle
-  using Point = typename Vb::Point;             ///< `DeformableSimplicialComplexTraits_2::Point_2`
+  using Point = typename Vb::Point;             ///< `Traits::Point_2`
 
   /// Rebinds the vertex to another triangulation data structure.
   template <class Tds2> struct Rebind_TDS

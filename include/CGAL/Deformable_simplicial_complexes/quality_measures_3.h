@@ -114,6 +114,8 @@ double minimum_sine(const Point& p, const Point& q, const Point& r, const Point&
 Quality measure of tetrahedra: volume divided by the cube of the root mean square edge length, times
 6 sqrt(2) (section 3.2 of the paper, after Parthasarathy et al.). It penalizes slivers and needles
 equally, and is smooth.
+
+\cgalModels `TetrahedronQualityMeasure_3`
 */
 struct Volume_length_ratio_3
 {
@@ -149,9 +151,11 @@ struct Volume_length_ratio_3
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
-Quality measure of tetrahedra: smallest sine of the six dihedral angles, divided by that of the
-regular tetrahedron. It is low for small and for large angles, and does not depend on the lengths of
-edges.
+Quality measure of tetrahedra: smallest sine of the six dihedral angles, divided by the sine for
+the regular tetrahedron. It is low for small and for large angles, and does not depend on the
+lengths of edges.
+
+\cgalModels `TetrahedronQualityMeasure_3`
 */
 struct Minimum_sine_3
 {
@@ -168,6 +172,8 @@ struct Minimum_sine_3
 Quality measure of tetrahedra: as `Minimum_sine_3`, with sines of obtuse angles multiplied by 0.7
 (Klingner and Shewchuk 2007), since angles near 180 degrees do more harm than angles near 0. Use
 this measure for meshes that do not move and whose angles are important.
+
+\cgalModels `TetrahedronQualityMeasure_3`
 */
 struct Biased_minimum_sine_3
 {
@@ -183,6 +189,8 @@ struct Biased_minimum_sine_3
 \ingroup PkgDeformableSimplicialComplexesRef
 Quality measure of tetrahedra: three times the radius of the inscribed sphere, divided by the radius
 of the circumscribed sphere.
+
+\cgalModels `TetrahedronQualityMeasure_3`
 */
 struct Radius_ratio_3
 {
