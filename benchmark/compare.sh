@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Runs benchmarks of two builds in turns and tells what got slower by more than the noise of the run.
+# Runs benchmarks of two builds alternately and reports which of them became slower.
 # Usage: benchmark/compare.sh OLD_BUILD NEW_BUILD [RUNS]
-# Both must have the target `benchmarks`. Prints a line for each: medians of RUNS (default: 5) in
-# sweeps a step, the noise, and a verdict. The noise is the largest deviation of a run from the median
-# of its build. Ends with 1 if anything is slower.
+# Both builds need the target `benchmarks`. Prints a line for each benchmark: the median of RUNS runs
+# (default: 5) for each build in sweeps per step, the noise, and a verdict. The noise is the largest
+# deviation of a run from the median of its build. Ends with status 1 if a benchmark became slower by
+# more than the noise.
 set -euo pipefail
 old=$(realpath "$1")/benchmark
 new=$(realpath "$2")/benchmark
@@ -14,7 +15,7 @@ tar --extract --gzip --file /usr/share/doc/libcgal-demo/data.tar.gz --directory 
   data/meshes/bunny00.off data/meshes/elephant.off data/meshes/oblong.off
 meshes=$work/data/meshes
 
-# The column, counted from the right, of the sweeps a step; then the program and what it is given.
+# The column of the sweeps per step, counted from the right; then the program and its arguments.
 jobs=(
   "2 motion_benchmark rotation $meshes/bunny00.off --triangles 13900"
   "2 motion_benchmark rotation $meshes/oblong.off"
@@ -28,7 +29,7 @@ sweeps() { # FOLDER JOB...
   "$1/${*:3:1}" "${@:4}" | tail -n 1 | awk -F '|' -v k="$2" '{ print $(NF - k) + 0 }'
 }
 
-# Of two files of numbers: medians, noise and verdict, and whether the second is slower.
+# Prints medians, noise and verdict for two files of numbers. Fails if the second file is slower.
 judge() {
   awk '
     function median(a, n,    i, j, t) {

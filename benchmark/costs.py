@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Measures what steps cost, by parts, sizes and numbers of threads, and draws it.
+"""Measures and draws the costs of steps by parts, by sizes and by numbers of threads.
 
 Usage: benchmark/costs.py BUILD_DIR OUTPUT_DIR [parts] [sizes] [threads]
 
-BUILD_DIR has the target `benchmarks`, built in Release. Writes OUTPUT_DIR/costs_parts.svg, _sizes.svg
-and _threads.svg, and prints tables. Sizes take a quarter of an hour: SIZES, a list in the environment, gives
-others. Of three million triangles, TetGen reaches its time limit.
+BUILD_DIR is a Release build with the target `benchmarks`. Writes OUTPUT_DIR/costs_parts.svg,
+costs_sizes.svg and costs_threads.svg, and prints tables. The manual uses the pictures in
+doc/Deformable_simplicial_complexes/fig. The sizes take a quarter of an hour. The environment variable
+SIZES, a list of numbers of triangles, selects other sizes.
 """
 
 import json
@@ -19,13 +20,13 @@ import tempfile
 MESHES = "/usr/share/doc/libcgal-demo/data.tar.gz"
 BUNNY = ["bunny00.off", "--triangles", "13900"]
 SIZES = [1000, 3000, 14000, 50000, 200000, 800000, 3000000]
-LARGEST = 1000000  # triangles that TetGen is given; more are made by refinement
-REFINED = 6  # triangles, about, that refinement makes of one
+LARGEST = 1000000  # largest number of triangles for TetGen; larger inputs are refined afterwards
+REFINED = 6  # approximate number of triangles that refinement makes of one triangle
 THREADS = ["1", "2", "4", "8"]
 MODES = ["rotation", "offset", "inwards", "curvature"]
 COLOURS = ["#4477aa", "#66ccee", "#228833", "#ccbb44", "#ee6677", "#aa3377", "#bbbbbb", "#555555"]
 WIDTH, HEIGHT, LEFT, TOP, BOTTOM = 720, 360, 70, 24, 44
-STEPS = "10"  # of each size
+STEPS = "10"  # for each size
 
 
 class Drawing:
@@ -78,7 +79,7 @@ class Drawing:
 
 
 def ticks_below(highest):
-    """Round numbers up to a bound, four to eight of them."""
+    """Returns four to eight round numbers up to a bound."""
     step = 10 ** len(str(int(highest * 1000))) / 1e4
     while highest / step < 4:
         step /= 2 if step * 2 > highest else 2.5

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """Compares scenes of `dsc fluid` with exact solutions and prints a row of a table for each.
 
-Usage: fluids.py DSC [--data DIR] [PART...], of droplets, decay, rest, waves, jets, sessile, sloshing,
-dam, bubble, breathing, figures, speed, subdivision, survival. Scenes are scenes of the program with
-the changes that the rows name; figures need the meshes bunny00.off and armadillo.off of CGAL in DIR.
+Usage: benchmark/fluids.py DSC [--data DIR] [PART...]
+
+The parts are droplets, decay, rest, waves, jets, sessile, sloshing, dam, bubble, breathing, figures,
+speed, subdivision and survival. Runs all parts by default. The scenes are scenes of the program with
+the changes that the rows name. The part `figures` needs the mesh bunny00.off of CGAL in DIR.
 """
 
 import cmath
@@ -20,7 +22,7 @@ data = "."
 
 def run(dsc, name, change):
     """Returns the reported steps of a scene of the program after `change(scene)`. If the run ends with
-    an error, the program prints it, and the steps until then are returned."""
+    an error, the program prints the error, and the steps before the error are returned."""
     scene = json.loads(subprocess.check_output([dsc, "fluid", "--print", name]))
     change(scene)
     return report_of(dsc, scene, name)["steps"]
@@ -56,7 +58,7 @@ def solve(matrix, right):
 
 
 def damped_oscillation(times, values, frequency):
-    """Frequency and rate of decay of exp(-g t) cos(w t + phase) + c, by least squares."""
+    """Returns the frequency and the decay rate of exp(-g t) cos(w t + phase) + c, by least squares."""
 
     def residual(w, g):
         base = [(math.exp(-g * t) * math.cos(w * t), math.exp(-g * t) * math.sin(w * t), 1)
@@ -129,13 +131,13 @@ def erfc(z):
 
 
 def prosperetti(viscosity, t):
-    """A. Prosperetti, Phys. Fluids 24, 1981: a free surface of a deep liquid; wave length, density
-    and tension 1."""
+    """Returns the exact solution for the free surface of a deep liquid (A. Prosperetti, Phys. Fluids 24,
+    1981). Wave length, density and surface tension are 1."""
     k = 2 * math.pi
     square, rate = k ** 3, viscosity * k * k
     coefficients = [1, 0, 2 * rate, 4 * rate ** 1.5, rate * rate + square]
     roots = [complex(math.cos(a), math.sin(a)) * math.sqrt(math.sqrt(square)) for a in (.7, 2.3, 3.9, 5.5)]
-    for _ in range(200):  # by Weierstrass
+    for _ in range(200):  # roots by the method of Weierstrass
         for i in range(4):
             value = 0
             for c in coefficients:
@@ -195,7 +197,7 @@ def sloshing(dsc):
         print(f"| {n}³ | {period:.4f} | {exact:.4f} | {100 * (period / exact - 1):.2f} |", flush=True)
 
 
-# J. C. Martin and W. J. Moyce, 1952, for columns twice as high as wide: T and Z.
+# Measurements T and Z of J. C. Martin and W. J. Moyce, 1952, for columns twice as high as wide.
 MARTIN_MOYCE = [(1.19, 1.44), (1.43, 1.67), (1.63, 1.89), (1.83, 2.11), (1.98, 2.33), (2.20, 2.56),
                 (2.32, 2.78), (2.51, 3.00), (2.65, 3.22), (2.83, 3.44), (2.98, 3.67), (3.11, 3.89),
                 (3.33, 4.11)]
@@ -228,8 +230,9 @@ def relative_change(values):
 
 
 def spinning_extents(time):
-    """Of a ball of liquid that turns once in 2 pi and has no surface tension: an ellipsoid, its motion
-    linear in space (Dirichlet). Its radius across and along the axis."""
+    """Returns the radii, across and along the axis, of a ball of liquid without surface tension that
+    rotates with the angular velocity 1. It becomes an ellipsoid, and its motion is linear in space
+    (Dirichlet)."""
 
     def multiply(a, b):
         return [[sum(a[i][k] * b[k][j] for k in range(3)) for j in range(3)] for i in range(3)]
@@ -238,7 +241,7 @@ def spinning_extents(time):
         rows = [solve(a, [float(i == j) for i in range(3)]) for j in range(3)]
         return [[rows[j][i] for j in range(3)] for i in range(3)]
 
-    def acceleration(f, g):  # that of the least effort that keeps the determinant
+    def acceleration(f, g):  # the smallest acceleration that preserves the determinant
         h = inverse(f)
         hg = multiply(h, g)
         pressure = (sum(multiply(hg, hg)[i][i] for i in range(3)) /
@@ -252,7 +255,7 @@ def spinning_extents(time):
     g = [[0., -1., 0.], [1., 0., 0.], [0., 0., 0.]]
     n = 1000
     dt = time / n
-    for _ in range(n):  # Runge and Kutta
+    for _ in range(n):  # classical Runge-Kutta method
         k1 = g, acceleration(f, g)
         k2 = moved(g, k1[1], dt / 2), acceleration(moved(f, k1[0], dt / 2), moved(g, k1[1], dt / 2))
         k3 = moved(g, k2[1], dt / 2), acceleration(moved(f, k2[0], dt / 2), moved(g, k2[1], dt / 2))
@@ -327,7 +330,7 @@ def jets(dsc, cases=((.5, .301558, 20), (.697019, .343339, 16))):
 
         found = run(dsc, "jet", change)
 
-        def amplitude(step):  # the greatest radius is sqrt(1 - a^2 / 2) + a
+        def amplitude(step):  # the largest radius is sqrt(1 - a^2 / 2) + a
             r = (step["extent"][1][1] - step["extent"][0][1]) / 2
             return (r - math.sqrt(max(0, 1.5 - r * r / 2))) / 1.5
 
@@ -350,7 +353,7 @@ def sessile(dsc):
         found = run(dsc, "sessile", change)
         (x0, y0, _), (x1, y1, z1) = found[-1]["extent"]
         half = (x1 - x0 + y1 - y0) / 4
-        # Of the cap with this height and volume: V = pi h^2 (R - h / 3).
+        # The radius R of the cap with this height h and volume V: V = pi h^2 (R - h / 3).
         volume = found[-1]["volume"]
         radius = volume / math.pi / z1 ** 2 + z1 / 3
         ball = (3 * volume / 4 / math.pi) ** (1 / 3)
@@ -374,7 +377,7 @@ def breathing(dsc):
     found = run(dsc, "breathing", lambda scene: None)
     volumes = [(s["time"], s["gases"][1]["volume"]) for s in found]
     gas, liquid = found[0]["gases"][1], found[0]["volume"]
-    # About the volume at the pressure of the air around, with the mass of a shell (M. Minnaert, 1933).
+    # Oscillation about the volume at the ambient pressure, with the mass of a shell (M. Minnaert, 1933).
     rest = gas["volume"] * gas["pressure"] ** (1 / 1.4)
     r, s = (3 * rest / (4 * math.pi)) ** (1 / 3), (3 * (rest + liquid) / (4 * math.pi)) ** (1 / 3)
     exact = math.sqrt(3 * 1.4 / (r * r * (1 - r / s)))
@@ -395,7 +398,7 @@ def figures(dsc):
     print("| --- " * 12 + "|")
     for name in ("bunny", "collision", "bowl", "crown"):
         found = run(dsc, name, lambda scene: None)
-        # The first step makes the mesh fit for a flow before it begins.
+        # The first step remeshes before the flow begins.
         rises = [(b["energy"] - a["energy"]) / abs(found[0]["energy"])
                  for a, b in zip(found[1:], found[2:])]
         drifts = [max(abs(a - b) for s in found for a, b in zip(s[field], found[0][field]))
@@ -434,7 +437,7 @@ def subdivision(dsc):
           "that of the sphere |")
     print("| --- " * 5 + "|")
 
-    def one_step(scene):  # a step of no time, to have a complex of the ball
+    def one_step(scene):  # a very short step, which gives a complex of the ball
         scene["liquids"][0]["shape"]["amplitude"] = 0
         scene["liquids"][0]["shape"]["triangles"] = triangles
         scene["surface_tension"] = 0
@@ -488,7 +491,7 @@ def heavy_above_light():
 
 
 def vortices(cells):
-    """Returns the scene of the vortices of Taylor and Green with `cells` edges in a unit of length."""
+    """Returns the scene of Taylor-Green vortices with `cells` edges per unit of length."""
     velocity = "sin(pi*x)*cos(pi*z),0,-cos(pi*x)*sin(pi*z)"
     liquid = {"density": 1, "viscosity": 0, "velocity": velocity}
     return {"domain": [0, 0, 0, 1, 3 / cells, 2], "edge": 1 / cells,

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Measures what images of voxels cost, by the numbers of labels and of voxels.
+"""Measures the costs of images of voxels by the numbers of labels and of voxels.
 
 Usage: benchmark/images.py DSC
 
-DSC is the program, built in Release. Prints a table: seconds of processor time and peak memory of one step of
-`dsc offset`, with the slope from the row before in the logarithms of cells and of voxels.
+DSC is the program, built in Release. Prints a table with the processor time and the peak memory of one
+step of `dsc offset`. The slope is the exponent of the processor time over the number of triangles,
+relative to the previous row.
 """
 
 import math
@@ -19,7 +20,7 @@ HEADER = 256  # bytes
 
 
 def write_inr(path, side, label_at):
-    """Writes side^3 voxels of 32 bits."""
+    """Writes an image of side^3 voxels of 32 bits."""
     header = (
         f"#INRIMAGE-4#{{\nXDIM={side}\nYDIM={side}\nZDIM={side}\nVDIM=1\nTYPE=unsigned fixed\n"
         "PIXSIZE=32 bits\nCPU=decm\nVX=1\nVY=1\nVZ=1\n"
@@ -42,7 +43,7 @@ def noise(labels):
 
 
 def cells(side, labels):
-    """Voronoi cells in a ball."""
+    """Returns the labels of Voronoi cells in a ball."""
     numbers = random.Random(1)
     seeds = [tuple(numbers.uniform(0, side) for _ in range(3)) for _ in range(labels)]
     width = max(1, int(side / labels ** (1 / 3)))
@@ -73,7 +74,7 @@ def cells(side, labels):
 
 
 def measure(program, path):
-    """Seconds of processor time, peak memory in MiB, and numbers of tetrahedra and triangles."""
+    """Returns processor seconds, peak memory in MiB, and the numbers of tetrahedra and triangles."""
     with tempfile.NamedTemporaryFile("w+") as usage:
         text = subprocess.run(
             ["/usr/bin/time", "-o", usage.name, "-f", "%U %M", program, "offset", path]

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Measures how the cost of `dsc reconstruct` grows with the number of points of an open scan.
+"""Measures the cost of `dsc reconstruct` by the number of points of an open scan.
 
-Usage: open_scan.py PROGRAM [SIZES]
+Usage: benchmark/open_scan.py PROGRAM [SIZES]
 
 The points are random subsets of CGAL's scan of a building, from the documentation of libcgal-dev. SIZES
-(default: 12500 25000 50000 100000) are numbers of points. Prints a row of a table for each: processor
-time, largest memory, and the slope to the row before, which is 1 for linear growth.
+(default: 12500 25000 50000 100000) are numbers of points. Prints a row of a table for each size:
+processor time, peak memory, and the slope relative to the previous row, which is 1 for linear growth.
 """
 import math
 import os
@@ -19,11 +19,11 @@ ARCHIVE = "/usr/share/doc/libcgal-dev/data.tar.gz"
 SCAN = "data/points_3/building.ply"
 SIZES = [12500, 25000, 50000, 100000]
 SEED = 1
-COLUMNS = 6  # coordinates and normals; the rest is a number of a segment
+COLUMNS = 6  # coordinates and normals; the last column is the number of a segment
 
 
 def points_of_scan():
-    """The lines of all points."""
+    """Returns the lines of all points."""
     with tarfile.open(ARCHIVE) as archive:
         lines = archive.extractfile(SCAN).read().decode().split("\n")
     lines = lines[lines.index("end_header") + 1 :]
@@ -31,7 +31,7 @@ def points_of_scan():
 
 
 def measure(program, points, folder):
-    """Returns processor seconds, megabytes, and what the program prints."""
+    """Returns processor seconds, megabytes, and the output of the program."""
     cloud, surface = os.path.join(folder, "points.xyz"), os.path.join(folder, "surface.off")
     with open(cloud, "w") as file:
         file.write("\n".join(points) + "\n")

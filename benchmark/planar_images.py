@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Measures how dsc makes complexes of images: seconds, peak memory, triangles, and their growth.
+"""Measures the conversion of images by dsc: wall-clock time, peak memory and triangles.
 
-usage: planar_images.py DSC [LARGEST_SIDE]
+Usage: benchmark/planar_images.py DSC [LARGEST_SIDE]
 
-Images of 40 cells of a Voronoi diagram and of 20 disks, with sides from 500 pixels on, and random
-pixels. Slopes are exponents of seconds over the number of pixels.
+The images show 40 cells of a Voronoi diagram, 20 disks, or random pixels. LARGEST_SIDE (default: 4000)
+bounds the side of an image in pixels. A slope is the exponent of the time over the number of pixels.
 """
 import math
 import os
@@ -29,8 +29,8 @@ def write_png(path, rows):
 
 
 def nearest_seeds(seeds, y, side):
-    """A row of the diagram: the lower envelope of a parabola for each seed."""
-    envelope = []  # seed's x, its squared height, its number, where it begins
+    """Returns a row of the diagram: the lower envelope of the parabolas of the seeds."""
+    envelope = []  # x of the seed, its squared height, its number, begin of its interval
     for x, height, number in sorted((x, (y - sy)**2, i) for i, (x, sy) in enumerate(seeds)):
         begin = -math.inf
         while envelope:
@@ -72,7 +72,7 @@ def noise(side):
 
 
 def write_in_child(path, make, side):
-    """As the memory of this process would count as that of the program it starts."""
+    """Writes an image in a child process, so that its memory does not count for the measured program."""
     child = os.fork()
     if child == 0:
         random.seed(1)
@@ -83,7 +83,7 @@ def write_in_child(path, make, side):
 
 
 def measure(dsc, image):
-    """Seconds, kilobytes and triangles of `dsc info`."""
+    """Returns wall-clock seconds, kilobytes and triangles of `dsc info`."""
     start = time.monotonic()
     process = subprocess.Popen([dsc, 'info', image], stdout=subprocess.PIPE, text=True)
     output = process.stdout.read()

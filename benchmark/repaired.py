@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Builds and turns surfaces that bound no solid after `dsc --repair`; prints one row of a table for each.
+"""Repairs surfaces that do not bound a solid and rotates them; prints a row of a table for each.
 
-Surfaces that `dsc` takes as they are have no row.
-Usage: repaired.py DSC SECONDS FILE...
+Usage: benchmark/repaired.py DSC SECONDS FILE...
+
+SECONDS is the time limit of a run. Surfaces that `dsc` accepts without --repair have no row.
 """
 import json
 import os
@@ -16,7 +17,7 @@ COUNTS = ["merged_points", "degenerate_triangles", "repeated_triangles", "stitch
 
 
 def run(arguments, seconds):
-    """Returns what the program wrote as an error, or nothing if it succeeded."""
+    """Returns the error message of the program, or an empty string if it succeeded."""
     try:
         done = subprocess.run(arguments, capture_output=True, text=True, timeout=seconds, check=False)
     except subprocess.TimeoutExpired:

@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
-# Builds the benchmarks, runs them on the meshes of CGAL, and writes tables and raw results into
-# BUILD_DIR/benchmark-results. See README.md for what is measured.
+# Builds the benchmarks, runs them on the meshes of CGAL, and writes tables and raw results to
+# BUILD_DIR/benchmark-results. benchmark/README.md describes the measurements.
 # Usage: benchmark/run.sh [BUILD_DIR [motion] [breathing] [topology] [improvement] [memory] [operations]
 #                                   [flows] [surfaces] [points] [abuse] [meshes] [repair] [cut_loci]]
+# Runs all parts by default.
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
 build=$(realpath --canonicalize-missing "${1:-$source/build}")
 parts=("${@:2}")
 [ ${#parts[@]} -gt 0 ] || parts=(motion breathing topology flows surfaces points improvement memory operations abuse meshes repair cut_loci)
-mesh_seconds=${MESH_SECONDS:-600} # the time limit of one mesh in `meshes`
+mesh_seconds=${MESH_SECONDS:-600} # the time limit of one mesh in `meshes`, in seconds
 
 programs=$build/benchmark
 meshes=$build/data/meshes
@@ -225,7 +226,7 @@ measure_sharp_edges() {
   for solid in cube bracket cylinder cone pyramid; do
     add_row "$table" "$sharp_edges" "$solid" --points 10000
   done
-  add_row "$table" "$sharp_edges" plate # of 5 spacings
+  add_row "$table" "$sharp_edges" plate # 5 spacings thick
 }
 
 measure_memory() {
@@ -242,7 +243,7 @@ measure_operations() {
     tee "$results/operations.txt" || fail "$results/operations.txt" operations_benchmark $?
 }
 
-# Three runs must agree to the last bit.
+# Three runs must be bitwise equal.
 measure_abuse() {
   local table=$results/random_abuse.md abuse=$programs/random_abuse run
   : >"$table"
@@ -265,7 +266,7 @@ measure_meshes() {
     timeout "$mesh_seconds" "$programs/all_meshes" "$mesh" >>"$table" || code=$?
     case $code in
       0) ;;
-      1) failures=$((failures + 1)) ;; # the row is there and says why
+      1) failures=$((failures + 1)) ;; # the program has written the row with the reason
       124) fail "$table" "$mesh, not done in $mesh_seconds s" $code ;;
       *) fail "$table" "$mesh" $code ;;
     esac
@@ -278,7 +279,7 @@ measure_meshes() {
   } >>"$table"
 }
 
-# Those that are refused otherwise.
+# Repairs the surfaces that are rejected without --repair.
 measure_repair() {
   local table=$results/repaired.md
   begin_table "$table" file "points merged" "flat triangles" "repeated triangles" "points stitched" \

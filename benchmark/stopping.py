@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Measures how long commands of the program take to end after SIGINT or SIGTERM.
 
-Usage: stopping.py PROGRAM [DELAYS]
+Usage: benchmark/stopping.py PROGRAM [DELAYS]
 
-Each command gets input that takes about half a minute. It is started and stopped at several moments,
-DELAYS (default: 8) for each, spread over its duration. Prints the longest time of each command from
-the signal to the end, in milliseconds, with the moment. Status 1 if one of them exceeds a second, or
-leaves a file that is not whole.
+The input of each command takes about half a minute. Each command is started and stopped DELAYS times
+(default: 8), after delays that are spread over its duration. Prints for each command the longest time from
+the signal to the end, in milliseconds, and the delay. Ends with status 1 if a time exceeds one second,
+or if a command leaves an incomplete file.
 """
 import math
 import os
@@ -18,11 +18,11 @@ import tempfile
 import time
 
 LONGEST = 1.0  # seconds from the signal to the end
-DURATION = 30.0  # seconds after which a command is not waited for any longer
+DURATION = 30.0  # seconds: upper bound for the duration of a command
 
 
 def sphere(n):
-    """A closed surface of 4 n^2 triangles."""
+    """Returns a sphere of about 4 n^2 triangles as an OFF file."""
     m = 2 * n
     lines = [f"OFF\n{m * (n - 1) + 2} {2 * m * (n - 1)} 0", "0 0 1", "0 0 -1"]
     for i in range(1, n):
@@ -43,7 +43,7 @@ def sphere(n):
 
 
 def crossing_spheres(n):
-    """Two spheres that cross, in one file."""
+    """Returns two intersecting spheres in one OFF file."""
     lines = sphere(n).split("\n")
     vertices, triangles = (int(word) for word in lines[1].split()[:2])
     points, faces = lines[2 : 2 + vertices], lines[2 + vertices : 2 + vertices + triangles]
@@ -53,7 +53,7 @@ def crossing_spheres(n):
 
 
 def spiral(n):
-    """Points on a sphere."""
+    """Returns points on a sphere."""
     lines = []
     for i in range(n):
         z = 1 - (2 * i + 1) / n
@@ -63,7 +63,7 @@ def spiral(n):
 
 
 def voxels(n, labels):
-    """An image of n^3 voxels in blobs around random points."""
+    """Returns an image of n^3 voxels with balls around random points."""
     rng = random.Random(1)
     seeds = [[rng.uniform(0, n) for _ in range(3)] for _ in range(labels)]
     radius = 0.4 * n / labels ** (1 / 3)
@@ -83,7 +83,7 @@ def voxels(n, labels):
 
 
 def pixels(n):
-    """A PGM of n^2 pixels in stripes that wave."""
+    """Returns a PGM image of n^2 pixels with wavy stripes."""
     rows = bytearray()
     for j in range(n):
         rows += bytes(int(3 + 3 * math.sin((i + 9 * math.sin(j / 37)) / 23)) for i in range(n))

@@ -1,4 +1,4 @@
-# Finds TetGen as a library: the target TetGen::TetGen, which defines TETLIBRARY.
+# Finds the library TetGen. Defines the target TetGen::TetGen, which sets TETLIBRARY.
 find_path(TetGen_INCLUDE_DIR tetgen.h)
 find_library(TetGen_LIBRARY NAMES tet tetgen)
 mark_as_advanced(TetGen_INCLUDE_DIR TetGen_LIBRARY)

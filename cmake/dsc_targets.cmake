@@ -1,6 +1,6 @@
-# What the examples, benchmarks and tests have in common.
+# Functions for the targets of the examples, benchmarks and tests.
 
-# Links `target` to the package, and to the TetGen adapter where it is built.
+# Links `target` to the package, and to the TetGen adapter if it is built.
 function(dsc_link_package target)
   target_link_libraries(${target} PRIVATE deformable_simplicial_complex)
   if(TARGET deformable_simplicial_complex_tetgen)
@@ -8,7 +8,7 @@ function(dsc_link_package target)
   endif()
 endfunction()
 
-# Lets `target` use what is compiled once for many, headers included.
+# Lets `target` use the compiled instantiations and the precompiled headers.
 function(dsc_share_compilation target)
   target_link_libraries(${target} PRIVATE deformable_simplicial_complex_compiled)
   if(NOT TARGET dsc_common_headers)
@@ -21,8 +21,8 @@ function(dsc_share_compilation target)
   target_precompile_headers(${target} REUSE_FROM dsc_common_headers)
 endfunction()
 
-# Sets `result` to the .cpp files of the current folder and the folders below it, except
-# `installed_package`; without the TetGen adapter, less those that name it.
+# Sets `result` to the .cpp files of the current folder and of its subfolders, except
+# `installed_package`. Without the TetGen adapter, leaves out the files that use it.
 function(dsc_glob_sources result)
   file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" *.cpp)
   list(FILTER files EXCLUDE REGEX "^installed_package/")
@@ -36,8 +36,8 @@ function(dsc_glob_sources result)
   set(${result} "${sources}" PARENT_SCOPE)
 endfunction()
 
-# Adds the program `prefix`_`name of the file`, called by the name of the file in the build folder,
-# and sets `result` to the name of its target.
+# Adds a program for `file`. The target is `prefix`_NAME and the executable is NAME, where NAME is the
+# name of the file without extension. Sets `result` to the name of the target.
 function(dsc_add_single_source_program result prefix file)
   get_filename_component(name "${file}" NAME_WE)
   add_executable(${prefix}_${name} "${file}")

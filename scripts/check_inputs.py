@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Gives the program inputs that were once lost, misread or refused for a wrong reason.
+"""Runs the program on inputs that were once lost, misread or rejected for a wrong reason.
 
-Usage: check_inputs.py PROGRAM [FOLDER]
+Usage: scripts/check_inputs.py PROGRAM [FOLDER]
 
-The inputs are made anew in a temporary folder. With FOLDER, files of the same names there, at any depth,
-take their places. Each command must end with the status that is named, and its output must match a regular
-expression. Prints a line for each command that does not, and ends with status 1 if there is one.
+The inputs are generated in a temporary folder. Files of the same names in FOLDER, at any depth, replace
+them. Each command must end with the given exit status, and its output must match a regular expression.
+Prints each command that fails, and ends with status 1 if a command fails.
 """
 import math
 import os
@@ -20,7 +20,7 @@ LONGEST = 240  # seconds for a command, on a slow and busy machine
 
 
 def box(x0, y0, z0, x1, y1, z1, n=1):
-    """The points and triangles of a box whose faces have n x n squares."""
+    """Returns the points and triangles of a box whose faces have n x n squares."""
     points, index, triangles = [], {}, []
 
     def vertex(p):
@@ -58,7 +58,7 @@ def two_boxes(gap, n):
 
 
 def sphere(n):
-    """A sphere of 4 n (n - 1) triangles."""
+    """Returns the points and triangles of a sphere of 4 n (n - 1) triangles."""
     m = 2 * n
     points = [(0, 0, 1), (0, 0, -1)]
     for i in range(1, n):
@@ -79,7 +79,7 @@ def sphere(n):
 
 
 def t_junctions():
-    """A box, the triangles of one of whose faces are finer, a billionth off the edges of the others."""
+    """Returns a box with finer triangles on one face, whose vertices are 1e-9 away from the adjacent edges."""
     points, triangles = box(0, 0, 0, 1, 1, 1, 2)
     fine, more = box(0, 0, 0, 1, 1, 1, 4)
     triangles = [t for t in triangles if not all(points[v][2] == 1 for v in t)]
@@ -101,7 +101,7 @@ def stl(points, triangles, upper):
 
 
 def cube_of_tetrahedra(n):
-    """The unit cube in tetrahedra, six for each of n^3 boxes."""
+    """Returns the unit cube in n^3 cubes of six tetrahedra each."""
     def at(i, j, k):
         return (k * (n + 1) + j) * (n + 1) + i
     points = [(i / n, j / n, k / n) for k in range(n + 1) for j in range(n + 1) for i in range(n + 1)]
@@ -232,7 +232,8 @@ INPUTS = {
 }
 
 OFFSET = "--distance=.01e --steps 1"
-# Command, status, what the output matches: lines of standard output and standard error together.
+# Command, exit status, regular expression for standard output and standard error together. The status None
+# allows 0, 1 and 2.
 CHECKS = [
     ("improve fields.vtu -o fields.vtu", 1, r"material.*--labels"),
     ("improve fields.vtu -o out.vtu --labels material", 0, r""),

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# What takes too long for scripts/test.sh: sanitizers, another compiler, the next CGAL, more input.
+# Runs the checks that take too long for scripts/test.sh: all headers alone, the thread sanitizer, the
+# other sanitizers, Clang, CGAL 6, more damaged files, and random deformations.
 # Usage: scripts/check_more.sh [headers] [threads] [sanitizers] [clang] [cgal_6] [fuzz] [abuse]
-# Prints a line for each part, all of them by default; what they print themselves is in
-# build-more/*.log.
+# Runs all parts by default. Prints a line for each part; its full output is in build-more/PART.log.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 parts=("$@")
@@ -15,7 +15,7 @@ flags=(-std=c++17 -Wall -Wextra -Werror -DCGAL_EIGEN3_ENABLED -DCGAL_USE_GMP -DC
 
 scripts/install_dependencies.sh clang
 
-# Debug has the checks of CGAL.
+# Configures a Debug build, which enables the checks of CGAL.
 configure() { # FOLDER OPTION...
   cmake -S . -B "$work/$1" -G Ninja -DCMAKE_BUILD_TYPE=Debug \
     -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DDSC_SHARE_COMPILATION=ON "${@:2}"
@@ -45,13 +45,13 @@ check_clang() {
 check_cgal_6() {
   scripts/fetch_cgal_6.sh "$work/cgal-6"
   [ -d "$work/cgal-6" ] || return 0
-  # The project that uses the installed package looks there, too.
+  # The test project for the installed package also reads CGAL_DIR.
   CGAL_DIR=$(realpath "$work"/cgal-6/usr/lib/*/cmake/CGAL)
   export CGAL_DIR
   build_and_test with-cgal-6 -DCGAL_DIR="$CGAL_DIR"
 }
 
-# The unit tests, which scripts/test.sh runs without sanitizers
+# Runs the unit tests with sanitizers; scripts/test.sh runs them without.
 check_sanitizers() {
   build_and_test sanitized -DDSC_SANITIZE=ON -DDSC_BUILD_PROGRAM=OFF -DDSC_BUILD_EXAMPLES=OFF \
     -DDSC_BUILD_BENCHMARKS=OFF
@@ -76,7 +76,7 @@ failed=0
 for part in "${parts[@]}"; do
   SECONDS=0
   log=$work/$part.log
-  # A subshell of its own, as a function that is tested goes on after errors.
+  # Runs in a subshell: `set -e` has no effect in a function whose status is tested.
   set +e
   (set -e; "check_$part") >"$log" 2>&1
   status=$?

@@ -2,7 +2,10 @@
 # Copyright (c) 2026 The deformable simplicial complex authors
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the small pictures of the packages, doc/PACKAGE/fig/*-ico.png, as squares of their pictures."""
+"""Cuts the icons of the packages, doc/PACKAGE/fig/*-ico.png, out of pictures of the manual.
+
+Usage: scripts/draw_icons.py
+"""
 
 import pathlib
 import struct
@@ -11,7 +14,7 @@ import zlib
 DOC = pathlib.Path(__file__).resolve().parent.parent / "doc"
 SIDE = 120  # of an icon, in pixels
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
-# Package, icon, picture, left side and side of the square in the picture, in pixels
+# Package, icon, picture, left border and side length of the square in the picture, in pixels
 ICONS = (
     ("Deformable_simplicial_complexes", "deformable_simplicial_complexes", "merging_spheres", 860, 380),
     ("Interface_flows", "interface_flows", "flow_double_bubble", 940, 225),
@@ -36,7 +39,7 @@ def unfilter(data, height, stride, step):
 
 
 def read_png(path):
-    """Returns the rows of a PNG file of 8 bits a channel: lists of (red, green, blue)."""
+    """Returns the rows of a PNG file with 8 bits per channel: lists of (red, green, blue)."""
     content, at, data, palette = path.read_bytes(), len(SIGNATURE), b"", b""
     while at < len(content):
         length, kind = struct.unpack(">I4s", content[at:at + 8])
@@ -48,7 +51,7 @@ def read_png(path):
         elif kind == b"IDAT":
             data += chunk
     if depth != 8:
-        raise SystemExit(f"draw_icons.py: {path} does not have 8 bits a channel")
+        raise SystemExit(f"draw_icons.py: {path} does not have 8 bits per channel")
     channels = {0: 1, 2: 3, 3: 1, 4: 2, 6: 4}[color]
     rows = unfilter(zlib.decompress(data), height, width * channels, channels)
 
@@ -70,7 +73,7 @@ def write_png(path, rows):
 
 
 def square(rows, left, side):
-    """Returns the rows of a square, from the upper side of the picture, scaled to the size of an icon."""
+    """Returns the rows of a square at the top of the picture, scaled to the size of an icon."""
     result = []
     for j in range(SIDE):
         row = []

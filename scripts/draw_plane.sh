@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the manual's pictures of the plane anew: doc/PACKAGE/fig/plane_NAME.png.
-# Takes two minutes.
+# Draws the pictures of planar complexes and of cut loci for the manual: doc/PACKAGE/fig/plane_NAME.png.
+# Needs the targets dsc, example_planar_foam and example_cut_locus in BUILD_DIR. Takes two minutes.
 # Usage: scripts/draw_plane.sh [BUILD_DIR]
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
@@ -57,7 +57,7 @@ locus() { # NAME V B
   "$cut_locus" .15 "$2" "$3" "$1.svg"
   picture "$1.svg" "$1"
 }
-# Seen from v = 1.2, as it would lie on the border
+# The parameter v starts at 1.2, so that the cut locus does not lie on the border of the chart.
 "$build/dsc" cut-locus --point 0,1.2 --spacing .15 -o cut_locus_equator.svg \
   --surface "(2+cos(v-1.2))*cos(u),(2+cos(v-1.2))*sin(u),sin(v-1.2)"
 picture cut_locus_equator.svg cut_locus_equator

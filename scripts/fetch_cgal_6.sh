@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Unpacks the headers of CGAL 6 from Debian's next release into a folder and installs nothing.
+# Unpacks the headers of CGAL 6 from a later release of Debian into a folder. Installs nothing.
 # Usage: scripts/fetch_cgal_6.sh OUTPUT_DIR
-# Where they cannot be had it prints a line that begins with "skipped"; the folder is then absent.
+# If they are not available, prints a line that begins with "skipped" and does not create the folder.
 set -euo pipefail
 suite=trixie
 output=$(realpath --canonicalize-missing "${1:?the folder to unpack into}")
@@ -12,7 +12,7 @@ skip() {
   exit 0
 }
 
-# The mirror that this system itself installs from, as signed by Debian
+# The mirror from which this system installs packages; the packages are signed by Debian
 command -v apt-get dpkg-deb >/dev/null || skip "no Debian packages here"
 keyring=/usr/share/keyrings/debian-archive-keyring.gpg
 [ -r "$keyring" ] || skip "the keyring of Debian is not installed"
@@ -21,7 +21,7 @@ mirror=$(apt-get indextargets --format '$(REPO_URI) $(RELEASE)' 'Created-By: Pac
   awk -v release="$release" '$2 == release { print $1; exit }')
 [ -n "$mirror" ] || skip "no mirror of Debian among the sources of apt"
 
-# A world of its own for apt, but for its settings
+# Separate folders for apt; only its settings are shared with the system
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$work"/{state/lists/partial,cache/archives/partial,etc,unpacked}

@@ -2,7 +2,7 @@
 # Copyright (c) 2026 The deformable simplicial complex authors
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes what scripts/render_flows.sh starts from into a folder: surfaces as OFF, and points."""
+"""Writes the inputs of scripts/render_flows.sh into a folder: surfaces as OFF files, and points."""
 
 import argparse
 import math
@@ -11,7 +11,7 @@ import random
 
 
 class Surface:
-    """Triangles, counterclockwise seen from outside; equal points are one vertex."""
+    """Triangles, counterclockwise as seen from outside. Equal points are one vertex."""
 
     def __init__(self):
         self.vertices = {}
@@ -19,7 +19,7 @@ class Surface:
 
     def add(self, *points):
         triangle = [self.vertices.setdefault(p, len(self.vertices)) for p in points]
-        if len(set(triangle)) == 3:  # a quadrangle at a pole is but one triangle
+        if len(set(triangle)) == 3:  # a quadrangle at a pole gives only one triangle
             self.triangles.append(triangle)
 
     def write(self, path):
@@ -32,7 +32,7 @@ class Surface:
 
 
 def add_box(surface, low, high, n=1, place=lambda *point: point):
-    """A box, each side of which is cut into n^2 rectangles; `place` tells where its points go."""
+    """Adds a box of n^2 rectangles on each side. `place` maps the points of the box."""
     for axis in range(3):
         for side in (0, n):
 
@@ -54,12 +54,12 @@ def box(low, high):
 
 
 def two_spheres(distance, n):
-    """Unit spheres along the x axis: cubes that are blown up."""
+    """Returns two unit spheres along the x axis, projected from cubes."""
     surface = Surface()
     for centre in (-distance / 2, distance / 2):
 
         def blown_up(*point):
-            p = [math.tan(math.pi / 4 * x) for x in point]  # rectangles of about the same size
+            p = [math.tan(math.pi / 4 * x) for x in point]  # rectangles of similar size
             return tuple(c + x / math.hypot(*p) for c, x in zip((centre, 0, 0), p))
 
         add_box(surface, (-1, -1, -1), (1, 1, 1), n, blown_up)
@@ -67,8 +67,8 @@ def two_spheres(distance, n):
 
 
 def revolved(profile, n, axis):
-    """Turns points about an axis; they are given by their places along it and their distances from
-    it, with the inside on their right."""
+    """Returns a surface of revolution. The profile consists of pairs: coordinate along the axis and
+    distance from the axis. The inside is on the right of the profile."""
 
     def point(i, j):
         along, r = profile[i]
@@ -86,7 +86,7 @@ def revolved(profile, n, axis):
 
 
 def torus(tube_radius, n):
-    """The middle of the tube is the unit circle about the z axis."""
+    """Returns a torus whose tube has the unit circle about the z axis as its center line."""
     circle = []
     for i in range(3 * n):
         angle = 2 * math.pi * i / (3 * n)
@@ -95,7 +95,7 @@ def torus(tube_radius, n):
 
 
 def dumbbell(ball_radius, bar_radius, n):
-    """Balls about x = -1 and x = 1, and a bar between them."""
+    """Returns balls about x = -1 and x = 1, connected by a bar."""
     bar_begin = math.asin(bar_radius / ball_radius)
     half = []
     for i in range(2 * n):
@@ -109,7 +109,7 @@ def dumbbell(ball_radius, bar_radius, n):
 
 
 def drilled_block_points(n, hole):
-    """Random points of a block of the sides 2, 2 and 1 with a round hole along the z axis."""
+    """Returns random points of a block of side lengths 2, 2 and 1 with a round hole along the z axis."""
     numbers = random.Random(1)
     cover, wall = 4 - math.pi * hole**2, 2 * math.pi * hole
     points = []
@@ -130,7 +130,7 @@ def drilled_block_points(n, hole):
 
 
 def gear_points(n, teeth, hole):
-    """Random points of a gear of the root radius 1 and height 0.5, with a round hole along the z axis."""
+    """Returns random points of a gear of root radius 1 and height 0.5 with a round hole along the z axis."""
     numbers = random.Random(2)
     tip, height = 1.25, 0.5
     corners = [(radius, (tooth + part) * 2 * math.pi / teeth) for tooth in range(teeth)
@@ -174,7 +174,7 @@ def write_points(path, points):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("folder", metavar="DIR", help="created if need be")
+    parser.add_argument("folder", metavar="DIR", help="output folder, created if it does not exist")
     folder = parser.parse_args().folder
     os.makedirs(folder, exist_ok=True)
     surfaces = {

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Installs what the package is built with (Debian 12), and further packages that are named. Does
-# nothing where all of it is present.
+# Installs the Debian 12 packages that the build needs, and further packages that are given. Does
+# nothing if all of them are installed.
+# Usage: scripts/install_dependencies.sh [PACKAGE...]
 set -euo pipefail
 
 packages=(
@@ -31,7 +32,7 @@ for package in "${packages[@]}"; do
 done
 [ ${#missing[@]} -gt 0 ] || exit 0
 
-# The package lists may be absent or too old to install from; only then are they fetched.
+# Fetches the package lists only if the installation fails, because they may be absent or too old.
 if ! install_packages "${missing[@]}"; then
   as_root apt-get update --quiet
   install_packages "${missing[@]}"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Grows the Stanford bunny by ten steps, shrinks it back by ten, and renders the pictures.
+# Offsets the Stanford bunny outwards by ten steps and back by ten steps, and renders pictures.
 # Usage: scripts/main_job.sh [OUTPUT_DIR]
 set -euo pipefail
 output=$(realpath --canonicalize-missing "${1:-build/bunny}")
@@ -12,7 +12,8 @@ cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
 cmake --build build --parallel "$jobs" --target dsc
 
 mkdir -p build/data "$output"
-# The program refuses a folder that holds a run. In its own, the job starts anew.
+# The program ends with an error if the folder contains a run. In the default folder, the checkpoint of
+# an earlier run is removed.
 [ $# -gt 0 ] || rm -f "$output/checkpoint.dsc"
 tar --extract --gzip --file /usr/share/doc/libcgal-dev/data.tar.gz --directory build/data \
   --strip-components=2 data/meshes/bunny00.off

@@ -2,10 +2,10 @@
 # Copyright (c) 2026 The deformable simplicial complex authors
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The packages and modules of the headers: checks their includes, counts their lines, draws them.
+"""Checks the includes of packages and modules, counts their lines, and draws them.
 
 Usage: scripts/modules.py check               prints each include that breaks a rule; status 1 if any
-       scripts/modules.py table [--write]     checks the tables of CONTRIBUTING.md, or writes them anew
+       scripts/modules.py table [--write]     checks or writes the tables of CONTRIBUTING.md
        scripts/modules.py draw OUTPUT.svg     draws packages, modules and the includes between them
 
 The rules:
@@ -13,8 +13,8 @@ The rules:
   packages that PACKAGES names for it.
 - No package includes a header from the folder internal/ of another package.
 - A module includes only itself and modules above it in the list of its package.
-- An internal header of the kernel includes no facade, which is a public header that reads named
-  parameters, unless its module comes after LAST_MODULE_BELOW_FACADES.
+- A facade is a public header that reads named parameters. An internal header of the kernel includes no
+  facade, unless its module comes after LAST_MODULE_BELOW_FACADES.
 - Each internal header belongs to a module. A module has at most MAXIMUM_LINES lines.
 - Each path in backquotes in CONTRIBUTING.md exists, unless it has a placeholder.
 """
@@ -26,11 +26,11 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 INCLUDE = ROOT / "include" / "CGAL"
 CONTRIBUTING = ROOT / "CONTRIBUTING.md"
-MAXIMUM_LINES = 2000  # a module that one can read in an afternoon
+MAXIMUM_LINES = 2000  # upper bound for the lines of a module
 LAST_MODULE_BELOW_FACADES = "deformation"
-ROUNDED_TO = 100  # lines in tables, so that small changes do not alter the tables
+ROUNDED_TO = 100  # precision of line counts in tables, so that small changes do not alter the tables
 KERNEL = "Deformable_simplicial_complexes"
-# Package: the other packages that it uses besides the kernel
+# Each package with the packages that it uses besides the kernel
 PACKAGES = {
     KERNEL: (),
     "Interface_flows": (),
@@ -38,7 +38,7 @@ PACKAGES = {
     "Cut_loci_2": (),
     "Incompressible_fluids_3": (),
 }
-# The headers at the top of the tree that do not belong to the kernel
+# The headers directly in include/CGAL that do not belong to the kernel
 PACKAGE_OF_TOP_HEADER = {"Incompressible_fluid_3.h": "Incompressible_fluids_3"}
 # The modules of each package in the order of the data flow: a module includes those above it.
 MODULES = {
@@ -81,7 +81,7 @@ MODULES = {
 
 
 class Header:
-    """A header file, its place among packages and modules, and what it includes."""
+    """A header file with its package, its module and its includes."""
 
     def __init__(self, path):
         parts = path.relative_to(INCLUDE).parts
@@ -107,7 +107,7 @@ def read_headers():
 
 
 def broken_rules(headers):
-    """One line for each include or header that breaks a rule."""
+    """Yields a line for each include or header that breaks a rule."""
     size = {}
     for h in headers.values():
         if h.package not in PACKAGES:
@@ -138,7 +138,7 @@ def broken_rules(headers):
 
 
 def missing_paths():
-    """One line for each path in CONTRIBUTING.md that does not exist."""
+    """Yields a line for each path in CONTRIBUTING.md that does not exist."""
     for path in sorted(set(re.findall(r"`([\w.]+/[\w./-]*)[ `]", CONTRIBUTING.read_text()))):
         if re.search(r"\b(NAME|PACKAGE|MODULE|NAME_\w+)\b", path):
             continue
@@ -152,7 +152,7 @@ def rounded(lines):
 
 
 def tables(headers):
-    """The generated tables, by the name of their marker."""
+    """Returns the generated tables by the names of their markers."""
     def count(select):
         chosen = [h for h in headers.values() if select(h)]
         return len(chosen), rounded(sum(h.lines for h in chosen))
@@ -190,9 +190,9 @@ def check_tables(headers, write):
         sys.exit(f"the tables of {CONTRIBUTING.name} are out of date: run scripts/modules.py table --write")
 
 
-# The picture: the packages on top with their modules and the number of kernel headers that they include;
-# below them the kernel with a matrix of its modules: a number is the includes of a row's module from a
-# column's module. All numbers are below the diagonal if the rules hold.
+# The picture shows the packages on top, with their modules and the number of kernel headers that they
+# include. Below is the kernel with a matrix of its modules. An entry is the number of includes of the
+# module of its row from the module of its column. All entries are below the diagonal if the rules hold.
 CELL, MARGIN, LABEL = 24, 20, 300
 STYLE = ("text{font:13px sans-serif}.t{font-weight:bold;font-size:14px}.n{fill:#555;font-size:11px}"
          ".m{text-anchor:middle;font-size:12px}.p{fill:#eef3f8;stroke:#4878a0}.w{fill:white;stroke:#999}"
@@ -214,7 +214,7 @@ def size_of(chosen):
 
 
 def draw_package(headers, name, x, y, width, height):
-    """The box of a package other than the kernel, and its arrow to the kernel."""
+    """Yields the box of a package other than the kernel, and its arrow to the kernel."""
     mine = [h for h in headers.values() if h.package == name]
     yield box(x, y, width, height, "p") + text(x + 10, y + 22, name, "t")
     yield text(x + 10, y + 42, "public: " + size_of([h for h in mine if not h.is_internal]), "n")
@@ -229,7 +229,7 @@ def draw_package(headers, name, x, y, width, height):
 
 
 def draw_kernel(headers, x, y, width):
-    """The box of the kernel with the matrix of its modules."""
+    """Yields the box of the kernel with the matrix of its modules."""
     mine = [h for h in headers.values() if h.package == KERNEL]
     modules = list(MODULES[KERNEL])
     top, left = y + 106, x + 10 + LABEL

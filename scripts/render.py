@@ -2,12 +2,12 @@
 # Copyright (c) 2026 The deformable simplicial complex authors
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Renders the first, the middle and the last step that `dsc --output DIR` wrote.
+"""Renders the first, the middle and the last step of a run of `dsc --output DIR`.
 
-For each of them: interface_NNNNNN.png, the interface, and cut_NNNNNN.png, the tetrahedra behind a
-plane through the centre, coloured by label. strip.png shows all of them in two rows. With --frames,
-it is a single row of small pictures of the interface, and there are no others. Needs VTK 9 for
-Python (Debian: python3-vtk9), and without a display xvfb-run before the command.
+Writes for each step interface_NNNNNN.png, the interface, and cut_NNNNNN.png, the tetrahedra behind a
+plane through the centre, coloured by label. strip.png shows all pictures in two rows. With --frames,
+writes only strip.png, a row of small pictures of the interface. Needs VTK 9 for Python (Debian:
+python3-vtk9). Without a display, run the script with xvfb-run.
 """
 
 import argparse
@@ -19,20 +19,20 @@ import xml.etree.ElementTree as ElementTree
 import vtk
 
 SIZE = (1200, 900)
-# How many pixels of a picture, along either axis, make one in the strip of three steps.
-# A strip of N frames is about as wide as a single picture.
+# Reduction factor of a picture in the strip of three steps. A strip of N frames is about as wide as a
+# single picture.
 SHRINKING = 2
-# The y axis points up. Seen from the front (+z), a little from the right and above; the half in
-# front is cut away.
+# The y axis points up. The view is from the front (+z), slightly from the right and above. The front
+# half is cut away.
 VIEW_DIRECTION = (-0.4, -0.3, -0.9)
 VIEW_UP = (0, 1, 0)
-# Half the height of a picture, in multiples of the interface's half diagonal.
+# Half the height of a picture, in multiples of half the diagonal of the interface.
 SHOWN_HEIGHT = 0.72
-# The same in a strip of frames, where the interfaces would just fit with 1.
+# The margin in a strip of frames; with 1 the interfaces exactly fit.
 MARGIN = 1.1
-# How far around its centre tetrahedra are shown, in multiples of the interface's half diagonal.
+# Radius around the centre in which tetrahedra are shown, in multiples of half the diagonal.
 SHOWN_RADIUS = 0.8
-# The outside is pale; labels beyond the list start it again after the first colour.
+# Label 0 is pale. Further labels repeat the colours after the first one.
 COLOURS = ((0.90, 0.90, 0.88), (0.30, 0.52, 0.74), (0.89, 0.55, 0.24), (0.42, 0.65, 0.38),
            (0.72, 0.36, 0.42), (0.55, 0.45, 0.68), (0.80, 0.70, 0.30))
 EDGE_COLOUR = (0.15, 0.15, 0.18)
@@ -40,11 +40,11 @@ BORDER_GREY = 200  # of 255
 
 
 class Failure(Exception):
-    """What is wrong and what to do, in one line."""
+    """An error message of one line with advice."""
 
 
 def read_collection(path):
-    """The data files of a ParaView collection by time."""
+    """Returns the data files of a ParaView collection, sorted by time."""
     try:
         entries = ElementTree.parse(path).getroot().iter("DataSet")
         folder = os.path.dirname(path)
@@ -87,7 +87,7 @@ def colour_table():
 
 
 def surface_actor(grid, label_array):
-    """The outer faces of the cells, flat, with edges, in the colours of the cells' labels."""
+    """Returns the boundary faces of the cells with flat shading, edges and the colours of the labels."""
     labels = grid.GetCellData().GetArray(label_array)
     colours = vtk.vtkIntArray()
     colours.SetName("colour")
@@ -118,7 +118,7 @@ def interface_actor(path):
 
 
 def cut_actor(path, centre, radius):
-    """The tetrahedra whose barycentre is behind the plane through the centre and near it."""
+    """Returns the tetrahedra near the centre whose barycentre is behind the plane through the centre."""
     grid = read_grid(path)
     centres = vtk.vtkCellCenters()
     centres.SetInputData(grid)
@@ -155,13 +155,13 @@ def bounds_of(grids):
 
 
 def view_of(paths):
-    """The centre and the half diagonal of all these interfaces together."""
+    """Returns the centre and half the diagonal of the bounding box of all these interfaces."""
     bounds, centre = bounds_of(read_grid(path) for path in paths)
     return centre, bounds.GetDiagonalLength() / 2
 
 
 def camera_at(centre, height):
-    """Looks at the centre; shows twice the height."""
+    """Returns a camera that looks at the centre; the height of the view is twice `height`."""
     camera = vtk.vtkCamera()
     camera.SetFocalPoint(*centre)
     camera.SetPosition(*(c - 10 * height * d for c, d in zip(centre, VIEW_DIRECTION)))
@@ -180,7 +180,7 @@ def transformed(grid, transform):
 
 
 def closest_camera(paths):
-    """Shows all of these interfaces, and as little else as it can."""
+    """Returns the camera with the smallest view that contains all these interfaces."""
     to_view = vtk.vtkTransform()
     to_view.SetMatrix(camera_at((0, 0, 0), 1).GetViewTransformMatrix())
     bounds, centre = bounds_of(transformed(read_grid(path), to_view) for path in paths)
@@ -235,7 +235,7 @@ def tile(image, shrinking):
 
 
 def with_border(image):
-    """Adds a line on the right, to tell a frame from the next one."""
+    """Adds a line on the right that separates a frame from the next one."""
     width, height, _ = image.GetDimensions()
     pad = vtk.vtkImageConstantPad()
     pad.SetInputData(image)
@@ -268,7 +268,7 @@ def render_three_steps(series, volumes, out):
             image = render(actor, camera)
             write(image, os.path.join(out, f"{name}_{number}.png"))
             row.append(tile(image, SHRINKING))
-    # Images grow upwards.
+    # The rows of VTK images go upwards.
     strip = appended([appended(row, axis=0) for row in reversed(rows)], axis=1)
     write(strip, os.path.join(out, "strip.png"))
 
@@ -276,19 +276,19 @@ def render_three_steps(series, volumes, out):
 def number_of_frames(text):
     count = int(text)
     if count < 2:
-        raise argparse.ArgumentTypeError("a strip needs two frames at least")
+        raise argparse.ArgumentTypeError("a strip needs at least two frames")
     return count
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("folder", metavar="DIR", help="what dsc --output wrote")
-    parser.add_argument("--out", metavar="DIR", help="folder for the images; default: the same")
+    parser.add_argument("folder", metavar="DIR", help="folder of a run: the DIR of dsc --output DIR")
+    parser.add_argument("--out", metavar="DIR", help="folder for the images; default: the folder of the run")
     parser.add_argument("--frames", metavar="N", type=number_of_frames,
-                        help="only a strip of the interface in N steps, from the first to the last")
+                        help="write only a strip of the interface at N steps, from the first to the last")
     arguments = parser.parse_args()
     out = arguments.out or arguments.folder
-    vtk.vtkObject.GlobalWarningDisplayOff()  # failures are told in one line
+    vtk.vtkObject.GlobalWarningDisplayOff()  # errors are printed in one line
 
     series = read_collection(os.path.join(arguments.folder, "interface.pvd"))
     os.makedirs(out, exist_ok=True)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs the flows that the manual shows, in BUILD_DIR/flows, and renders its strips of pictures anew:
-# doc/PACKAGE/fig/flow_NAME.png. Takes some minutes.
+# Runs the flows that the manual shows and renders their pictures: doc/PACKAGE/fig/flow_NAME.png.
+# Uses the program BUILD_DIR/dsc and the folder BUILD_DIR/flows. Takes some minutes.
 # Usage: scripts/render_flows.sh [BUILD_DIR]
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
@@ -18,7 +18,7 @@ fail() { # MESSAGE
 }
 
 check_needs() {
-  [ -x "$build/dsc" ] || fail "$build/dsc is missing; build the target dsc, or name its folder"
+  [ -x "$build/dsc" ] || fail "$build/dsc is missing; build the target dsc, or give its build folder"
   [ -f "$data" ] || fail "$data is missing; run scripts/install_dependencies.sh"
   "$python" -c 'import vtk' 2>/dev/null ||
     fail "VTK for Python is missing; run scripts/install_dependencies.sh"

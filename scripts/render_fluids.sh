@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Runs the scenes of `dsc fluid` that the manual shows, in BUILD_DIR/fluids, and renders its pictures of
-# them anew: doc/Incompressible_fluids_3/fig/fluid_NAME.png. Takes a quarter of an hour and 1.2 GB.
+# Runs the scenes of `dsc fluid` that the manual shows and renders their pictures:
+# doc/Incompressible_fluids_3/fig/fluid_NAME.png. Uses the program BUILD_DIR/dsc and the folder
+# BUILD_DIR/fluids. Takes a quarter of an hour and 1.2 GB of disk space.
 # Usage: scripts/render_fluids.sh [BUILD_DIR]
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
@@ -15,7 +16,7 @@ fail() { # MESSAGE
 }
 
 check_needs() {
-  [ -x "$build/dsc" ] || fail "$build/dsc is missing; build the target dsc, or name its folder"
+  [ -x "$build/dsc" ] || fail "$build/dsc is missing; build the target dsc, or give its build folder"
   [ -f "$data" ] || fail "$data is missing; run scripts/install_dependencies.sh"
   command -v povray >/dev/null ||
     fail "povray is missing; run scripts/install_dependencies.sh povray python3-numpy"

@@ -2,10 +2,10 @@
 # Copyright (c) 2026 The deformable simplicial complex authors
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Renders steps that `dsc fluid --output DIR --subdivide N` wrote, in one picture.
+"""Renders steps of a run of `dsc fluid --output DIR --subdivide N` in one picture.
 
-POV-Ray (Debian: povray) traces the rays: glossy, opaque liquids above a pale floor. Frames are side by
-side, broad ones in rows of two. Needs NumPy (Debian: python3-numpy).
+The picture shows opaque liquids above a pale floor, rendered by POV-Ray (Debian: povray). The frames are
+side by side; wide frames are in rows of two. Needs NumPy (Debian: python3-numpy).
 """
 
 import argparse
@@ -21,13 +21,13 @@ import numpy
 
 FRAMES = 4
 WIDTH = 1200  # of the picture, in pixels
-BROAD = 2  # Frames are broad if they are so many times as wide as high.
+BROAD = 2  # Frames are wide if the ratio of width to height is larger.
 BORDER_GREY = 200  # of 255
-ANGLE = 30  # of the view, from left to right, in degrees
-# The surfaces would just fit with 1.
+ANGLE = 30  # horizontal angle of view, in degrees
+# The margin; with 1 the surfaces exactly fit.
 MARGIN = 1.15
-# How far below the liquid the floor is, in multiples of the distance of the eye: they must not
-# coincide.
+# Distance of the floor from the liquid, in multiples of the distance of the eye. It is positive, so
+# that the floor and the liquid do not coincide.
 GAP = 0.001
 
 SCENE = """#version 3.7;
@@ -61,11 +61,11 @@ mesh2 {{
 
 
 class Failure(Exception):
-    """What is wrong and what to do, in one line."""
+    """An error message of one line with advice."""
 
 
 def smooth_surfaces(folder):
-    """The files of the steps by time."""
+    """Returns the files of the steps with their times."""
     try:
         entries = ElementTree.parse(os.path.join(folder, "interface.pvd")).getroot().iter("DataSet")
         names = [(float(e.get("timestep")), os.path.splitext(e.get("file"))[0]) for e in entries]
@@ -78,7 +78,7 @@ def smooth_surfaces(folder):
 
 
 def chosen(surfaces, times):
-    """The files nearest to the times, or some from the first to the last."""
+    """Returns the files nearest to the times, or FRAMES files from the first to the last."""
     if times is None:
         last = len(surfaces) - 1
         return [surfaces[i][1] for i in sorted({k * last // (FRAMES - 1) for k in range(FRAMES)})]
@@ -86,7 +86,7 @@ def chosen(surfaces, times):
 
 
 def read_surface(path, up):
-    """Points, with the third axis upwards, and triangles."""
+    """Returns the points, with the third axis upwards, and the triangles."""
     try:
         with open(path, encoding="ascii") as file:
             words = file.read().split()
@@ -102,7 +102,7 @@ def read_surface(path, up):
 
 
 def vertex_normals(points, triangles):
-    """The averages of the normals of the triangles around, by area."""
+    """Returns the mean normals of the incident triangles, weighted by area."""
     a, b, c = (points[triangles[:, k]] for k in range(3))
     of_triangles = numpy.cross(b - a, c - a)
     normals = numpy.zeros_like(points)
@@ -113,8 +113,8 @@ def vertex_normals(points, triangles):
 
 
 def camera_for(points, to_eye):
-    """The centre of the view of all points, the least distance from which it shows them, the
-    direction to the eye, and the width of the view over its height."""
+    """Returns the camera that shows all points: the centre of the view, the smallest distance of the
+    eye, the direction to the eye, and the ratio of width to height."""
     eye = numpy.array(to_eye) / numpy.linalg.norm(to_eye)
     right = numpy.cross((0, 0, 1), eye)
     right /= numpy.linalg.norm(right)
@@ -158,7 +158,7 @@ def render(text, width, height, scratch):
     except FileNotFoundError:
         raise Failure("povray is missing; run scripts/install_dependencies.sh povray")
     except subprocess.CalledProcessError as error:
-        lines = error.stderr.strip().splitlines() or ["it tells nothing"]
+        lines = error.stderr.strip().splitlines() or ["no message"]
         raise Failure(f"povray failed: {lines[-1]}")
     with open(picture, "rb") as file:
         pixels = file.read()[-3 * width * height:]
@@ -173,7 +173,7 @@ def in_rows(frames, columns):
 
 
 def joined(frames, axis):
-    """The frames with lines of one pixel between them."""
+    """Returns the frames, separated by lines of one pixel."""
     shape = list(frames[0].shape)
     shape[axis] = 1
     line = numpy.full(shape, BORDER_GREY, numpy.uint8)
@@ -187,7 +187,7 @@ def write_png(path, image):
                 struct.pack(">I", zlib.crc32(kind + data)))
 
     height, width, _ = image.shape
-    # 1: each pixel but the first of a row is told by what it differs from the one on its left.
+    # Filter 1: a pixel is stored as the difference from the pixel on its left.
     image = numpy.diff(image, axis=1, prepend=numpy.zeros((height, 1, 3), numpy.uint8))
     rows = b"".join(b"\1" + row.tobytes() for row in image)
     with open(path, "wb") as file:
@@ -202,11 +202,11 @@ def numbers(text):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("folder", metavar="DIR", help="what dsc fluid --output --subdivide wrote")
-    parser.add_argument("picture", metavar="PICTURE.png", help="what to write")
+    parser.add_argument("folder", metavar="DIR", help="folder of a run of dsc fluid with --output and --subdivide")
+    parser.add_argument("picture", metavar="PICTURE.png", help="the output file")
     parser.add_argument("--times", metavar="T,T,...", type=numbers,
-                        help=f"the steps nearest to these; default: {FRAMES}, from first to last")
-    parser.add_argument("--up", choices="yz", default="z", help="which axis; default: z")
+                        help=f"times of the steps; default: {FRAMES} steps from the first to the last")
+    parser.add_argument("--up", choices="yz", default="z", help="the upward axis; default: z")
     parser.add_argument("--eye", metavar="X,Y,Z", type=numbers, default=[0.55, -1, 0.5],
                         help="the direction to the eye: to the right, backwards and upwards; "
                              "default: 0.55,-1,0.5")

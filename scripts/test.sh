@@ -1,25 +1,27 @@
 #!/usr/bin/env bash
-# Builds everything and runs all the tests: as users get it, and with CGAL's checks and sanitizers.
+# Builds everything and runs all tests: in Release as users do, with the checks of CGAL, and with
+# sanitizers.
+# Usage: scripts/test.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
 jobs=$(nproc)
 
 scripts/install_dependencies.sh
 
-# Optimized but a little, to save a third of the time for compilation. Nobody runs the benchmarks
-# here, so they are parsed only; scripts/check_more.sh builds them.
+# -O1 saves a third of the compilation time. The benchmarks are only parsed, because nothing runs them
+# here; scripts/check_more.sh builds them.
 echo "== Release: the program, the installed package, examples and benchmarks"
 cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
   -DDSC_BUILD_UNIT_TESTS=OFF -DDSC_SHARE_COMPILATION=ON -DDSC_ONLY_PARSE_BENCHMARKS=ON
 cmake --build build --parallel "$jobs"
 ctest --test-dir build --output-on-failure --no-tests=error --parallel "$jobs"
 
-echo "== Inputs that were once lost, misread or refused for a wrong reason"
+echo "== Inputs that were once lost, misread or rejected for a wrong reason"
 /usr/bin/python3 scripts/check_inputs.py build/dsc
 
-# Optimized a little, or it would be too slow to run. Sanitizers take two thirds of the time that
-# compilation takes with them, so they watch what meets the worst input, which is short and needs no
-# optimization; scripts/check_more.sh has them watch everything.
+# -O1, because the tests are too slow without optimization. Sanitizers triple the compilation time, so
+# only the tests with damaged and random input run with sanitizers below; these tests are short and
+# need no optimization. scripts/check_more.sh runs all tests with sanitizers.
 echo "== Debug, with the checks of CGAL and of the standard library: the headers"
 cmake -S . -B build-checked -G Ninja -DCMAKE_BUILD_TYPE=Debug \
   -DCMAKE_CXX_FLAGS_DEBUG="-O1 -D_GLIBCXX_ASSERTIONS" \

@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
-# Compiles headers of the package alone, without making code: each includes what it needs.
+# Checks that each header of the package compiles alone, without code generation.
 # Usage: test/headers_alone.sh NAMES JOBS COMPILER FLAGS...
-# NAMES is a pattern, '*.h' for all.
+# NAMES is a pattern of file names, for example '*.h' for all headers.
 set -euo pipefail
 names=$1 jobs=$2
 shift 2
 cd "$(dirname "$0")/../include"
-# What has no guard is a part of another header.
+# A header without include guard is a part of another header.
 mapfile -t headers < <(grep --recursive --files-with-matches --include="$names" \
   '^#ifndef CGAL_.*_H$' CGAL | sort)
 [ ${#headers[@]} -gt 0 ] || { echo "no header is called $names"; exit 1; }
 
 compile_alone() {
-  # Included by a file, as compilers warn of headers that are the main file.
+  # The header is included by a file, because compilers warn if a header is the main file.
   echo "#include <$1>" | "${@:2}" -I. -fsyntax-only -x c++ - || { echo "not alone: $1"; return 1; }
 }
 export -f compile_alone
