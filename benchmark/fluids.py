@@ -5,7 +5,8 @@ Usage: benchmark/fluids.py DSC [--data DIR] [PART...]
 
 The parts are droplets, decay, rest, waves, jets, sessile, sloshing, dam, bubble, breathing, figures,
 speed, subdivision and survival. Runs all parts by default. The scenes are scenes of the program with
-the changes that the rows name. The part `figures` needs the mesh bunny00.off of CGAL in DIR.
+the changes that the rows name. The part `figures` needs the meshes bunny00.off and armadillo.off of
+CGAL in DIR.
 """
 
 import cmath

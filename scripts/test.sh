@@ -19,7 +19,7 @@ ctest --test-dir build --output-on-failure --no-tests=error --parallel "$jobs"
 echo "== Inputs that were once lost, misread or rejected for a wrong reason"
 /usr/bin/python3 scripts/check_inputs.py build/dsc
 
-# -O1, because the tests are too slow without optimization. Sanitizers triple the compilation time, so
+# -O1, because the tests are too slow without optimization. Sanitizers slow the compilation down, so
 # only the tests with damaged and random input run with sanitizers below; these tests are short and
 # need no optimization. scripts/check_more.sh runs all tests with sanitizers.
 echo "== Debug, with the checks of CGAL and of the standard library: the headers"

@@ -21,7 +21,7 @@ using Point = CGAL::Simple_cartesian<double>::Point_2;
 
 constexpr double pi = 3.14159265358979324;
 
-// Of revolution, about a circle of radius 2.
+// A torus of revolution about a circle of radius 2.
 struct Torus
 {
   template <class T> std::array<T, 3> operator()(const T& u, const T& v) const {
@@ -43,7 +43,7 @@ struct Tensor_of_torus
 
 using Torus_metric = DSC::Embedded_surface_2<Torus>;
 
-// A flat torus, sheared: lengths are those of (u + v / 2, v).
+// A sheared flat torus: lengths are lengths of (u + v / 2, v).
 struct Sheared_metric
 {
   DSC::Metric_jet_2 operator()(double, double) const { return {1, .5, 1.25, 0, 0, 0, 0, 0, 0}; }
@@ -74,7 +74,7 @@ TEST(Riemannian_metric, of_an_embedding_is_differentiated) {
     }
 }
 
-// Has the functions of <cmath> of one variable, and quotients.
+// Provides the functions of <cmath> of one variable, and quotients.
 struct Functions
 {
   template <class T> std::array<T, 3> operator()(const T& u, const T& v) const {
@@ -101,7 +101,7 @@ TEST(Riemannian_metric, has_the_derivatives_of_all_functions) {
   const DSC::Embedded_surface_2<Functions> metric;
   const Functions f;
   static constexpr double width = 1e-3, u = .4, v = .6;
-  // Central differences, of the fourth order.
+  // Computes fourth-order central differences.
   const auto slope = [](const auto& value) {
     return (8 * (value(width) - value(-width)) - (value(2 * width) - value(-2 * width))) /
            (12 * width);
@@ -159,7 +159,7 @@ TEST(Geodesic_front, is_a_circle_before_it_meets_itself) {
   }
 }
 
-// Two lines that cross where four geodesics meet.
+// Two lines that intersect where four geodesics meet.
 TEST(Cut_locus, of_a_flat_torus) {
   const Point p(.2, .3);
   const DSC::Cut_locus_2 locus = DSC::cut_locus_2(Flat_metric(), Domain(), p, .05, .025);
@@ -179,8 +179,8 @@ TEST(Cut_locus, of_a_flat_torus) {
   EXPECT_EQ(locus.polylines.size(), 2u);
 }
 
-// A torus of revolution whose generator is an ellipse, of the height 2 b; by formulas, which are
-// faster than differentiation.
+// A torus of revolution whose generator is an ellipse of height 2 b. It uses formulas, which are
+// faster than automatic differentiation.
 struct Torus_by_formulas
 {
   double b;
@@ -192,14 +192,15 @@ struct Torus_by_formulas
   }
 };
 
-// An end or a junction, in the chart from -pi to pi.
+// An end or a junction in the chart from -pi to pi.
 struct Special_point
 {
   double u, v, distance;
   std::size_t multiplicity;
 };
 
-// The cut locus is symmetric: u and -u, or both halves of the opposite meridian.
+// The cut locus is symmetric under exchange of u and -u, and of both halves of the opposite
+// meridian.
 void expect_cut_locus(double b, double v, double spacing, std::size_t arcs,
                       const std::vector<Special_point>& expected) {
   const DSC::Cut_locus_2 locus = DSC::cut_locus_2(Torus_by_formulas{b}, Domain({2 * pi, 2 * pi}),
@@ -231,7 +232,8 @@ TEST(Cut_locus, of_a_point_of_the_outer_equator_of_a_torus) {
                     {conjugate, 0, 3 * conjugate, 1}});
 }
 
-// The ends lie on the opposite parallel, where it meets the curve that goes around.
+// The ends lie on the opposite parallel, where the parallel meets the closed curve around the
+// torus.
 TEST(Cut_locus, of_another_point_of_a_torus) {
   const double v = .1 * pi;
   expect_cut_locus(1, v, .2, 6,
@@ -242,7 +244,8 @@ TEST(Cut_locus, of_another_point_of_a_torus) {
                     {1.82135894, -v, 5.46388, 1}});
 }
 
-// Whatever mesh it begins with, and wherever the axis of what is left has its forks.
+// The result does not depend on the initial mesh, nor on the positions of the forks of the
+// remaining axis.
 TEST(Cut_locus, of_a_torus_does_not_depend_on_the_mesh) {
   for (double v : {.09 * pi, .095 * pi, .105 * pi})
     for (double spacing : {.19, .21}) {
@@ -253,7 +256,7 @@ TEST(Cut_locus, of_a_torus_does_not_depend_on_the_mesh) {
     }
 }
 
-// Geodesics are focused by the rims of a high torus: four more arcs begin there.
+// The rims of a high torus focus geodesics: four additional arcs begin there.
 TEST(Cut_locus, of_a_point_of_a_high_torus) {
   const double v = .1 * pi;
   expect_cut_locus(2, v, .15, 9,
@@ -267,7 +270,7 @@ TEST(Cut_locus, of_a_point_of_a_high_torus) {
                     {2.24727, -1.02541, 6.78796, 1}});
 }
 
-// Of revolution, with other radii.
+// A torus of revolution with other radii.
 struct Thin_torus
 {
   double large, small;
@@ -278,8 +281,8 @@ struct Thin_torus
   }
 };
 
-// By the symmetry of v and -v, the cut locus of a point of the outer equator has all of the inner
-// one, and of the outer one what is beyond the conjugate points.
+// By the symmetry of v and -v, the cut locus of a point of the outer equator contains the inner
+// equator, and the part of the outer equator beyond the conjugate points.
 TEST(Cut_locus, of_a_thin_torus_is_symmetric) {
   const DSC::Cut_locus_2 locus =
       DSC::cut_locus_2(Thin_torus{2, .5}, Domain({2 * pi, 2 * pi}), Point(0, 0), .157, .078);
@@ -296,8 +299,8 @@ TEST(Cut_locus, of_a_thin_torus_is_symmetric) {
   }
 }
 
-// Geodesics that nearly stay on the inner equator: its points far from the source differ by
-// directions of 1e-6.
+// Geodesics near the inner equator: directions of geodesics to distant points on the equator differ
+// by only 1e-6.
 TEST(Cut_locus, of_a_point_of_the_outer_equator_of_a_thin_torus) {
   const DSC::Cut_locus_2 locus =
       DSC::cut_locus_2(Thin_torus{2, .4}, Domain({2 * pi, 2 * pi}), Point(0, 0), .2, .04);
@@ -340,7 +343,7 @@ TEST(Geodesic_distance, on_a_flat_torus) {
     }
 }
 
-// The other values are those of 8000 geodesics.
+// The other values are computed with 8000 geodesics.
 TEST(Geodesic_distance, on_tori_of_revolution) {
   const Domain domain({2 * pi, 2 * pi});
   const auto equator = distance_field(Torus_by_formulas{1}, domain, Point(0, 0), .2);
@@ -354,7 +357,7 @@ TEST(Geodesic_distance, on_tori_of_revolution) {
   EXPECT_NEAR(high(Point(3.05, -.1 * pi)), 9.09745, 1e-4);
 }
 
-// Where geodesics are conjugate to the source, and its neighborhood.
+// The points that are conjugate to the source, and their neighborhoods.
 TEST(Geodesic_distance, at_an_end_of_the_cut_locus) {
   const auto distance =
       distance_field(Torus_by_formulas{1}, Domain({2 * pi, 2 * pi}), Point(0, 0), .2);
@@ -395,8 +398,8 @@ TEST(Geodesics, of_a_sphere_are_great_circles) {
     }
 }
 
-// Part of the equator between the points that are conjugate to the source along it, where the
-// curvature is 1 / h^2; an arc of the meridian leads to the middle.
+// The cut locus is the part of the equator between the points that are conjugate to the source
+// along the equator, where the curvature is 1 / h^2. A meridian arc leads to the middle.
 TEST(Cut_locus, of_a_point_of_the_equator_of_an_oblate_spheroid) {
   const double h = .8, conjugate = pi * h;
   const Ellipsoid_surface spheroid(Ellipsoid{{1, 1, h}}, {3, 0, 0});
@@ -413,8 +416,9 @@ TEST(Cut_locus, of_a_point_of_the_equator_of_an_oblate_spheroid) {
   }
 }
 
-// Part of a line of curvature: a quadric that is confocal with the ellipsoid cuts it out. (J. Itoh,
-// K. Kiyohara, The cut loci and the conjugate loci on ellipsoids, Manuscripta Math. 114, 2004.)
+// The cut locus is a part of a line of curvature, which a confocal quadric cuts out of the
+// ellipsoid. (J. Itoh, K. Kiyohara, The cut loci and the conjugate loci on ellipsoids, Manuscripta
+// Math. 114, 2004.)
 TEST(Cut_locus, of_an_ellipsoid_is_on_a_line_of_curvature) {
   const std::array<double, 3> axes = {1, .8, .6};
   const Ellipsoid_surface ellipsoid(Ellipsoid{axes}, {1, 1, 1});
@@ -427,7 +431,8 @@ TEST(Cut_locus, of_an_ellipsoid_is_on_a_line_of_curvature) {
       sum += p[i] * p[i] / (axes[i] * axes[i] - parameter);
     return sum;
   };
-  // The hyperboloid of one sheet through the source: between the squares of the shorter two axes.
+  // The confocal hyperboloid of one sheet through the source; its parameter is between the squares
+  // of the two shorter axes.
   double low = .36 + 1e-9, high = .64 - 1e-9;
   const double third = std::sqrt(1. / 3);
   const std::array<double, 3> source = {third, .8 * third, .6 * third};
@@ -462,7 +467,7 @@ TEST(Cut_locus, of_ellipsoids_of_any_shape) {
   }
 }
 
-// The metric has ratios of up to 100 in the chart of a sphere, and conjugate points near the
+// In the chart of a sphere, the metric has ratios of up to 100, and conjugate points are near the
 // source.
 TEST(Cut_locus, of_long_and_flat_ellipsoids) {
   struct Case
@@ -474,7 +479,7 @@ TEST(Cut_locus, of_long_and_flat_ellipsoids) {
     const Ellipsoid_surface surface(Ellipsoid{c.axes}, c.source);
     const double middle = surface.half_width;
     const auto g = surface(middle, middle);
-    EXPECT_NEAR(g.F, 0, 1e-9 * g.E); // opposite to the source, the metric is isotropic
+    EXPECT_NEAR(g.F, 0, 1e-9 * g.E); // at the point opposite to the source, the metric is isotropic
     EXPECT_NEAR(g.G, g.E, 1e-9 * g.E);
     const DSC::Cut_locus_2 locus = DSC::cut_locus_2(surface, .1, .05 * std::sqrt(g.E));
     EXPECT_TRUE(locus.is_complete) << c.axes[1] << ' ' << c.source[1];
@@ -499,7 +504,7 @@ TEST(Sphere_like_surface, has_a_source) {
   EXPECT_THROW(DSC::cut_locus_2(Ellipsoid_surface(Ellipsoid{{1, 1, 0}}, {1, 0, 0}), .2, .1), Error);
 }
 
-// Of the period 1, in any unit: chart and manifold may have different ones.
+// A torus of period 1 in any unit: chart and surface may have different units.
 TEST(Cut_locus, does_not_depend_on_units) {
   struct Metric
   {
@@ -541,7 +546,8 @@ TEST(Geodesic_front, goes_on_by_any_length) {
   EXPECT_NEAR(distance(Point(.1, .2)), std::hypot(.1, .2), 1e-9);
 }
 
-// Where it is not positive, no geodesic goes; the front stays as it was.
+// Geodesics do not enter the region where the metric is not positive definite; the front keeps its
+// previous state.
 TEST(Geodesic_front, ends_where_the_metric_is_not_positive) {
   const auto metric = [](double, double v) {
     const double G = std::abs(v - .5) < .2 ? -1 : 1;

@@ -28,7 +28,7 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// Values on vertices and averages over cells that follow changes of the mesh.
+// Values on vertices and averages on cells that follow changes of the mesh.
 
 namespace test_carried_values {
 
@@ -86,8 +86,8 @@ std::pair<double, double> range(const Complex& dsc, Cell_values& averages) {
   return result;
 }
 
-// Half of the box has label 1, and vertices between the halves are disturbed within their plane:
-// whatever is done, the volumes of both stay.
+// A box of which half has label 1. The vertices of the common wall are disturbed within its plane.
+// No operation may change the volumes of the halves.
 int half(const Point& p) { return p.x() < 0 ? 1 : 0; }
 
 Complex flat_interface(std::size_t n, double part, unsigned seed) {
@@ -102,7 +102,7 @@ Complex flat_interface(std::size_t n, double part, unsigned seed) {
   return dsc;
 }
 
-// Everything that improves a mesh at rest, by name.
+// All operations that improve a mesh at rest, by name.
 template <class Visitor>
 DSC::Improvement_report improve(const std::string& name, Complex& dsc, Visitor& visitor) {
   const auto np = parameters::visitor(std::ref(visitor));
@@ -150,7 +150,7 @@ double largest_error(const Complex& dsc, Vertex_values& values) {
   return result;
 }
 
-// Runs something with a visitor that carries values on vertices and averages over cells.
+// Runs a function with a visitor that carries values on vertices and averages on cells.
 template <class Run>
 auto carry(Complex& dsc, Vertex_values& values, Cell_values& averages, const Run& run) {
   DSC::Carried_vertex_values<Complex, Vertex_values::Map> vertices(dsc, values.map());
@@ -217,7 +217,7 @@ TEST(Carried_values, keep_bounds_where_the_interface_stays) {
   }
 }
 
-// Also where values are no numbers.
+// The values may be NaN.
 TEST(Carried_values, may_be_vectors) {
   Complex dsc = jittered_grid(3, small_meshes::ball, .35, 1);
   const Vector velocity(1, -2, 3);
@@ -244,7 +244,7 @@ TEST(Carried_values, may_be_vectors) {
 
 // Deformations
 
-// Moves vertices of the interface at random, by up to a distance.
+// Moves the vertices of the interface by random vectors up to a length.
 template <class Visitor>
 DSC::Deformation_report<Complex> shake(Complex& dsc, double distance, unsigned seed,
                                        Visitor& visitor) {
@@ -280,12 +280,12 @@ TEST(Carried_values, keep_the_integral_in_deformations) {
     EXPECT_GT(changes.flipped, 100u);
     EXPECT_GT(changes.smoothed, 100u);
     EXPECT_GT(relabeled, 10u);
-    for (Vertex_handle v : dsc.vertices()) // the bounds of the function in the box
+    for (Vertex_handle v : dsc.vertices()) // bounds of the function in the box
       EXPECT_NEAR(values[v], 4, 6 + tolerance);
   }
 }
 
-// What moves as a whole carries values and averages along.
+// A rigid motion of everything keeps values and averages.
 TEST(Carried_values, move_with_the_flow) {
   Complex dsc = make_complex(grid(4, small_meshes::cube));
   Vertex_values values = linear_values(dsc);
@@ -305,7 +305,7 @@ TEST(Carried_values, move_with_the_flow) {
 
 // Other visitors
 
-// Counts what it is told, and throws when it is told something for the n-th time.
+// Counts notifications, and throws at the n-th notification.
 struct Recorder
 {
   void record(const std::string& what) {
@@ -355,7 +355,7 @@ TEST(Visitor_pair, forwards_everything) {
   EXPECT_EQ(first.told, second.told);
   for (Recorder* one : {&first, &second}) {
     one->maximum_number_of_passes = 5;
-    EXPECT_FALSE(pair.go_further(6)); // both are asked
+    EXPECT_FALSE(pair.go_further(6)); // both visitors are asked
     one->maximum_number_of_passes = 100;
   }
   EXPECT_EQ(first.told["go_further"], 3);
@@ -404,7 +404,8 @@ TEST(Visitor, is_told_before_and_after_each_change) {
   EXPECT_EQ(told["after_smoothing"], int(report.smoothed + report.relocated));
 }
 
-// A visitor that refuses a change stops it; whatever it throws at, averages are averages again.
+// An exception of a visitor stops a deformation. After any exception, the maps contain averages
+// again.
 TEST(Visitor, may_throw_at_any_time) {
   const Complex initial = jittered_grid(4, small_meshes::two_boxes, .45, 4);
   for (const std::string what : {"before_replacement", "after_replacement", "before_smoothing",

@@ -33,7 +33,7 @@ State ball_state() {
   return dsc.state();
 }
 
-// What reading the file complains about; empty if it does not.
+// Returns the error message of reading the file, or an empty string.
 std::string complaint(const std::string& path) {
   try {
     CGAL::IO::read_checkpoint(path);
@@ -49,7 +49,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// A file around any payload, with a size and a checksum that are right.
+// Returns a file with the given payload, with correct size and checksum.
 std::string file_with(const std::string& header_of_another_file, const std::string& payload) {
   boost::crc_32_type crc;
   crc.process_bytes(payload.data(), payload.size());
@@ -146,8 +146,8 @@ TEST(Checkpoint, foreign_files_are_refused) {
   EXPECT_TRUE(contains(complaint(folder / "empty.dsc"), "is empty"));
 }
 
-// Sizes beyond the end of the file must be refused before memory is taken for them, also where
-// their product with the size of an element overflows.
+// Sizes beyond the end of the file are rejected before memory is allocated, even if the product
+// with the element size overflows.
 TEST(Checkpoint, impossible_sizes_are_refused) {
   const Temporary_folder folder;
   CGAL::IO::write_checkpoint(folder / "a.dsc", ball_state(), "");

@@ -66,7 +66,7 @@ int cubes_with_a_common_vertex(const Point& p) {
              : 0;
 }
 
-// The tetrahedra of a mesh whose barycenters fulfill a condition, with the points they use.
+// Returns the tetrahedra whose barycenters satisfy a condition, with their points.
 template <class Condition> Labelled_mesh part(const Labelled_mesh& mesh, Condition condition) {
   Labelled_mesh result;
   std::vector<std::size_t> rank(mesh.points.size(), mesh.points.size());
@@ -88,7 +88,7 @@ template <class Condition> Labelled_mesh part(const Labelled_mesh& mesh, Conditi
   return result;
 }
 
-// What assign() says against a mesh. The complex is then as it was.
+// Returns the error message of assign() for a mesh, and checks that the complex is unchanged.
 Invalid_cells_error refusal(const Labelled_mesh& mesh) {
   Complex dsc = make_complex(grid(2, small_meshes::uniform));
   const auto before = dsc.state();
@@ -187,7 +187,8 @@ TEST(Assign, refuses_what_cannot_be_measured) {
 
 TEST(Assign, refuses_three_tetrahedra_at_a_facet) {
   Labelled_mesh mesh = grid(2, small_meshes::uniform);
-  // A tetrahedron beside an inner facet of the tetrahedra 0 and 1, which share their first vertex.
+  // Returns a tetrahedron next to an inner facet of the tetrahedra 0 and 1, which share their first
+  // vertex.
   std::size_t third = mesh.tetrahedra.size();
   const auto t = mesh.tetrahedra[0];
   mesh.points.push_back(
@@ -216,7 +217,7 @@ TEST(Assign, refuses_domains_that_are_no_ball) {
   const Labelled_mesh cubes = grid(3, small_meshes::uniform);
   const auto refuse = [&](auto condition) { return refusal(part(cubes, condition)); };
   const double third = 1. / 3;
-  // two cubes that share an edge, a vertex, nothing
+  // the two cubes share an edge, a vertex, nothing
   refuse([&](const Point& p) {
     return p.z() < -third && p.x() < third && p.y() < third && (p.x() < -third) == (p.y() < -third);
   });
@@ -246,12 +247,12 @@ TEST(Assign, names_the_edge_or_vertex_where_the_domain_is_pinched) {
 
 TEST(Assign, refuses_neighbors_that_overlap) {
   Labelled_mesh mesh = corner_tetrahedron();
-  mesh.points.push_back(Point(.25, .25, 2)); // on the side of the facet on which the tetrahedron is
+  mesh.points.push_back(Point(.25, .25, 2)); // on the side of the facet where the tetrahedron lies
   mesh.tetrahedra.push_back({0, 1, 2, 4});
   mesh.labels.push_back(0);
   EXPECT_NE(std::string(refusal(mesh).what()), "");
   mesh = corner_tetrahedron();
-  mesh.tetrahedra.push_back({1, 2, 0, 3}); // the same again
+  mesh.tetrahedra.push_back({1, 2, 0, 3}); // the same tetrahedron again
   mesh.labels.push_back(0);
   EXPECT_NE(std::string(refusal(mesh).what()), "");
 }
@@ -274,7 +275,7 @@ TEST(Interface, of_pairs_of_labels) {
   for (const auto& f : dsc.interface_facets(1, 2)) {
     const auto v = dsc.facet_vertices(f);
     EXPECT_EQ(f.first->label(), 2);
-    // out of the label 2, in which x is positive
+    // normals point out of label 2, where x is positive
     EXPECT_LT(CGAL::normal(v[0]->point(), v[1]->point(), v[2]->point()).x(), 0);
   }
 }
@@ -299,7 +300,7 @@ TEST(Interface, edges_and_vertices_are_those_of_its_facets) {
     EXPECT_EQ(dsc.is_interface(e),
               std::count(edges.begin(), edges.end(),
                          stamps(e.first->vertex(e.second), e.first->vertex(e.third))) > 0);
-  // the planes x = 0 and y = 0, of 25 vertices each, meet in five
+  // the planes x = 0 and y = 0 have 25 vertices each, of which five are common
   EXPECT_EQ(dsc.interface_vertices().size(), 45u);
   EXPECT_NEAR(dsc.mean_interface_edge(), .5 * (2 + std::sqrt(2.)) / 3, tolerance);
   EXPECT_EQ(dsc.minimum_interface_edge(), .5);
@@ -342,7 +343,7 @@ TEST(Measures, of_unions_of_boxes) {
   expect(grid(8, two_cubes), .25, 3, 4, 2);
   expect(grid(8, square_ring), 1, 8, 0, 1); // a torus
   expect(grid(8, hollow_cube), 3.375 - .125, 15, 4, 1, 2);
-  // the common edge of two vertices and one edge is counted once; and so is the vertex
+  // the common edge is counted once, with its two vertices; the vertex is counted once
   expect(grid(4, cubes_with_a_common_edge), .5, 5, 2 + 2 - (3 - 2), 2);
   expect(grid(4, cubes_with_a_common_vertex), .25, 3, 2 + 2 - 1, 2);
 }
@@ -359,8 +360,8 @@ TEST(Measures, of_several_labels) {
   const Complex phases = make_complex(grid(4, small_meshes::four_phases));
   for (int label : {0, 1, 2, 3}) {
     EXPECT_NEAR(phases.volume(label), 2, tolerance);
-    EXPECT_NEAR(phases.area(label), 4, 1e-12);        // two half planes,
-    EXPECT_EQ(phases.euler_characteristic(label), 1); // which form a disk
+    EXPECT_NEAR(phases.area(label), 4, 1e-12);        // two half planes
+    EXPECT_EQ(phases.euler_characteristic(label), 1); // that form a disk
   }
   EXPECT_EQ(phases.area(0, 3), 0);
 }

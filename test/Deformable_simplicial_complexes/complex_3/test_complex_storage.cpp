@@ -22,7 +22,7 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// Copies, states, storage, the past of components, and what is_valid() sees.
+// Copies, states, storage order, numbers of components, and errors that is_valid() finds.
 
 namespace test_complex_storage {
 
@@ -37,7 +37,7 @@ using Vertex_handle = Complex::Vertex_handle;
 using Cell_handle = Complex::Cell_handle;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
-// A complex with a past: vertices and cells were removed and created.
+// A complex in which vertices and cells were removed and created.
 Complex used_complex() {
   Complex dsc = jittered_grid(4, small_meshes::two_boxes, .45, 11);
   const auto report = DSC::improve_mesh(dsc, parameters::quality_threshold(.7));
@@ -47,7 +47,7 @@ Complex used_complex() {
   return dsc;
 }
 
-// Goes on with a complex, in ways that depend on the order of everything.
+// Changes a complex by operations whose results depend on the storage order.
 Complex::State continuation(Complex dsc) {
   mesh_helpers::jitter(dsc, .1, 12);
   DSC::improve_mesh(dsc, parameters::quality_threshold(.8));
@@ -62,7 +62,7 @@ Complex::State continuation(Complex dsc) {
   return dsc.state();
 }
 
-// Labels that do not fill the gap between two bars.
+// Two bars of label 1 with a gap of label 0 between them.
 int two_bars(const Point& p) { return std::abs(p.x()) > .5 ? 1 : 0; }
 
 Complex make_bars() { return make_complex(grid(4, two_bars)); }
@@ -99,7 +99,7 @@ TEST(Complex_storage, copies_continue_to_the_same_bits) {
   EXPECT_TRUE(copy.state() == dsc.state());
   EXPECT_TRUE(continuation(copy) == continuation(dsc));
   mesh_helpers::jitter(copy, .1, 1);
-  EXPECT_FALSE(copy.state() == dsc.state()); // they share nothing
+  EXPECT_FALSE(copy.state() == dsc.state()); // the copy shares no data
   copy = dsc;
   EXPECT_TRUE(copy.state() == dsc.state());
 }
@@ -169,12 +169,12 @@ TEST(Complex_storage, impossible_states_are_refused) {
   expect_refusal([](auto& s) { std::swap(s.points[2], s.points[3]); });
   expect_refusal([](auto& s) { s.boundary_classes[0] ^= 1; });
   expect_refusal([](auto& s) { s.cell_components[0] = 4; });
-  expect_refusal([](auto& s) { // two with the same number
+  expect_refusal([](auto& s) { // two components with the same number
     std::replace(s.cell_components.begin(), s.cell_components.end(), 1u, 0u);
   });
   expect_refusal([](auto& s) { std::swap(s.cells[3][0], s.cells[3][1]); }); // inverted
   expect_refusal([](auto& s) {
-    for (auto& c : s.cells) // the infinite cells inverted
+    for (auto& c : s.cells) // all infinite cells inverted
       if (std::count(c.begin(), c.end(), 0u) > 0)
         std::swap(c[0], c[1]);
   });
@@ -229,7 +229,7 @@ TEST(Complex_storage, orders_follow_creation) {
 
 TEST(Complex_storage, ids_stay_dense) {
   Complex dsc = small_meshes::make_complex(small_meshes::grid(3, small_meshes::two_boxes));
-  const std::size_t vertices = dsc.number_of_vertices() + 1, // and the infinite one
+  const std::size_t vertices = dsc.number_of_vertices() + 1, // and the infinite cell
       cells = dsc.triangulation().tds().number_of_cells();
   EXPECT_EQ(dsc.vertex_id_bound(), vertices);
   EXPECT_EQ(dsc.cell_id_bound(), cells);
@@ -241,7 +241,7 @@ TEST(Complex_storage, ids_stay_dense) {
     const bool is_split = i % 3 != 0 && DSC::propose_edge_split(dsc, c, 0, 1, .5, cavity);
     if (!is_split && !DSC::propose_edge_collapse(dsc, c, i % 4, (i + 1) % 4, 0, cavity))
       continue;
-    // New cells are there before those that they replace go.
+    // New cells are created before the replaced cells are removed.
     const std::size_t planned = cavity.planned().size();
     most_vertices = (std::max)(most_vertices, dsc.number_of_vertices() + 2);
     most_cells = (std::max)(most_cells, dsc.triangulation().tds().number_of_cells() + planned);
@@ -298,7 +298,7 @@ TEST(Components, events_come_in_order) {
   Complex dsc = make_bars();
   relabel(dsc, 1, [&](Cell_handle c) { return is_bridge(dsc, c); });
   EXPECT_EQ(dsc.number_of_components(1), 1u);
-  dsc.update_components(); // looks, and does not take
+  dsc.update_components(); // the copy is only inspected
   relabel(dsc, 0, [&](Cell_handle c) { return c->label() == 1; });
   EXPECT_EQ(dsc.number_of_components(1), 0u);
   EXPECT_EQ(dsc.labels(), std::vector<int>{0});
@@ -341,7 +341,8 @@ TEST(Components, one_of_two_vanishes) {
   expect_event(events[0], Event::Kind::vanished, 1, 1, 0);
 }
 
-// And the volumes they had when they got them, so that a continued run tells the same events.
+// A state stores the volumes at the time of numbering, so that a resumed run reports the same
+// events.
 TEST(Components, keep_their_numbers_in_states) {
   Complex dsc = jittered_grid(4, two_bars, .45, 7);
   const auto expect_same_events = [](Complex& a, Complex& b) {
@@ -362,7 +363,7 @@ TEST(Components, keep_their_numbers_in_states) {
       expect_same_parts(events[i].after, expected[i].after);
     }
   };
-  // Cells come and go, and volumes change, but components stay.
+  // Remeshing changes cells and volumes, but not components.
   DSC::improve_mesh(dsc, parameters::quality_threshold(.6).number_of_iterations(1));
   DSC::deform_interface(dsc, [&](Vertex_handle v) {
     return mesh_helpers::exact_point(dsc, CGAL::ORIGIN + .95 * (dsc.position(v) - CGAL::ORIGIN));
@@ -400,12 +401,12 @@ TEST(Is_valid, sees_what_was_tampered_with) {
       const Vertex_handle v = dsc.vertices()[i];
       v->set_interface_degree(v->interface_degree() + 1);
     });
-    expect_invalid([&](Complex& dsc) { // a little, so that all stays positive
+    expect_invalid([&](Complex& dsc) { // a small displacement, so that all cells stay positive
       const Vertex_handle v = dsc.vertices()[i];
       const Point& p = v->point();
       v->set_point(Point(p.x() + 1e-12, p.y(), p.z()));
     });
-    expect_invalid([&](Complex& dsc) { // far
+    expect_invalid([&](Complex& dsc) { // a large displacement
       const Vertex_handle v = dsc.vertices()[i];
       v->set_point(Point(3, 3, 3));
     });
@@ -416,12 +417,12 @@ TEST(Is_valid, sees_what_was_tampered_with) {
   }
 }
 
-// Vertices of a side that is no plane would change the domain when they move along it.
+// A vertex on a side that is not planar would change the domain if it moved along the side.
 TEST(Is_valid, sees_sides_that_are_no_planes) {
   const Complex dsc = make_complex(grid(2, small_meshes::uniform));
   for (Vertex_handle v : dsc.vertices())
     if (dsc.is_boundary(v))
-      v->set_boundary_class(1); // x minimum, also for those at x = 1
+      v->set_boundary_class(1); // also for the vertices at x = 1
   EXPECT_FALSE(dsc.is_valid());
 }
 
@@ -442,7 +443,7 @@ TEST(Hilbert_order, is_that_of_CGAL) {
     EXPECT_EQ(points[order[i]], sorted[i]);
 }
 
-// Without cells
+// Complexes without cells
 
 TEST(Empty_complex, state_can_be_restored) {
   const Complex empty;

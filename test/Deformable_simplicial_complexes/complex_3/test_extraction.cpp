@@ -21,7 +21,7 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// Interfaces as surfaces, in memory and in files.
+// Extraction of interfaces as surfaces in memory and in files.
 
 namespace test_extraction {
 
@@ -43,7 +43,7 @@ TEST(Extract_interface, of_a_cube) {
   EXPECT_EQ(surface.vertices, dsc.interface_vertices());
   const Measures m = measures(surface);
   EXPECT_NEAR(m.area, 6, tolerance);
-  EXPECT_NEAR(m.volume, 1, tolerance); // positive: normals out of label 1
+  EXPECT_NEAR(m.volume, 1, tolerance); // positive: the normals point out of label 1
   EXPECT_EQ(m.euler_characteristic, 2);
   for (const auto& labels : surface.labels)
     EXPECT_EQ(labels, (std::array<int, 2>{1, 0}));
@@ -118,7 +118,7 @@ TEST(Interface_to_surface_mesh, is_cut_open_along_triple_lines) {
   DSC::interface_to_surface_mesh(surface, mesh);
   EXPECT_TRUE(mesh.is_valid());
   ASSERT_EQ(mesh.number_of_faces(), surface.triangles.size());
-  // The line in which the four half planes meet has five vertices.
+  // The line where the four half planes meet has five vertices.
   EXPECT_EQ(mesh.number_of_vertices(), surface.points.size() + 3 * 5);
   for (const auto face : mesh.faces()) {
     const auto& t = surface.triangles[face.idx()];
@@ -161,7 +161,7 @@ TEST(Labelled_surface, of_a_pair_is_written) {
 
 TEST(Labelled_surface, polygons_are_triangulated) {
   const Temporary_folder folder;
-  // a prism over the L-shaped hexagon of area 3, of height 1
+  // a prism of height 1 over the L-shaped hexagon of area 3
   write_bytes(folder / "a.off", "OFF\n12 8 0\n"
                                 "0 0 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n"
                                 "0 0 1\n2 0 1\n2 1 1\n1 1 1\n1 2 1\n0 2 1\n"

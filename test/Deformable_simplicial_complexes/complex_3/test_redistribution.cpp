@@ -1,4 +1,4 @@
-// The overlap of tetrahedra, and contents that are handed on by it.
+// Overlap volumes of tetrahedra, and redistribution of contents by overlap.
 #include "mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/cell_corners.h>
@@ -27,7 +27,8 @@ double overlap_volume(const Corners& s, const Corners& t) {
   return internal::overlap_measure(Tetrahedron(s), Tetrahedron(t));
 }
 
-// A tetrahedron between a segment of the x-axis and an edge: the volume is a sixth of the length.
+// Returns a tetrahedron between a segment of the x-axis and an edge. Its volume is one sixth of the
+// length.
 Filled between(double from, double to, int label, double content) {
   return {
       Tetrahedron({Position(from, 0, 0), Position(to, 0, 0), Position(0, 1, 0), Position(0, 0, 1)}),
@@ -62,23 +63,23 @@ TEST(Overlap_volume, of_simple_tetrahedra) {
   };
   expect(unit, unit, 1. / 6);
   expect(unit, placed(1, 2), 0);
-  expect(unit, placed(1, .5), 0); // boxes overlap
+  expect(unit, placed(1, .5), 0); // overlapping boxes
   expect(unit, placed(1, .25), 1. / 384);
   expect(unit, placed(.5, 0), 1. / 48);
   expect(unit, placed(.25, .05), 1. / 384); // inside
   expect(unit, placed(3, -.5), 1. / 6);     // outside
-  // a common facet, and a common vertex
+  // a common facet, a common vertex
   expect(unit, {Position(0, 0, 0), Position(0, 1, 0), Position(1, 0, 0), Position(0, 0, -1)}, 0);
   expect(unit, placed(-1, 0), 0);
-  // one half and a half of that
+  // half of it, and half of that half
   expect(unit, {Position(0, 0, 0), Position(.5, .5, 0), Position(0, 1, 0), Position(0, 0, 1)},
          1. / 12);
-  // both tetrahedra of every other corner of a cube: an octahedron
+  // both tetrahedra on every second corner of a cube: their intersection is an octahedron
   expect({Position(0, 0, 0), Position(1, 1, 0), Position(0, 1, 1), Position(1, 0, 1)},
          {Position(1, 0, 0), Position(0, 1, 0), Position(0, 0, 1), Position(1, 1, 1)}, 1. / 6);
 }
 
-// The tetrahedra of a turned grid cover whatever is inside.
+// The tetrahedra of a rotated grid cover each tetrahedron inside.
 TEST(Overlap_volume, sums_to_the_volume) {
   const Complex dsc = jittered_grid(3, small_meshes::uniform, .3, 1);
   const auto turned = [](const Position& p) {
@@ -109,15 +110,16 @@ TEST(Redistribute_contents, by_overlap) {
 }
 
 TEST(Redistribute_contents, within_labels_as_far_as_there_are_any) {
-  // label 1 gets room: what it had spreads into the gap, and no farther
+  // label 1 grows: its content spreads into the gap only
   expect_near(redistributed({between(0, 1, 1, 6), between(1, 2, 1, 6), between(2, 4, 2, 1)},
                             {between(0, 1, 1, 0), between(1, 3, 1, 0), between(3, 4, 2, 0)}),
               {6, 6, 1});
-  // label 1 loses room at one end and gains as much at the other: its density stays
+  // label 1 shrinks at one end and grows by the same volume at the other end: its density is
+  // constant
   expect_near(redistributed({between(0, 1, 0, 0), between(1, 3, 1, 8), between(3, 4, 0, 0)},
                             {between(0, 2, 0, 0), between(2, 4, 1, 0)}),
               {0, 8});
-  // label 1 loses room: all cells take what has none
+  // label 1 shrinks: all its cells take the remaining content
   expect_near(redistributed({between(0, 3, 1, 9), between(3, 4, 0, 1)},
                             {between(0, 1, 1, 0), between(1, 2, 1, 0), between(2, 4, 0, 0)}),
               {4.5, 4.5, 1});

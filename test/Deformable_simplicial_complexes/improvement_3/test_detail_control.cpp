@@ -15,7 +15,7 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// Splits of long edges and collapses of short ones, by thresholds and by sizing fields.
+// Splits of long edges and collapses of short edges, by thresholds and by sizing fields.
 
 namespace test_detail_control {
 
@@ -40,11 +40,11 @@ double longest_edge(const Complex& dsc) {
 
 TEST(Control_detail, splits_long_edges_of_the_interface) {
   Complex dsc = make_complex(grid(4, small_meshes::cube));
-  // The sides of the squares are shorter, their diagonals longer.
+  // The sides of the squares are shorter than the threshold, their diagonals are longer.
   const double limit = 1.1 * dsc.mean_interface_edge();
   ASSERT_TRUE(.5 < limit && limit < std::sqrt(.5));
   const auto np = parameters::collapse_length(0.).interface_split_length(1.1);
-  EXPECT_EQ(number_of_changes(DSC::control_detail(dsc, np)), 0u); // it may not change
+  EXPECT_EQ(number_of_changes(DSC::control_detail(dsc, np)), 0u); // the complex must not change
   const auto report = DSC::control_detail(dsc, np.change_interface(true));
   EXPECT_EQ(report.split, 24u);
   EXPECT_EQ(number_of_changes(report), 24u);
@@ -72,7 +72,7 @@ TEST(Control_detail, follows_the_size_field) {
   EXPECT_EQ(number_of_splits([](const Approximate_point&) { return 2.; }), 0u);
 }
 
-// Each edge between a small cube and the boundary of the domain is split once.
+// Each edge between a small cube and the domain boundary is split once.
 TEST(Control_detail, gives_the_interface_room_to_move) {
   Labelled_mesh mesh = grid(3, [](const Point& p) {
     return (std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}) < 1. / 3 ? 1 : 0;
@@ -179,7 +179,7 @@ TEST(Control_detail, keeps_the_topology_and_is_deterministic) {
     EXPECT_TRUE(run(seed) == run(seed));
 }
 
-// Without interface there is no length that an edge could be long or short by.
+// Without an interface, there is no reference length for edges.
 TEST(Control_detail, without_interface_and_size_field_does_nothing) {
   Complex dsc = jittered_grid(4, small_meshes::uniform, .3, 1);
   const auto state = dsc.state();
@@ -189,7 +189,7 @@ TEST(Control_detail, without_interface_and_size_field_does_nothing) {
   EXPECT_EQ(number_of_changes(DSC::control_detail(empty)), 0u);
 }
 
-// Of an interface that was not there when the complex was built
+// Lengths refer to an interface that did not exist when the complex was built.
 TEST(Control_detail, needs_a_length) {
   Complex dsc = make_complex(grid(4, small_meshes::uniform));
   dsc.relabel(dsc.cells().front(), 1);

@@ -31,7 +31,7 @@ using Vertex_handle = Complex::Vertex_handle;
 using Cell_handle = Complex::Cell_handle;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
-// Improves a complex and looks at what must not change.
+// Improves a complex and checks the invariants.
 template <class NamedParameters>
 DSC::Improvement_report improve(Complex& dsc, const NamedParameters& np) {
   const auto triangles = interface_triangles(dsc);
@@ -52,7 +52,7 @@ std::size_t number_of_changes(const DSC::Improvement_report& r) {
   return r.split + r.collapsed + r.flipped + r.smoothed;
 }
 
-// The grid of 27 cubes whose middle ones have the side 2 a.
+// Returns the grid of 27 cubes whose middle cubes have side length 2 a.
 template <class Label> Labelled_mesh grid_with_thin_middle(Label label, double a) {
   Labelled_mesh mesh = grid(3, label);
   const auto squeezed = [&](double x) { return x < -.5 ? -1. : x < 0 ? -a : x < .5 ? a : 1.; };
@@ -147,7 +147,7 @@ TEST(Improve_mesh, exception_of_the_visitor_leaves_a_valid_complex) {
   EXPECT_TRUE(interface_triangles(dsc) == triangles);
 }
 
-// Needles and caps in the interface are nothing that may be repaired here.
+// Needles and caps on the interface cannot be repaired here.
 TEST(Improve_mesh, keeps_degenerate_facets_of_the_interface) {
   Complex dsc = make_complex(grid(4, [](const Point& p) { return p.x() < 0 ? 1 : 0; }));
   for (Vertex_handle v : dsc.interface_vertices()) {
@@ -159,7 +159,7 @@ TEST(Improve_mesh, keeps_degenerate_facets_of_the_interface) {
   improve(dsc, parameters::default_values());
 }
 
-// Without interface there is no length that an edge could be long by.
+// Without an interface, there is no reference length for long edges.
 TEST(Improve_mesh, without_interface_makes_nothing_worse) {
   Complex dsc = make_complex(grid_with_thin_middle(small_meshes::uniform, .2));
   const std::size_t before = dsc.number_of_cells();
@@ -167,7 +167,7 @@ TEST(Improve_mesh, without_interface_makes_nothing_worse) {
   EXPECT_LT(dsc.number_of_cells(), 2 * before);
 }
 
-// Long edges between the interface and the boundary of the domain are split.
+// Long edges between the interface and the domain boundary are split.
 TEST(Improve_mesh, around_a_small_interface) {
   Complex dsc = make_complex(grid_with_thin_middle(middle, .05));
   EXPECT_NEAR(dsc.volume(1), .001, 1e-15);
@@ -196,7 +196,7 @@ TEST(Improve_mesh, inserts_vertices_and_tells_so) {
   EXPECT_GT(inserted, 0u);
 }
 
-// Keeps a list of the vertices by what it is told.
+// Keeps a list of the vertices by the notifications of a visitor.
 struct Bookkeeper : public DSC::Deformation_visitor
 {
   explicit Bookkeeper(const Complex& dsc) {
@@ -222,7 +222,8 @@ struct Bookkeeper : public DSC::Deformation_visitor
   std::size_t inserted = 0, collapsed = 0, flipped = 0;
 };
 
-// What cells lack to a threshold, the worst ones above all.
+// Sums the differences of the cell qualities from a threshold, with large weights for the worst
+// cells.
 double deficit(const Complex& dsc, double threshold) {
   double result = 0;
   for (Cell_handle c : dsc.cells())
@@ -246,7 +247,7 @@ TEST(Improve_mesh, aggressively_leaves_less_to_be_desired) {
   EXPECT_TRUE(books.vertices == std::set<Vertex_handle>(vertices.begin(), vertices.end()));
 }
 
-// The domain is no box, so that its boundary stays.
+// The domain is not a box, so its boundary is fixed.
 TEST(Improve_mesh, aggressively_keeps_the_boundary) {
   Labelled_mesh mesh = grid(3, small_meshes::uniform);
   for (Point& p : mesh.points)
@@ -275,7 +276,7 @@ TEST(Improve_mesh, aggressively_twice_gives_the_same_bits) {
   EXPECT_TRUE(one.state() == two.state());
 }
 
-// Two columns that touch in a line: two parts of one label.
+// Two columns of one label that touch along a line.
 TEST(Improve_mesh, aggressively_keeps_components) {
   const auto checkered = [](const Point& p) { return (p.x() < 0) == (p.y() < 0) ? 1 : 0; };
   Complex dsc = jittered_grid(4, checkered, .4, 6);
@@ -284,7 +285,8 @@ TEST(Improve_mesh, aggressively_keeps_components) {
   EXPECT_TRUE(dsc.take_component_events().empty());
 }
 
-// The middle of the wall between two boxes is moved within the wall, up to nearly flat cells.
+// A vertex of the wall between two boxes is moved within the wall, until cells are nearly
+// degenerate.
 TEST(Improve_mesh, smooths_the_interface_only_on_request) {
   Complex dsc = make_complex(grid(4, small_meshes::two_boxes));
   const auto vertices = dsc.vertices();

@@ -58,7 +58,7 @@ double radius(const Complex& dsc, Vertex_handle v) {
   return std::sqrt((dsc.position(v) - CGAL::ORIGIN).squared_length());
 }
 
-// How many coordinates are those of a side of the cube: 1 on sides, 2 on edges, 3 at corners.
+// Returns the number of coordinates on a side of the cube: 1 on sides, 2 on edges, 3 at corners.
 int number_of_sides(const Position& p) {
   int result = 0;
   for (int k = 0; k < 3; ++k)
@@ -66,7 +66,7 @@ int number_of_sides(const Position& p) {
   return result;
 }
 
-// A cube whose vertices are off their places at random, but on their sides, edges and corners.
+// A cube whose vertices are displaced randomly within their sides and edges.
 Complex disturbed_cube(unsigned seed) {
   Complex dsc = make_complex(grid(8, small_meshes::cube));
   mesh_helpers::Random random(seed);
@@ -107,7 +107,7 @@ TEST(Null_space_smoothing, moves_within_sides_and_edges) {
   }
 }
 
-// One vertex: what is proposed against what the definition says.
+// Compares the proposal for one vertex with the definition.
 TEST(Null_space_smoothing, proposes_the_mean_of_the_centroids) {
   Complex dsc = make_complex(grid(4, small_meshes::cube));
   const auto vertices = dsc.interface_vertices();
@@ -137,7 +137,7 @@ TEST(Null_space_smoothing, proposes_the_mean_of_the_centroids) {
   EXPECT_TRUE(dsc.is_valid());
 }
 
-// Next to facets that are small, the quadric does not see a ridge or a corner.
+// Next to small facets, the quadric does not detect a ridge or a corner.
 TEST(Null_space_smoothing, keeps_edges_of_thin_sides) {
   Complex dsc = make_complex(grid(8, small_meshes::cube));
   for (Vertex_handle v : dsc.interface_vertices()) {
@@ -198,7 +198,7 @@ TEST(Improve_interface, splits_long_edges) {
   EXPECT_NEAR(dsc.volume(1), volume, 1e-14);
 }
 
-// New vertices lie on the sphere, but for what is of higher order than the distance of the chord.
+// New vertices lie on the sphere up to terms of higher order than the distance of the chord.
 TEST(Improve_interface, splits_on_the_smooth_surface) {
   static constexpr double r = .6;
   const auto sum_of_errors = [](bool curved) {
@@ -214,7 +214,7 @@ TEST(Improve_interface, splits_on_the_smooth_surface) {
   EXPECT_LT(sum_of_errors(true), .1 * sum_of_errors(false));
 }
 
-// But not beyond the edges of a cube.
+// New vertices do not lie beyond the edges of a cube.
 TEST(Improve_interface, curved_splits_keep_features) {
   Complex dsc = make_complex(grid(4, small_meshes::cube));
   const double volume = dsc.volume(1);
@@ -246,7 +246,7 @@ TEST(Improve_interface, collapses_short_edges_within_a_bound_on_the_volume) {
   }
 }
 
-// Edges of flat sides that do not fulfill the criterion are flipped, bent ones are not.
+// Edges of planar sides that violate the criterion are flipped; edges of curved sides are not.
 TEST(Improve_interface, flips_edges_of_flat_parts) {
   const auto flipping = only_smoothing.aggressiveness(0.).flip_angle(5.);
   const auto violations = [](const Complex& dsc) {
@@ -271,14 +271,14 @@ TEST(Improve_interface, flips_edges_of_flat_parts) {
   for (Vertex_handle v : flat.interface_vertices())
     EXPECT_GE(number_of_sides(flat.position(v)), 1);
 
-  Complex bent = mesh_helpers::sphere(4, .6); // facets meet at more than 5 degrees
+  Complex bent = mesh_helpers::sphere(4, .6); // the facets meet at more than 5 degrees
   const auto facets = mesh_helpers::interface_triangles(bent);
   DSC::improve_interface(bent, flipping);
   EXPECT_EQ(mesh_helpers::interface_triangles(bent), facets);
 }
 
-// Whatever the interface and the parameters, complexes stay valid, topology and labels stay, and
-// the same input gives the same bits.
+// For all interfaces and parameters, complexes stay valid, topology and labels are preserved, and
+// the result is deterministic.
 TEST(Improve_interface, random_complexes) {
   for (unsigned seed = 0; seed < 6; ++seed) {
     const auto label = seed % 2 == 0 ? small_meshes::eight_phases : small_meshes::ball;
@@ -303,7 +303,7 @@ TEST(Improve_interface, random_complexes) {
   }
 }
 
-// Short edges and small angles of the sides and of the edges go, the cube stays.
+// Short edges and small angles of the sides and edges are removed; the cube keeps its shape.
 TEST(Improve_interface, keeps_features) {
   for (unsigned seed = 0; seed < 3; ++seed) {
     Complex dsc = disturbed_cube(seed);
@@ -324,7 +324,7 @@ TEST(Improve_interface, keeps_features) {
   }
 }
 
-// An interface may end on a side of the domain in a ridge: new vertices are to stay on the side.
+// An interface may end on a side of the domain in a ridge. New vertices must stay on the side.
 TEST(Improve_interface, curved_splits_stay_on_the_boundary) {
   const auto ridge = [](const small_meshes::Point& p) {
     return p.z() < -.5 - std::abs(p.y()) ? 1 : 0;
@@ -336,7 +336,7 @@ TEST(Improve_interface, curved_splits_stay_on_the_boundary) {
 
 TEST(Improve_interface, needs_a_length) {
   Complex dsc = make_complex(grid(4, small_meshes::uniform));
-  dsc.relabel(dsc.cells().front(), 1); // an interface that was not there when it was built
+  dsc.relabel(dsc.cells().front(), 1); // an interface that did not exist when the complex was built
   EXPECT_THROW(DSC::improve_interface(dsc), CGAL::Deformable_simplicial_complexes::Error);
   DSC::improve_interface(dsc, parameters::sizing_field([](const Position&) { return 1.; }));
   dsc.measure_interface_edges();
@@ -393,8 +393,8 @@ TEST(Curvature_sizing_field, of_a_sphere) {
   EXPECT_EQ(DSC::Curvature_sizing_field<3>(dsc, 1., .2, .3)({r, 0, 0}), .3);
 }
 
-// Short at the edges of a cube and at the first vertices that see them, longer the farther from
-// there, and as long as may be without an interface.
+// The target edge length is small at the edges of a cube and at the first vertices that see them.
+// It grows with the distance. Without an interface, it is as large as allowed.
 TEST(Curvature_sizing_field, is_graded) {
   const Complex dsc = make_complex(grid(16, small_meshes::cube));
   const DSC::Curvature_sizing_field<3> size(dsc, 1e-6, .01, 1., .5);
@@ -408,7 +408,7 @@ TEST(Curvature_sizing_field, is_graded) {
   EXPECT_EQ(DSC::Curvature_sizing_field<3>(nothing, 1e-6, .01, 1.)({0, 0, 0}), 1);
 }
 
-// The edges of a cube are sharp by intent, those of a sphere are not.
+// The edges of a cube are sharp features, the edges of a sphere are not.
 TEST(Curvature_sizing_field, leaves_out_sharp_edges) {
   const Complex cube = make_complex(grid(16, small_meshes::cube));
   const DSC::Curvature_sizing_field<3> of_cube(cube, 1e-6, .01, 1., .5, 60.);

@@ -46,7 +46,7 @@ Surface octahedron(double radius, int label) {
           label};
 }
 
-// About a center; the index of a corner has a bit for each axis.
+// A cube about a center. The index of a corner has one bit per axis.
 Surface cube(double half_side, int label, const Point& center = Point(0, 0, 0)) {
   Surface s;
   for (int corner = 0; corner < 8; ++corner) {
@@ -168,7 +168,7 @@ TEST(Build, a_surface_nested_in_itself_bounds_a_cavity) {
 }
 
 TEST(Build, a_cavity_that_spans_two_surfaces) {
-  // The inner cube of surface 0 ends it inside of surface 1, which goes on.
+  // The inner cube of surface 0 ends surface 0 inside surface 1, which continues.
   Surface shell = cube(1, 1);
   append(shell, cube(.25, 1));
   const Complex dsc = build(Surfaces{shell, cube(.5, 2)});
@@ -321,7 +321,7 @@ TEST(Build, refuses_what_normalization_makes_equal) {
 TEST(Build, a_mesh) {
   CGAL::Surface_mesh<Point> mesh;
   CGAL::make_icosahedron<CGAL::Surface_mesh<Point>, Point>(mesh);
-  mesh.remove_vertex(mesh.add_vertex(Point(50, 0, 0))); // indices have a gap now
+  mesh.remove_vertex(mesh.add_vertex(Point(50, 0, 0))); // the indices have a gap now
   const Complex dsc = build(mesh);
   EXPECT_EQ(dsc.interface_facets().size(), 20u);
   EXPECT_EQ(dsc.number_of_cells(1) > 0, true);
@@ -374,7 +374,7 @@ TEST(Build, the_tetrahedralizer_fails_with_words) {
   }
 }
 
-// Models of ConstrainedTetrahedralizer_3 that break their promise.
+// Models of ConstrainedTetrahedralizer_3 that violate their postconditions.
 
 struct Moving_tetrahedralizer
 {
@@ -462,7 +462,7 @@ TEST(Build, tetrahedra_that_are_no_ball_are_refused) {
     }
     return false;
   };
-  // They have in common an edge, a vertex, nothing, the space on one side of a facet.
+  // Two tetrahedra whose intersection is an edge, a vertex, empty, or the same side of a facet.
   EXPECT_TRUE(is_refused({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {0, 0, -1}},
                          {{0, 1, 2, 3}, {0, 1, 4, 5}}));
   EXPECT_TRUE(
@@ -474,7 +474,7 @@ TEST(Build, tetrahedra_that_are_no_ball_are_refused) {
   EXPECT_TRUE(is_refused({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 2}},
                          {{0, 1, 2, 3}, {0, 1, 2, 4}}));
 
-  // A ring of eight cubes, and a hollow cube of 26: without some cubes of a block of three cubed.
+  // A ring of eight cubes, and a hollow cube of 26 cubes: blocks of 3^3 cubes with cubes removed.
   for (bool ring : {false, true}) {
     std::vector<Point> points;
     Tetrahedra tetrahedra;

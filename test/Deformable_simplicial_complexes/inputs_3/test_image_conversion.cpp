@@ -33,7 +33,7 @@ struct Sides
   double x = 1, y = 1, z = 1;
 };
 
-// n x n x n voxels with labels that a function tells.
+// Returns an image of n x n x n voxels with the labels of a function.
 template <class LabelAt>
 CGAL::Image_3 image(unsigned n, const LabelAt& label_at, const Sides& sides = {}) {
   _image* voxels = _createImage(n, n, n, 1, sides.x, sides.y, sides.z, 4, WK_FIXED, SGN_UNSIGNED);
@@ -43,7 +43,7 @@ CGAL::Image_3 image(unsigned n, const LabelAt& label_at, const Sides& sides = {}
   return CGAL::Image_3(voxels);
 }
 
-// Labels below a number without any order, the same in each run.
+// Returns pseudo-random labels below a number; deterministic.
 struct Noise
 {
   unsigned number;
@@ -64,7 +64,7 @@ double volume(const Complex& dsc, int label) {
   return dsc.volume(label) * std::pow(dsc.normalization().scale, 3);
 }
 
-// All labels have the volumes and the numbers of components of their voxels.
+// Checks that all labels have the volumes and the numbers of components of their voxels.
 void expect_volumes_and_components(const CGAL::Image_3& voxels, const Complex& dsc) {
   const internal::Labelled_voxels_3 box = internal::labelled_voxels(voxels);
   const internal::Voxel_components_3 components(box);
@@ -78,7 +78,7 @@ void expect_volumes_and_components(const CGAL::Image_3& voxels, const Complex& d
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_EQ(dsc.labels().size(), volumes.size());
   for (const auto& [label, wanted] : volumes) {
-    if (label != 0) { // the space around has no voxels
+    if (label != 0) { // the space around the image has no voxels
       EXPECT_NEAR(volume(dsc, label), wanted, 1e-3 * wanted) << "label " << label;
     }
     EXPECT_EQ(dsc.number_of_components(label), numbers[label]) << "label " << label;
@@ -86,7 +86,7 @@ void expect_volumes_and_components(const CGAL::Image_3& voxels, const Complex& d
 }
 
 TEST(Image_conversion, keeps_labels_components_and_volumes) {
-  // Two slabs side by side that reach the border, and a single voxel apart.
+  // Two adjacent slabs that reach the border, and a single isolated voxel.
   const auto voxels =
       image(10,
             [](unsigned i, unsigned j, unsigned k) {
@@ -100,7 +100,7 @@ TEST(Image_conversion, keeps_labels_components_and_volumes) {
   EXPECT_NEAR(volume(dsc, 9), 2, 1e-6);
 }
 
-// The interface ends on the boundary of the domain; label 0 is one of the phases.
+// The interface ends on the domain boundary; label 0 is one of the phases.
 TEST(Image_conversion, fills_the_domain_with_voxels) {
   const auto voxels = image(9, [](unsigned i, unsigned j, unsigned) {
     return i + j < 8 ? 1 : i < 5 ? 2 : 0;
@@ -127,7 +127,7 @@ TEST(Image_conversion, keeps_single_voxels) {
     return i % 3 == 1 && j % 3 == 1 && k % 3 == 1 ? 1 + (i == 1) : 0;
   });
   expect_volumes_and_components(grains, convert(grains));
-  // With edges that are far longer than voxels, too.
+  // The edges may be much longer than voxels, too.
   expect_volumes_and_components(grains, convert(grains, 20));
 }
 
@@ -159,7 +159,8 @@ TEST(Image_conversion, finds_smooth_surfaces) {
   for (const auto& f : dsc.interface_facets())
     area += dsc.area(f);
   area *= std::pow(dsc.normalization().scale, 2);
-  // Of the ball of the same volume; that of the faces of voxels is larger by a half.
+  // The area is compared with the ball of the same volume; the faces of the voxels have one and a
+  // half times this area.
   const double least = std::cbrt(36 * CGAL_PI * std::pow(volume(dsc, 1), 2));
   EXPECT_GE(area, least * (1 - 1e-9));
   EXPECT_LT(area, 1.03 * least);

@@ -41,13 +41,13 @@ TEST(Make_complex_in_a_box, of_a_torus) {
     EXPECT_TRUE(dsc.is_valid());
     EXPECT_EQ(dsc.euler_characteristic(1), 0);
     const double error = std::abs(dsc.volume(1) / volume - 1);
-    EXPECT_LT(error, .3 * last); // in proportion to the square of the edge
+    EXPECT_LT(error, .3 * last); // proportional to the square of the edge length
     last = error;
   }
   EXPECT_LT(last, .02);
 }
 
-// Two balls that overlap, and a wall between them.
+// Two overlapping balls, and a wall between them.
 TEST(Make_complex_in_a_box, of_several_labels) {
   const auto label_at = [](const Point& p) {
     if (p.x() * p.x() + p.y() * p.y() + p.z() * p.z() < 1)

@@ -43,7 +43,7 @@ namespace internal = CGAL::Deformable_simplicial_complexes::internal;
 
 // VTU
 
-// A VTU file, taken apart without VTK.
+// Parses a VTU file without VTK.
 struct Vtu
 {
   struct Array
@@ -92,7 +92,7 @@ struct Vtu
     EXPECT_EQ(position, data_end);
   }
 
-  // Whether an array is there and has this many bytes.
+  // Returns whether an array exists and has this number of bytes.
   bool has(const std::string& name, const std::string& section, const std::string& type,
            std::size_t components, std::size_t size) const {
     const auto i = arrays.find(name);
@@ -252,7 +252,7 @@ TEST(Medit, round_trip_is_exact) {
 TEST(Medit, triangles_refer_to_pairs_of_labels) {
   const Complex dsc = make_complex(grid(4, small_meshes::two_boxes));
   std::ostringstream out;
-  out << std::hex << std::showpos; // must not matter
+  out << std::hex << std::showpos; // the order must not matter
   CGAL::IO::write_MEDIT(out, dsc);
   const std::string text = out.str();
   for (const char* pair : {"reference 1 have normals from label 1 to label 0",

@@ -11,7 +11,7 @@
 #include <locale>
 #include <string>
 
-// Files do not depend on how numbers are written where the program runs.
+// Files do not depend on the number format of the locale.
 
 namespace test_locale {
 

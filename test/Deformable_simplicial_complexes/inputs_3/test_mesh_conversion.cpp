@@ -33,7 +33,7 @@ namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 const CGAL::Tetgen_tetrahedralizer_3 tetgen;
 
-// A ball of radius 1, its upper half with another label.
+// A ball of radius 1 whose upper half has another label.
 Mesh two_halves() {
   const std::function<int(const Kernel::Point_3&)> label = [](const Kernel::Point_3& p) {
     return p.x() * p.x() + p.y() * p.y() + p.z() * p.z() > 1 ? 0 : p.z() > 0 ? 2 : 1;

@@ -161,7 +161,7 @@ TEST(Child_process, leaves_handlers_of_signals_to_the_caller) {
   std::signal(SIGINT, old);
 }
 
-// The child of a killed caller keeps an end of `pipe` open until it ends, too.
+// The child process of a killed caller keeps one end of `pipe` open until the child ends.
 TEST(Child_process, ends_when_the_caller_is_killed) {
   int ends[2];
   ASSERT_EQ(pipe(ends), 0);
@@ -198,7 +198,7 @@ TEST(Child_process, runs_next_to_others) {
 
 using CGAL::Deformable_simplicial_complexes::internal::Triangle_soup_3;
 
-// The sides of a cube, divided finely enough that TetGen adds points inside.
+// The sides of a cube, subdivided finely enough that TetGen adds points inside.
 const Triangle_soup_3 cube = CGAL::Deformable_simplicial_complexes::internal::box_surface(
     CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 6);
 
@@ -229,8 +229,8 @@ TEST(Tetgen, puts_the_input_first) {
   EXPECT_FALSE(has_children());
 }
 
-// The allocator of the sanitizer may be locked for ever in the child of a process with threads,
-// other than that of the system. test/installed_package has threads, too.
+// With the sanitizer, a lock of the allocator may be held forever in the child of a process with
+// threads. The system allocator has no such problem. test/installed_package tests threads, too.
 #ifndef __SANITIZE_ADDRESS__
 TEST(Tetgen, several_threads_get_the_same) {
   const auto expected = fill(Tetgen_tetrahedralizer_3(), cube);
@@ -265,7 +265,8 @@ TEST(Tetgen, has_a_time_limit) {
   EXPECT_THROW(Tetgen_tetrahedralizer_3(2.5, 10, infinity, std::nan("")), Error);
 }
 
-// A billion tetrahedra are not made in a second, and not to be made without the bounds.
+// The bounds would need a billion tetrahedra, which exceeds the time limit. So TetGen runs without
+// the bounds in the last third of the time.
 TEST(Tetgen, does_without_bounds_after_two_thirds_of_the_time) {
   const auto mesh = fill(Tetgen_tetrahedralizer_3(2.5, 10, 1e-9, 3), cube);
   EXPECT_LT(mesh.tetrahedra.size(), 100000u);

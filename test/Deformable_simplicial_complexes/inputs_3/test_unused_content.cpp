@@ -34,7 +34,7 @@ std::string unused_of_surface(const std::string& name, const std::string& bytes)
                    name, bytes);
 }
 
-// The points and normals of a file, and what is not used of it.
+// Returns the points and normals of a file, and its unused content.
 std::pair<std::vector<CGAL::IO::Point_and_normal_3>, std::string>
 points_of(const std::string& name, const std::string& bytes) {
   std::vector<CGAL::IO::Point_and_normal_3> points;

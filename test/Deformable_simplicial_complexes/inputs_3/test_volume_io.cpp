@@ -67,7 +67,7 @@ Labelled_mesh two_tetrahedra(const std::vector<int>& labels) {
           labels};
 }
 
-// Everything but labels.
+// Content other than labels.
 Grid two_cells(const Encoding& encoding = {}) {
   Grid grid(encoding);
   grid.array("Points", "Float64", "any name", coordinates)
@@ -81,7 +81,7 @@ Grid labelled_cells(const Encoding& encoding = {}) {
   return two_cells(encoding).array("CellData", "Int32", "label", std::vector<std::int32_t>{3, -7});
 }
 
-// Reads a grid that is refused with this message, and changes nothing.
+// Reads a grid, expects this error message, and expects that the complex is unchanged.
 void expect_refusal(const std::string& text, const std::string& message) {
   SCOPED_TRACE(message);
   const Temporary_folder folder;
@@ -199,7 +199,7 @@ TEST(Read_vtu, labels_have_the_first_of_several_names) {
   }
 }
 
-// What programs write that can also compress.
+// Compressed files of programs that can compress.
 TEST(Read_vtu, compression_of_text_does_not_matter) {
   const Temporary_folder folder;
   const std::string attributes = "compressor=\"vtkZLibDataCompressor\" byte_order=\"BigEndian\"";
@@ -224,7 +224,7 @@ TEST(Read_vtu, other_files_are_refused) {
                  "there are no cells");
 }
 
-// Without recursion.
+// The reader does not recurse.
 TEST(Read_vtu, elements_nested_without_end_are_refused) {
   std::string text;
   for (int i = 0; i < 30000; ++i)
@@ -265,7 +265,7 @@ TEST(Read_vtu, arrays_must_be_complete) {
   for (const char* other :
        {"NumberOfPoints=\"4\" NumberOfCells=\"2\"", "NumberOfPoints=\"5\" NumberOfCells=\"1\"",
         "NumberOfPoints=\"5\" NumberOfCells=\"3\"",
-        "NumberOfPoints=\"12297829382473034416\" NumberOfCells=\"2\""}) // times 3 wraps around
+        "NumberOfPoints=\"12297829382473034416\" NumberOfCells=\"2\""}) // times 3 overflows
     expect_refusal(labelled_cells().text(other), "is the file truncated?");
   for (const char* other : {"NumberOfPoints=\"5\"", "NumberOfPoints=\"-5\" NumberOfCells=\"2\"",
                             "NumberOfPoints=\"5\" NumberOfCells=\"2.0\"",
@@ -328,9 +328,9 @@ TEST(Read_vtu, labels_are_not_guessed) {
   expect_equal(read_with(path, "material"), two_tetrahedra({4, 9}));
   expect_equal(read_with(path, "f"), two_tetrahedra({7, 8}));
   expect_equal(read_with(path, "none"), two_tetrahedra({1, 1}));
-  for (const char* name : {"p", "x"}) // with fractions, and not there
+  for (const char* name : {"p", "x"}) // labels with fractions, and missing labels
     EXPECT_THROW(read_with(path, name), File_error);
-  // Arrays that hold no labels leave no doubt.
+  // Arrays that cannot be labels do not make the choice ambiguous.
   write_bytes(
       path,
       two_cells().array("CellData", "Float64", "p", std::vector<double>{0.5, -2}).text(sizes));
@@ -479,7 +479,7 @@ TEST(Read_vtu, damaged_binary_data_are_refused) {
   expect_refusal(replaced(text, "offset=\"0\"", "offset=\"x\""), "offset should be a number");
 }
 
-// The reader leaves it to the builder what is a mesh.
+// The builder, not the reader, decides whether the cells form a mesh.
 TEST(Read_vtu, tetrahedra_are_turned_or_refused_by_the_builder) {
   const Temporary_folder folder;
   const std::string text = labelled_cells().text(sizes), path = folder / "a.vtu";

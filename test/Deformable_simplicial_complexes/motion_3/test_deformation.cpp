@@ -37,17 +37,17 @@ namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Two cubes of side 1/2 whose centers are one apart, in grids of 8^3 cubes.
+// Two cubes of side length 1/2 with centers at distance 1, in grids of 8^3 cubes.
 int two_cubes(const Point& p) {
   return (std::max)({std::abs(std::abs(p.x()) - .5), std::abs(p.y()), std::abs(p.z())}) < .25;
 }
 
-// The cube [-1/2,1/2]^3 cut into four phases that meet in a line.
+// The cube [-1/2,1/2]^3 divided into four phases that meet along a line.
 int four_phases_in_cube(const Point& p) {
   return small_meshes::cube(p) == 0 ? 0 : 1 + small_meshes::four_phases(p);
 }
 
-// What a report says about the complex is true.
+// Checks the statements of a report about the complex.
 void expect_true(const Report& report, const Complex& dsc) {
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_EQ(report.complete, report.unfinished.empty());
@@ -92,7 +92,7 @@ double largest_distance(const std::vector<Position>& p, const std::vector<Positi
 
 // Rigid motions
 
-// All the way around an axis: neither the vertices nor the triangles of the interface change.
+// A full rotation about an axis changes neither the vertices nor the triangles of the interface.
 TEST(Deformation, ball_rotates_without_remeshing) {
   Complex dsc = make_complex(grid(6, small_meshes::ball));
   const auto vertices = dsc.interface_vertices();
@@ -125,7 +125,7 @@ TEST(Deformation, cube_moves_to_the_side_and_back) {
   EXPECT_TRUE(interface_triangles(dsc) == triangles);
 }
 
-// Triple lines and points, where four phases meet each other and the outside.
+// Triple lines, and points where four phases meet each other and the outside.
 TEST(Deformation, four_phases_rotate) {
   Complex dsc = make_complex(grid(4, four_phases_in_cube));
   const auto labels = dsc.labels();
@@ -146,7 +146,7 @@ TEST(Deformation, four_phases_rotate) {
   }
 }
 
-// Nothing to do, and what cannot be done
+// Zero displacements and impossible displacements
 
 TEST(Deformation, to_where_everything_is_changes_nothing) {
   Complex dsc = mesh_helpers::jittered_grid(4, small_meshes::two_boxes, .4, 1);
@@ -197,7 +197,7 @@ TEST(Deformation, refuses_thresholds_that_are_no_qualities) {
   EXPECT_TRUE(dsc.state() == state);
 }
 
-// They would become huge ones.
+// Negative numbers would become huge unsigned numbers.
 TEST(Deformation, refuses_negative_numbers) {
   Complex dsc = make_complex(grid(4, small_meshes::ball));
   const auto state = dsc.state();
@@ -213,7 +213,7 @@ TEST(Deformation, ends_within_the_passes_asked_for) {
   for (unsigned passes : {0u, 1u, 3u}) {
     Complex dsc = make_complex(grid(4, small_meshes::cube));
     const auto state = dsc.state();
-    // far out of the domain
+    // far outside the domain
     const Report report = deform(
         dsc, [](const Position& p) { return 9 * (p - CGAL::ORIGIN); },
         parameters::maximum_number_of_passes(passes));
@@ -240,7 +240,7 @@ TEST(Deformation, tells_how_far_vertices_stayed) {
   }
 }
 
-// Finite coordinates are accepted, even if their squares are not finite.
+// Finite coordinates are accepted even if their squares overflow.
 TEST(Deformation, survives_destinations_at_the_end_of_the_numbers) {
   for (double huge : {1e100, 1e200, 1e308}) {
     Complex dsc = make_complex(grid(4, small_meshes::cube));
@@ -254,7 +254,7 @@ TEST(Deformation, survives_destinations_at_the_end_of_the_numbers) {
 TEST(Deformation, stays_in_the_box) {
   Complex dsc = make_complex(grid(4, small_meshes::four_phases));
   const Report report = deform(dsc, [](const Position& p) {
-    return Vector(.1 - .2 * p.x() * p.y(), .1, p.z() + .5); // pulls at the top
+    return Vector(.1 - .2 * p.x() * p.y(), .1, p.z() + .5); // moves the top
   });
   for (Vertex_handle v : dsc.vertices())
     for (int axis = 0; axis < 3; ++axis) {
@@ -281,7 +281,7 @@ TEST(Deformation, moves_along_the_sides_of_the_box) {
 
 // Changes of topology
 
-// Sums the changes of components of label 1 over the steps in which all moves towards x = 0.
+// Sums the changes of components of label 1 over steps in which all points move towards x = 0.
 Report::Label_change collide(Complex& dsc, int steps, double step) {
   Report::Label_change sum;
   for (int i = 0; i < steps; ++i) {
@@ -316,11 +316,11 @@ TEST(Deformation, two_balls_merge) {
   const auto changes = collide(dsc, 4, .1);
   EXPECT_EQ(changes.merged, 1u);
   EXPECT_EQ(dsc.number_of_components(1), 1u);
-  EXPECT_EQ(dsc.number_of_components(0), 1u); // nothing is left between
+  EXPECT_EQ(dsc.number_of_components(0), 1u); // no gap is left
   EXPECT_EQ(dsc.euler_characteristic(1), 2);
 }
 
-// Without a unit of lengths, topology could not change.
+// Without a unit of length, topology could not change.
 TEST(Deformation, of_labels_that_came_later) {
   Complex dsc = make_complex(grid(8, small_meshes::uniform));
   for (Complex::Cell_handle c : dsc.cells())
@@ -334,8 +334,8 @@ TEST(Deformation, of_labels_that_came_later) {
   EXPECT_EQ(collide(dsc, 4, .08).merged, 1u);
 }
 
-// An interface that was built of edges twenty times as long: what is small or short is so for the
-// mesh as it is now.
+// The edges of the initial interface are twenty times as long. Limits for small cells and short
+// edges use the present mesh.
 TEST(Deformation, limits_follow_the_mesh) {
   const auto merged = [](double unit) {
     Complex dsc = make_complex(grid(8, two_cubes));
@@ -356,7 +356,7 @@ TEST(Deformation, limits_follow_the_mesh) {
   EXPECT_TRUE(interface_triangles(dsc) == interface_triangles(merged(1)));
 }
 
-// Vertices go in another order, the same one each time.
+// The vertices move in another, deterministic order.
 TEST(Deformation, in_the_order_of_collisions) {
   const auto merged = [](bool collision_order) {
     Complex dsc = make_complex(grid(8, two_cubes));
@@ -449,10 +449,10 @@ TEST(Deformation, exception_of_the_visitor_leaves_a_valid_complex) {
                    parameters::visitor(std::ref(visitor))),
                std::runtime_error);
   EXPECT_TRUE(dsc.is_valid());
-  deform(dsc, swirl); // the next one does not remember
+  deform(dsc, swirl); // the exception has no effect on the next call
 }
 
-// The state after two deformations, through a state in between if asked for.
+// Returns the state after two deformations, optionally through a state in between.
 Complex::State deformed(unsigned number_of_threads, bool restore = false) {
   Complex dsc = mesh_helpers::jittered_grid(6, small_meshes::two_boxes, .3, 2);
   const auto threads = parameters::number_of_threads(number_of_threads);

@@ -61,8 +61,8 @@ std::vector<Vertex_handle> inner_vertices(const Complex& dsc) {
   return result;
 }
 
-// The longest part of the way from v to q on which the star of v stays positive, by bisection with
-// exact orientations of exact points.
+// Returns the largest fraction of the segment from v to q for which the star of v stays positive.
+// Computed by bisection with exact orientations.
 double brute_force_way(const Complex& dsc, Vertex_handle v, const Point& q) {
   using Exact = CGAL::Simple_cartesian<Rational>;
   const auto exact = [](const Point& p) { return Exact::Point_3(p.x(), p.y(), p.z()); };
@@ -103,7 +103,7 @@ TEST(Move_vertex, arrives_if_and_only_if_the_star_is_positive_there) {
       EXPECT_GE(way, 0);
       EXPECT_TRUE(mesh_helpers::is_positive_with(dsc, v, v->point()));
       ++(is_free ? arrived : blocked);
-      dsc.move_vertex(v, before); // back, so that the mesh stays roomy
+      dsc.move_vertex(v, before); // moves back, so that the stars stay large
     }
   EXPECT_GT(arrived, 20);
   EXPECT_GT(blocked, 20);
@@ -133,7 +133,7 @@ TEST(Move_vertex, stops_just_before_the_first_flat_cell) {
   EXPECT_TRUE(dsc.is_valid());
 }
 
-// At the fraction that is told, some cell is exactly flat.
+// At the returned fraction, a cell is exactly degenerate.
 TEST(Collision_order, first_collision_is_exact) {
   namespace internal = CGAL::Deformable_simplicial_complexes::internal;
   Complex dsc = jittered_grid(3, small_meshes::uniform, .3, 3);
@@ -208,7 +208,7 @@ TEST(Move_vertex, without_room_keeps_coordinates_bit_for_bit) {
   EXPECT_EQ(dsc.move_vertex(v, q), 0);
   EXPECT_TRUE(dsc.state() == state);
   EXPECT_TRUE(dsc.is_valid());
-  EXPECT_EQ(dsc.move_vertex(v, Point(0, 0, 0)), 1); // and can go back
+  EXPECT_EQ(dsc.move_vertex(v, Point(0, 0, 0)), 1); // and it can move back
 }
 
 TEST(Move_vertex, to_where_it_is_changes_nothing) {
@@ -295,7 +295,7 @@ TEST(Set_points, moves_vertices_together_that_could_not_move_alone) {
     EXPECT_EQ(vertices[i]->point(), points[i]);
 }
 
-// How far away the destination is does not matter where the way ends early.
+// If the motion stops early, the distance of the destination does not matter.
 TEST(Move_vertex, comes_to_the_link_from_any_distance) {
   for (double far : {1e3, 1e13, 1e100}) {
     Complex dsc = make_complex(box_with_center());

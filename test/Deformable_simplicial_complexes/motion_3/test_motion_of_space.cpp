@@ -46,7 +46,7 @@ TEST(Row_blocks, have_all_rows_in_order) {
   }
 }
 
-// A grid of n^2 nodes: the Laplace operator and a part of the identity that varies.
+// A grid of n^2 nodes: the Laplace operator plus a varying multiple of the identity.
 class Conjugate_gradients : public ::testing::Test
 {
 protected:
@@ -145,7 +145,7 @@ protected:
   std::vector<Vertex_handle> free;
 };
 
-// Where all cells measure the same, linear functions are among the solutions.
+// If all cells have the same measure, linear functions are solutions.
 TEST_F(Harmonic_extension, of_a_linear_motion_is_linear) {
   const auto motions = solve(1);
   ASSERT_EQ(motions.size(), free.size());
@@ -155,7 +155,7 @@ TEST_F(Harmonic_extension, of_a_linear_motion_is_linear) {
 
 TEST_F(Harmonic_extension, is_the_same_bit_for_bit_with_any_number_of_threads) {
   mesh_helpers::jitter(dsc, .03, 5);
-  ASSERT_GT(free.size(), 1200u); // enough for several threads
+  ASSERT_GT(free.size(), 1200u); // enough nodes for several threads
   EXPECT_EQ(solve(3), solve(1));
 }
 

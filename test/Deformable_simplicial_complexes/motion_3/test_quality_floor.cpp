@@ -12,7 +12,7 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// Which cells are below the floor of quality, and that deformations leave none.
+// Detection of cells below the quality floor; deformations leave no such cells.
 
 namespace {
 
@@ -68,7 +68,7 @@ TEST(Quality_floor, cells_below_it_are_known_whatever_changes_the_complex) {
   EXPECT_EQ(dsc.flat_cells(), cells_below_floor(dsc));
 }
 
-// The removal of small angles judges by sines, which are large in needles, too.
+// The removal of small angles uses sines, which are large for needles, too.
 TEST(Quality_floor, rough_motions_leave_no_cell_below_it) {
   Complex dsc = small_meshes::make_complex(small_meshes::grid(6, small_meshes::four_phases));
   mesh_helpers::Random random(1);

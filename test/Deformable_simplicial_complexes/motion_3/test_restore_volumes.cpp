@@ -38,7 +38,7 @@ TEST(Restore_volumes, of_labels_that_touch) {
   expect_restored(make_complex(grid(8, small_meshes::two_boxes)), {{0, 1.}, {1, 1.05}, {2, .95}});
 }
 
-// The interface ends on the sides of the domain, at right angles or not, and slides along them.
+// The interface ends on the sides of the domain at any angle and slides along them.
 TEST(Restore_volumes, of_labels_on_the_boundary) {
   const auto slope = [](const small_meshes::Point& p) { return p.x() > p.y() ? 1 : 0; };
   expect_restored(make_complex(grid(4, slope)), {{1, 1.01}});
@@ -66,7 +66,7 @@ TEST(Restore_volumes, tells_what_cannot_be_reached) {
   EXPECT_TRUE(dsc.is_valid());
 }
 
-// Even if it has let a deformation go on for a pass.
+// A visitor can stop the restoration after it has allowed one pass of a deformation.
 TEST(Restore_volumes, a_visitor_can_end_it) {
   struct Visitor : DSC::Deformation_visitor
   {

@@ -28,7 +28,7 @@ namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 constexpr std::chrono::milliseconds at_each_check(0);
 
-// Counts how often a function asks whether to go on.
+// Counts how often a function asks whether to continue.
 std::size_t number_of_checks(const std::function<void()>& f) {
   std::size_t number = 0;
   const Progress_scope scope([&](const char*) { return ++number > 0; }, at_each_check);
@@ -36,8 +36,8 @@ std::size_t number_of_checks(const std::function<void()>& f) {
   return number;
 }
 
-// Calls `f(complex)` again and again, each time stopped at a later check: what is left is valid
-// each time, and can go on.
+// Calls `f(complex)` repeatedly and interrupts it at a later check each time. After each
+// interruption, the complex is valid and can be used further.
 template <class F> void expect_valid_wherever_stopped(const Complex& start, const F& f) {
   const auto state = start.state();
   Complex dsc;
@@ -57,7 +57,7 @@ template <class F> void expect_valid_wherever_stopped(const Complex& start, cons
     f(dsc);
     ASSERT_TRUE(dsc.is_valid());
   }
-  // Nothing is left of stopped calls in what does not belong to the complex.
+  // Interrupted calls leave no data outside the complex that changes later calls.
   dsc.restore(state);
   f(dsc);
   EXPECT_EQ(dsc.state().points, whole.points);
@@ -110,7 +110,7 @@ TEST(Stopping, phases_have_names) {
     EXPECT_EQ(phases.count(phase), 1u) << phase;
 }
 
-// A phase that is stopped when it begins has not begun.
+// If a phase is interrupted at its beginning, the outer phase is the current one again.
 TEST(Stopping, phases_end_where_they_are_stopped) {
   std::string last;
   bool goes_on = true;
