@@ -17,13 +17,13 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// Inner loops take no memory once their buffers have grown, and where there is none, nothing is
-// lost.
+// Inner loops allocate no memory once their buffers are large enough. If an allocation fails, the
+// complex is unchanged.
 
 namespace {
 
 std::size_t number_of_allocations = 0;
-std::size_t failing_allocation = 0; // by its number; 0 if none is to fail
+std::size_t failing_allocation = 0; // its number; 0 if no allocation fails
 
 } // namespace
 
@@ -42,7 +42,7 @@ namespace {
 
 using small_meshes::Complex;
 
-// How often memory is taken for each cell of a mesh, when all have been looked at before.
+// Returns the number of allocations per cell of a mesh after all cells have been examined once.
 template <class Look> double allocations_a_cell(const Complex& dsc, const Look& look) {
   const auto cells = dsc.cells();
   std::size_t before = 0;
@@ -74,7 +74,7 @@ TEST(Allocations, there_are_none_where_cells_are_looked_at) {
   EXPECT_EQ(allocations_a_cell(dsc,
                                [&](auto c) {
                                  if (c->vertex(1)->is_interface())
-                                   return; // those are rarely smoothed
+                                   return; // interface vertices are rarely smoothed
                                  dsc.star(c->vertex(1), star);
                                  found +=
                                      DSC::propose_optimal_position(dsc, c->vertex(1), star, target);
@@ -91,8 +91,8 @@ TEST(Allocations, there_are_none_where_cells_are_looked_at) {
 
 namespace {
 
-// Calls a function again and again, of which each time a later allocation fails, until all is well.
-// Returns how often one failed.
+// Calls a function repeatedly. In each call, a later allocation fails, until the function succeeds.
+// Returns the number of failures.
 template <class Function> std::size_t fail_in_turn(const Function& function) {
   for (std::size_t i = 0;; ++i) {
     failing_allocation = number_of_allocations + 1 + i;

@@ -27,8 +27,8 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// The package runs with models that offer nothing but what the concepts require, and does with them
-// exactly what it does with its own models.
+// The package accepts models that provide only the requirements of the concepts, and gives the same
+// results as with its own models.
 
 namespace test_archetypes {
 
@@ -38,7 +38,7 @@ using Tds =
 using Archetype =
     CGAL::Deformable_simplicial_complex_3<archetypes::Traits, Tds, archetypes::Quality_measure>;
 
-// The default measure without its gradient, which a model need not have.
+// The default quality measure without its optional gradient.
 struct Ratio
 {
   template <class Point>
@@ -62,7 +62,7 @@ Archetype make_archetype(const small_meshes::Labelled_mesh& mesh) {
 
 small_meshes::Labelled_mesh ball() { return small_meshes::grid(4, small_meshes::ball); }
 
-// Runs the same on the archetype and on the default complex.
+// Runs the same operations on the archetype and on the default complex.
 template <class Run> void expect_same(const Run& run) {
   Archetype archetype = make_archetype(ball());
   Complex reference;

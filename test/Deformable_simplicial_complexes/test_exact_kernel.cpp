@@ -17,7 +17,8 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// Numbers of this kernel are evaluated when needed, and a conversion to double depends on that.
+// The numbers of this kernel are evaluated lazily, and conversions to double depend on the
+// evaluation.
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -26,9 +27,9 @@ using Complex =
 using Point = Complex::Point_3;
 using Vector = Complex::Approximate_vector_3;
 
-const Kernel::FT third = Kernel::FT(1) / 3; // no double
+const Kernel::FT third = Kernel::FT(1) / 3; // not a double
 
-// A cube of side 1/3 in a box whose sides are at coordinates that are no doubles.
+// A cube of side length 1/3 in a box whose sides have coordinates that are not doubles.
 Complex cube_in_thirds() {
   const auto mesh = small_meshes::grid(4, small_meshes::cube);
   std::vector<Point> points;
@@ -56,7 +57,7 @@ Complex::Vertex_handle inner_vertex(const Complex& dsc) {
   return {};
 }
 
-// Near v, with coordinates that are no doubles.
+// Returns a point near v whose coordinates are not doubles.
 Point near(const Complex& dsc, Complex::Vertex_handle v) {
   const auto p = dsc.position(v);
   return {p.x() + third / 100, p.y() + third / 70, p.z() + third / 30};
@@ -143,7 +144,7 @@ TEST(Exact_kernel, tetrahedron_that_rounding_makes_flat_is_refused) {
                CGAL::Deformable_simplicial_complexes::Invalid_cells_error);
 }
 
-// Steps to destinations that are no doubles, a checkpoint between, and a box that stays a box.
+// Steps to destinations that are not doubles, with a checkpoint in between. The domain stays a box.
 TEST(Exact_kernel, whole_flow) {
   const Temporary_folder folder;
   Complex dsc = cube_in_thirds();

@@ -37,14 +37,11 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// Readers survive any input: they read a damaged file or throw an error of the package, print
-// nothing, and take memory for what is in the file and not for what the file announces.
-//
-// A long run is the same program with the variable DSC_FUZZ_MUTATIONS, the number for each format;
-// it prints a row of a table for each. Many files are written: let TEST_TMPDIR be a folder in
-// memory.
+// Readers accept any input: they read a damaged file or throw an exception of the package. They
+// print nothing, and the memory depends on the size of the file, not on sizes that the file
+// announces.
 
-// Memory, counted
+// Counting of memory
 
 namespace {
 
@@ -88,7 +85,7 @@ std::string checkpoint() {
   return file_bytes(folder / "a.dsc");
 }
 
-// The same bytes with a size and a checksum that are right, so that they are looked at.
+// Returns the bytes with a correct size and checksum, so that the reader examines them.
 std::string signed_checkpoint(std::string bytes) {
   constexpr std::size_t begin_of_checksum = 12, header_size = 24;
   if (bytes.size() < header_size)
@@ -102,7 +99,7 @@ std::string signed_checkpoint(std::string bytes) {
   return bytes + payload;
 }
 
-// How a format is read, and files of it.
+// A format: how it is read, and sample files.
 struct Format
 {
   std::string name, extension;
@@ -129,7 +126,7 @@ void read_checkpoint(const std::string& path) {
   small_meshes::Complex().restore(CGAL::IO::read_checkpoint(path).state);
 }
 
-// In the plane, complexes are made, too: builders have to survive what readers let pass.
+// In the plane, complexes are built, too: builders must accept everything that readers accept.
 
 using Planar_complex = CGAL::Deformable_simplicial_complex_2<>;
 
@@ -164,7 +161,7 @@ std::string planar_checkpoint() {
   return file_bytes(folder / "a.dsc");
 }
 
-// What is printed while it lives.
+// Collects the output that is printed during its lifetime.
 class Printed
 {
 public:
@@ -182,7 +179,7 @@ private:
   std::streambuf* m_err;
 };
 
-// What reading the bytes takes at once.
+// Returns the peak memory of reading the bytes.
 std::size_t memory_of_reading(const Format& format, const std::string& bytes) {
   const Temporary_folder folder;
   const std::string path = folder / ("a" + format.extension);
@@ -286,7 +283,7 @@ TEST(Surface_formats, numbers_in_ply_may_have_any_type) {
   }
 }
 
-// Files made to hurt
+// Malicious files
 
 TEST(Fuzzed_readers, announced_elements_take_no_memory) {
   constexpr std::size_t little_memory = 1 << 20;
@@ -312,7 +309,7 @@ TEST(Fuzzed_readers, announced_elements_take_no_memory) {
     EXPECT_LT(memory_of_reading(format, bytes), little_memory) << bytes;
 }
 
-// A star each of whose sides crosses half of the others.
+// A star whose sides intersect half of the other sides.
 TEST(Fuzzed_readers, polygons_that_meet_themselves_take_no_memory) {
   constexpr std::size_t little_memory = 1 << 20;
   constexpr int n = 999;
@@ -326,7 +323,7 @@ TEST(Fuzzed_readers, polygons_that_meet_themselves_take_no_memory) {
   EXPECT_LT(memory_of_reading({"", ".off", {}, read_surface}, file.str()), little_memory);
 }
 
-// Corners that lie on few lines and circles, in planes that no number describes exactly.
+// Corners on a few lines and circles, in planes without exact coordinates.
 TEST(Fuzzed_readers, polygons_become_triangles_or_are_refused) {
   std::mt19937_64 random(1);
   const auto any_of = [&](std::size_t n) { return static_cast<double>(random() % n); };

@@ -18,7 +18,7 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace {
 
-// The number of allocations that are still granted.
+// The number of allocations that still succeed.
 std::size_t granted = std::numeric_limits<std::size_t>::max();
 
 void* allocate(std::size_t size) {
@@ -48,12 +48,13 @@ using Cell = Complex::Cell_handle;
 using Vertex = Complex::Vertex_handle;
 constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
 
-// With the surroundings four labels, for which totals have room; a fifth one needs more.
+// With the surroundings, there are four labels, for which the totals have space; a fifth label
+// needs more space.
 Complex three_disks() {
   return plane::disks_in_a_square({{-.6, 0, .4, 1}, {.6, 0, .4, 2}, {0, 1, .4, 3}}, 24, 2, 12);
 }
 
-// A finite cell of a label.
+// Returns a finite cell of a label.
 Cell a_cell(const Complex& complex, int label) {
   for (Cell c : complex.cells())
     if (c->label() == label)
@@ -61,8 +62,8 @@ Cell a_cell(const Complex& complex, int label) {
   return Cell();
 }
 
-// Calls change(complex) with more and more allocations granted until it comes through; each time
-// before, it must leave the complex as it was.
+// Calls change(complex) with an increasing number of granted allocations until it succeeds. After
+// each failure, the complex must be unchanged.
 template <class Change> void fail_at_each_allocation(const Change& change) {
   std::size_t n = 0;
   for (bool is_done = false; !is_done; ++n) {
@@ -79,20 +80,21 @@ template <class Change> void fail_at_each_allocation(const Change& change) {
     granted = unlimited;
     EXPECT_TRUE(complex.is_valid(true)) << n;
   }
-  EXPECT_GT(n, 1u); // else nothing was put to the test
+  EXPECT_GT(n, 1u); // otherwise, no allocation has failed
 }
 
 TEST(Labelled_complex, relabeling_without_memory_changes_nothing) {
   fail_at_each_allocation([](Complex& complex, std::size_t n) {
     const Cell c = a_cell(complex, 1);
     granted = n;
-    complex.relabel(c, 7); // a label that has no totals yet
+    complex.relabel(c, 7); // a label without totals
   });
 }
 
 TEST(Labelled_complex, replacing_without_memory_changes_nothing) {
   fail_at_each_allocation([](Complex& complex, std::size_t n) {
-    // The star of a vertex of the interface gets a new center: cells of two labels, a new vertex.
+    // Replaces the star of an interface vertex by a star with a new center: cells of two labels and
+    // a new vertex.
     const Vertex v = complex.interface_vertices().front();
     std::vector<Cell> star;
     complex.star(v, star);
@@ -147,7 +149,8 @@ TEST(Labelled_complex, moves_without_copying) {
   EXPECT_TRUE(complex.state() == state);
 }
 
-// Disks that meet, with a control that looks at the number of components or not.
+// Returns the positions of events for disks that merge. The topology control may query the number
+// of components.
 std::vector<std::pair<double, double>> places_of_events(bool looks) {
   Complex complex = plane::disks_in_a_square({{-.6, 0, .4, 1}, {.6, 0, .4, 1}}, 40, 2, 20);
   std::vector<std::pair<double, double>> result;

@@ -15,7 +15,7 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// Whatever it is asked for, a deformation ends, tells what it did and leaves a valid complex.
+// For any input, a deformation terminates, reports its changes and leaves a valid complex.
 
 namespace {
 
@@ -32,7 +32,7 @@ constexpr unsigned maximum_number_of_passes = 6;
 
 enum class Abuse { nothing, rough, smooth, pull_at_box, single_vertex, far_away, not_finite };
 
-// Destinations for the vertices of the interface, of one kind of abuse.
+// Random destinations for the interface vertices, of several kinds.
 std::vector<Point> random_destinations(const Complex& dsc, Abuse abuse, Random& random) {
   static constexpr double huge = 1e100;
   const auto vertices = dsc.interface_vertices();
@@ -70,7 +70,7 @@ std::vector<Point> random_destinations(const Complex& dsc, Abuse abuse, Random& 
   return result;
 }
 
-// A number of random deformations of a mesh; what remains of it.
+// Applies random deformations to a mesh and returns the result.
 template <class Label>
 Complex::State abused(Label label, std::size_t n, int fields, unsigned seed) {
   Random random(seed);

@@ -23,16 +23,16 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// Any number of threads may ask a complex, and one may change it alone. Two complexes share
-// nothing: two threads may work at once, each on its own, and each may have helpers.
-// scripts/check_more.sh runs this with the thread sanitizer.
+// Several threads may query a complex; only one thread may change it. Two complexes share no data:
+// two threads may work on one complex each, with helper threads. scripts/check_more.sh runs this
+// program with the thread sanitizer.
 namespace {
 
 using small_meshes::Complex;
 using State = Complex::State;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
-// Two parts that turn and grow, on a mesh that is large enough for several threads.
+// Two components that rotate and grow, on a mesh that is large enough for several threads.
 State flow(unsigned number_of_threads) {
   Complex dsc = small_meshes::make_complex(small_meshes::grid(12, small_meshes::two_boxes));
   for (int step = 0; step < 2; ++step)
@@ -48,7 +48,7 @@ State flow(unsigned number_of_threads) {
   return dsc.state();
 }
 
-// All that can be asked for, in numbers.
+// Returns the results of all queries as numbers.
 std::vector<double> answers(const Complex& dsc) {
   std::vector<double> result = {double(dsc.number_of_vertices()), double(dsc.number_of_cells()),
                                 double(dsc.is_valid())};
@@ -69,7 +69,7 @@ std::vector<double> answers(const Complex& dsc) {
   return result;
 }
 
-// What operations would do at each cell.
+// Returns the results of proposals at each cell.
 std::vector<double> proposals(const Complex& dsc) {
   std::vector<double> result;
   DSC::Cavity<Complex> cavity(dsc);
@@ -92,7 +92,7 @@ std::vector<double> proposals(const Complex& dsc) {
 TEST(Threads, queries_of_one_complex) {
   Complex dsc = small_meshes::make_complex(small_meshes::grid(6, small_meshes::two_boxes));
   mesh_helpers::jitter(dsc, .1, 1);
-  // Components may have changed, so that the first one to ask must count them.
+  // Components may have changed, so the first query must count them.
   const auto cells = dsc.cells();
   dsc.relabel(cells[cells.size() / 2], 3);
   const Complex copy = dsc;
@@ -140,7 +140,7 @@ TEST(Threads, whole_flows_with_threads_of_their_own) {
 
 namespace {
 
-// The bits that a flow comes to with several threads must be those with one.
+// Checks that a flow gives bitwise equal results with one and with several threads.
 template <class Complex, class Flow>
 void expect_same_bits(const Complex& initial, const Flow& flow, double dt) {
   const auto state_after = [&](unsigned number_of_threads) {
@@ -156,7 +156,7 @@ void expect_same_bits(const Complex& initial, const Flow& flow, double dt) {
     EXPECT_TRUE(state_after(number_of_threads) == expected) << number_of_threads << " threads";
 }
 
-// Meshes are large enough for threads to be used.
+// The meshes are large enough for several threads.
 Complex solid(int (*label)(const small_meshes::Point&)) {
   Complex dsc = small_meshes::make_complex(small_meshes::grid(10, label));
   mesh_helpers::jitter(dsc, .04, 3);

@@ -33,7 +33,7 @@ template <class Point_2> double distance_on_unit_torus(const Point_2& p, const P
   return std::hypot(along(p.x() - q.x()), along(p.y() - q.y()));
 }
 
-// A disk about a corner of the box, so that it lies on both seams.
+// A disk about a corner of the box, which intersects both seams.
 Complex disk_on_the_seams(std::size_t n, double radius) {
   return torus::grid(
       n, [&](const Point& p) { return distance_on_unit_torus(p, Point(0, 0)) < radius ? 1 : 0; });
@@ -46,7 +46,7 @@ TEST(Torus_domain, rounds_positions_to_images_in_the_box) {
   EXPECT_EQ(domain.canonical(Point(7.5, -3)), Point(.5, 0));
   EXPECT_EQ(domain.canonical(Point(-1e-30, 1e-30)), Point(0, 0));
   EXPECT_EQ(domain.canonical(Point(1, 3)), Point(0, 0));
-  // Images far away are as exact as their coordinates.
+  // Images that are many periods away are as accurate as their coordinates.
   EXPECT_EQ(domain.canonical(Point(1e15 + .5, 3e15)), Point(.5, 0));
 }
 
@@ -108,7 +108,7 @@ TEST(Torus, refuses_cells_that_are_too_long) {
 
 TEST(Torus, refuses_cells_that_cover_it_twice_or_not_at_all) {
   using Error = CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
-  // A grid over two periods, wound up.
+  // A grid over two periods, mapped to the torus.
   std::vector<Point> points;
   std::vector<std::array<std::size_t, 3>> triangles;
   const std::size_t n = 5;
@@ -150,7 +150,7 @@ TEST(Torus, moves_a_vertex_across_the_seam) {
   EXPECT_EQ(dsc.move_vertex(v, Point(-.0625, -.03125)), 1);
   EXPECT_EQ(v->point(), Point(.9375, .96875));
   EXPECT_TRUE(dsc.is_valid(true));
-  // As far as the star allows.
+  // As far as the star permits.
   const double way = dsc.move_vertex(v, Point(.55, .96875));
   EXPECT_GT(way, 0);
   EXPECT_LT(way, 1);
@@ -187,7 +187,7 @@ TEST(Torus, carries_a_disk_once_around) {
   }
 }
 
-// V - E + F of the cells of a label.
+// Returns V - E + F of the cells of a label.
 int euler_characteristic(const Complex& dsc, int label) {
   std::set<Vertex_handle> vertices;
   int edges = 0, cells = 0;
@@ -228,7 +228,7 @@ TEST(Torus, keeps_its_topology_where_that_is_wanted) {
   EXPECT_GT(dsc.area(1), .6);
 }
 
-// Sums of waves that repeat themselves with the torus.
+// Returns sums of waves with the periods of the torus.
 class Random_field
 {
 public:
@@ -271,7 +271,7 @@ TEST(Torus, stays_valid_whatever_happens) {
     }
 }
 
-// Squeezes along x and stretches along y about the middle of the box.
+// Compresses along x and stretches along y about the center of the box.
 struct Squeeze
 {
   Vector operator()(const Complex::Approximate_point_2& p, double) const {
@@ -280,8 +280,8 @@ struct Squeeze
   }
 };
 
-// Four phases about the middle: those above (1) and below (2) have a wall between them, until those
-// on the left (3) and on the right (4) are squeezed together.
+// Four phases about the center. Phases 1 (top) and 2 (bottom) have a common wall, until phases 3
+// (left) and 4 (right) are pressed together.
 class Four_phases : public testing::Test
 {
 protected:

@@ -56,7 +56,7 @@ TEST(Torus_3, is_built_from_a_function) {
   EXPECT_EQ(dsc.number_of_components(1), 1u);
   EXPECT_EQ(dsc.euler_characteristic(1), 2);
   EXPECT_NEAR(dsc.volume(1) / (4 * std::acos(-1.) / 3 * .027), 1,
-              .1); // less, as its vertices lie on it
+              .1); // smaller, because its vertices lie on the sphere
   for (auto v : dsc.interface_vertices())
     EXPECT_NEAR(distance_on_unit_torus(dsc.position(v), CGAL::ORIGIN), .3, .015);
 }
@@ -96,7 +96,7 @@ TEST(Torus_3, merges_a_growing_ball_with_itself_through_the_seams) {
     DSC::advect_interface(dsc, DSC::Normal_offset{1.}, 0, .02);
     ASSERT_TRUE(dsc.is_valid(true));
   }
-  // Three handles, one through each seam.
+  // Three handles, each of which crosses one seam.
   EXPECT_EQ(dsc.euler_characteristic(1), -4);
   EXPECT_EQ(dsc.number_of_components(0), 1u);
 }

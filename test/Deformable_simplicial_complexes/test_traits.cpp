@@ -25,8 +25,8 @@ using Rational = CGAL::Exact_rational;
 using mesh_helpers::Random;
 using Integers = std::array<double, 3>; // coordinates without rounding
 
-// A star about the origin by its link: facets counterclockwise from outside, with integer
-// coordinates.
+// Defines a star about the origin by its link: facets counterclockwise as seen from outside, with
+// integer coordinates.
 struct Link
 {
   std::vector<Integers> vertices;
@@ -38,8 +38,8 @@ Link octahedron() {
           {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
 }
 
-// A star that is far from convex: facets of an octahedron are split again and again at points on
-// random rays through them.
+// A star that is far from convex: facets of an octahedron are split repeatedly at points on random
+// rays through them.
 Link random_link(Random& random) {
   Link link = octahedron();
   for (Integers& v : link.vertices) {
@@ -72,8 +72,8 @@ Rational determinant(const Integers& a, const Integers& b, const Integers& c) {
          r(a[2]) * (r(b[0]) * r(c[1]) - r(b[1]) * r(c[0]));
 }
 
-// Where the ray from the origin in the direction d meets the link: d is written as a combination of
-// the corners of each facet.
+// Returns where the ray from the origin in direction d meets the link: d is a combination of the
+// corners of each facet.
 CGAL::Star_exit_3 brute_force_exit(const Link& link, const Integers& d) {
   for (std::size_t f = 0; f < link.facets.size(); ++f) {
     const Integers &a = link.vertices[link.facets[f][0]], &b = link.vertices[link.facets[f][1]],
@@ -99,7 +99,7 @@ protected:
   using Traits = CGAL::Deformable_simplicial_complex_traits_3<Kernel>;
   using Point = typename Traits::Point_3;
 
-  // The exit of the star with this link about the point `center`.
+  // Returns the exit of the star with this link about the point `center`.
   CGAL::Star_exit_3 exit(const Link& link, const Integers& d, const Integers& center = {0, 0, 0}) {
     const auto point = [&](const Integers& v) {
       return Point(center[0] + v[0], center[1] + v[1], center[2] + v[2]);
@@ -138,7 +138,7 @@ TYPED_TEST(Traits_on_kernel, orientation_is_exact) {
   EXPECT_EQ(orientation(o, x, y, Point(third, third, 0)), CGAL::COPLANAR);
   EXPECT_EQ(orientation(o, x, y, Point(third, third, smallest)), CGAL::POSITIVE);
   EXPECT_EQ(orientation(o, x, y, Point(third, third, -smallest)), CGAL::NEGATIVE);
-  // 0.1 + 0.2 is not 0.3: the four points are not in the plane x + y = z
+  // 0.1 + 0.2 differs from 0.3: the four points do not lie in the plane x + y = z
   EXPECT_NE(orientation(o, Point(1, 1, 2), Point(1, 0, 1), Point(.1, .2, .3)), CGAL::COPLANAR);
 }
 
@@ -179,7 +179,7 @@ TYPED_TEST(Traits_on_kernel, parameter_tells_whether_a_segment_leaves_the_star) 
 }
 
 TYPED_TEST(Traits_on_kernel, ray_that_points_out_of_the_domain) {
-  Link upper = octahedron(); // the star of a vertex on the bottom of the domain
+  Link upper = octahedron(); // the star of a vertex at the bottom of the domain
   upper.facets.resize(4);
   EXPECT_EQ(this->exit(upper, {1, 2, -3}).facet, upper.facets.size());
   EXPECT_EQ(this->exit(upper, {0, 0, -1}).facet, upper.facets.size());
@@ -210,7 +210,7 @@ TYPED_TEST(Traits_on_kernel, random_stars_agree_with_brute_force) {
   }
 }
 
-// All of the complex runs on any kernel, to the same bits.
+// All operations run with any kernel and give bitwise equal results.
 TYPED_TEST(Traits_on_kernel, complex_does_not_depend_on_the_kernel) {
   using Complex = CGAL::Deformable_simplicial_complex_3<typename TestFixture::Traits>;
   const auto mesh = small_meshes::grid(4, small_meshes::two_boxes);

@@ -31,10 +31,10 @@ using small_meshes::make_complex;
 using namespace short_edge;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
-constexpr double flat = 1e-3; // height of flat cells
+constexpr double flat = 1e-3; // height of degenerate cells
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-// A complex of tetrahedra that are given in any orientation.
+// Returns a complex of tetrahedra of any orientation.
 std::vector<Vertex_handle> assign(Complex& dsc, Labelled_mesh mesh) {
   for (auto& t : mesh.tetrahedra)
     if (CGAL::orientation(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]],
@@ -43,7 +43,7 @@ std::vector<Vertex_handle> assign(Complex& dsc, Labelled_mesh mesh) {
   return dsc.assign(mesh.points, mesh.tetrahedra, mesh.labels);
 }
 
-// A flat cell 0123 over whose facet 012 the vertex 3 lies, and one cell on that facet.
+// A degenerate cell 0123 whose vertex 3 lies over the facet 012, and one cell on this facet.
 Labelled_mesh flat_cap() {
   return {{Point(1, 0, 0), Point(-.5, .8, 0), Point(-.5, -.8, 0), Point(0, 0, flat), Point(0, 0, 1),
            Point(0, 0, -1)},
@@ -51,8 +51,8 @@ Labelled_mesh flat_cap() {
           {0, 0, 0, 0, 0}};
 }
 
-// A flat cell 0123 whose edges 01 and 23 nearly cross; two cells under the former and two over the
-// latter.
+// A degenerate cell 0123 whose edges 01 and 23 nearly intersect; two cells below edge 01 and two
+// cells above edge 23.
 Labelled_mesh flat_square(double top, double bottom) {
   return {{Point(-1, 0, 0), Point(1, 0, 0), Point(0, -1, flat), Point(0, 1, flat), Point(0, 0, top),
            Point(0, 0, bottom)},
@@ -60,7 +60,7 @@ Labelled_mesh flat_square(double top, double bottom) {
           {0, 0, 0, 0, 0}};
 }
 
-// A ring of four cells around the edge 01; the vertex 3 lies next to its midpoint.
+// A ring of four cells around the edge 01; the vertex 3 lies close to the midpoint of the edge.
 Labelled_mesh flat_roof() {
   return {{Point(-1, 0, 0), Point(1, 0, 0), Point(0, -1.5, 0), Point(0, 0, flat), Point(0, 1.5, 0),
            Point(0, 0, -1.5)},
@@ -116,7 +116,7 @@ TEST(Degenerate_tetrahedron, over_a_facet_of_the_interface_is_left_to_relabeling
   EXPECT_FALSE(propose_degenerate_tetrahedron_removal(dsc, find_cell(dsc, v), .005, cavity));
 }
 
-// The edge on the side of the nearer apex goes: the new cells are better there.
+// The edge on the side of the nearer apex is removed, because the new cells there are better.
 TEST(Degenerate_tetrahedron, with_crossing_edges_loses_the_better_one) {
   for (bool is_top_near : {false, true}) {
     Complex dsc;
@@ -132,7 +132,7 @@ TEST(Degenerate_tetrahedron, with_crossing_edges_loses_the_better_one) {
   }
 }
 
-// The cell joins the label below it, which ends at its two lower facets.
+// The cell gets the label of the cell below, which ends at its two lower facets.
 TEST(Degenerate_tetrahedron, in_a_bend_of_the_interface_changes_the_side) {
   Labelled_mesh mesh = flat_square(2, -1);
   mesh.labels = {1, 1, 1, 2, 2};
@@ -171,7 +171,7 @@ TEST(Degenerate_tetrahedron, at_a_vertex_collapses) {
   expect_valid_commit(mesh.dsc, cavity, 8);
 }
 
-// Whether an operation on a cell is proposed and, if so, how good its result would be.
+// The kind of the proposal for a cell, if any, and the quality of its result.
 using Outcome = std::pair<bool, double>;
 
 Outcome outcome(bool proposed, const Cavity& cavity) {
@@ -188,7 +188,8 @@ Outcome edge_removal(const Complex& dsc, Cell_handle c, int i, int j) {
                  cavity);
 }
 
-// How many edges of its largest facet a vertex projects to, or -1 beyond one; what to expect then.
+// Returns the number of edges of the largest facet on which the opposite vertex projects, or -1 if
+// the projection is outside beyond one edge. Sets the expected outcome.
 int expected_outcome(const Complex& dsc, Cell_handle c, double threshold, Outcome& expected) {
   double largest_area = 0;
   int apex = -1;
@@ -235,7 +236,7 @@ int expected_outcome(const Complex& dsc, Cell_handle c, double threshold, Outcom
   return 0;
 }
 
-// Thresholds above its quality ask about every cell.
+// The threshold is larger than the quality of the cell, so each cell is examined.
 TEST(Degenerate_tetrahedron, is_removed_by_where_its_vertex_projects) {
   std::array<int, 4> cases = {0, 0, 0, 0};
   int accepted = 0;
@@ -279,7 +280,7 @@ TEST(Degenerate_facet, that_is_a_cap_loses_its_longest_edge) {
     return propose_degenerate_facet_removal(dsc, c, c->index(v[opposite]), cosine, 0, cavity);
   };
   EXPECT_FALSE(propose(3, .999));
-  EXPECT_FALSE(propose(2, std::cos(.99 * flat))); // its angles are a little larger
+  EXPECT_FALSE(propose(2, std::cos(.99 * flat))); // its angles are slightly larger
   EXPECT_TRUE(propose(2, std::cos(1.01 * flat)));
   ASSERT_TRUE(propose(2, .999));
   EXPECT_TRUE(dsc.state() == state);
@@ -288,7 +289,7 @@ TEST(Degenerate_facet, that_is_a_cap_loses_its_longest_edge) {
   expect_all_created_have(cavity, v[3], v[5]);
 }
 
-// The vertex 5 is in the plane of the cap: the interface moves within that plane.
+// The vertex 5 lies in the plane of the cap, so the interface moves within this plane.
 TEST(Degenerate_facet, that_is_a_cap_of_the_interface_is_flipped) {
   Labelled_mesh mesh = flat_roof();
   mesh.labels = {1, 2, 2, 1};
@@ -306,7 +307,7 @@ TEST(Degenerate_facet, that_is_a_cap_of_the_interface_is_flipped) {
   EXPECT_EQ(dsc.interface_facets().size(), 2u);
 }
 
-// Of the two facets at the short edge, one is right-angled and the other has an angle of 135
+// Of the two facets at the short edge, one has a right angle and the other has an angle of 135
 // degrees: both are needles.
 TEST(Degenerate_facet, that_is_a_needle_collapses) {
   for (const Approximate_point& tip :
@@ -349,7 +350,7 @@ TEST(Degenerate_edge, is_collapsed_if_it_is_short) {
   EXPECT_NEAR(dsc.volume(1), 4, tolerance);
 }
 
-// An edge that crosses a layer of another label must stay, however short it is.
+// An edge across a layer of another label must stay, even if it is very short.
 TEST(Degenerate_edge, between_two_sheets_stays) {
   const auto layer = [](const Point& p) { return p.x() > 0 && p.x() < .5 ? 1 : 0; };
   const Complex dsc = make_complex(grid(4, layer));
@@ -402,7 +403,7 @@ TEST(Remove_degeneracies, measures_edges_by_the_size_field) {
   };
   EXPECT_EQ(with_length(1.9e-4), 0u);
   EXPECT_EQ(with_length(2.1e-4), 1u);
-  // Without interface there is no length that an edge could be short by.
+  // Without an interface, there is no reference length for short edges.
   Complex dsc = Grid_with_short_edge(small_meshes::uniform).dsc;
   EXPECT_EQ(number_of_changes(DSC::remove_degeneracies(dsc, edges_only)), 0u);
 }

@@ -39,13 +39,14 @@ bool has_same_topology(const Complex& a, const Complex& b) {
   return a.labels() == b.labels() && betti_numbers::of_complex(a) == betti_numbers::of_complex(b);
 }
 
-// A facet of the interface or of the boundary of the domain.
+// Returns whether a facet is on the interface or on the domain boundary.
 bool is_wall(const Complex& dsc, const Complex::Facet& f) {
   return dsc.is_interface(f) ||
          dsc.is_infinite(f.first) != dsc.is_infinite(f.first->neighbor(f.second));
 }
 
-// 3 if the edge is in the inside of a label, 2 in a wall, 1 where more than two walls meet.
+// Returns 3 if the edge is inside a label, 2 if it is in a wall, 1 if more than two walls meet
+// there.
 int stratum(const Complex& dsc, const Edge_in_cell& e) {
   int walls = 0;
   auto f = dsc.triangulation().incident_facets(e.cell, e.i, e.j), done = f;
@@ -55,8 +56,7 @@ int stratum(const Complex& dsc, const Edge_in_cell& e) {
   return walls == 0 ? 3 : walls == 2 ? 2 : 1;
 }
 
-// 0 if a vertex is neither in the inside of a label, nor of a wall, nor of a line in which walls
-// meet.
+// Returns 0 if the vertex is not inside a label, in a wall, or on a line where walls meet.
 int stratum(const Complex& dsc, Vertex_handle v) {
   std::vector<Complex::Edge> edges;
   dsc.triangulation().finite_incident_edges(v, std::back_inserter(edges));
@@ -66,7 +66,8 @@ int stratum(const Complex& dsc, Vertex_handle v) {
   return count[1] == 2 ? 1 : count[1] > 0 ? 0 : count[2] > 0 ? 2 : 3;
 }
 
-// The complex after the collapse of v into w, built from scratch; empty if that is impossible.
+// Returns the complex after the collapse of v into w, built from scratch; an empty complex if the
+// collapse is impossible.
 Complex collapsed_from_scratch(const Complex& dsc, Vertex_handle v, Vertex_handle w) {
   Labelled_mesh mesh;
   std::vector<Vertex_handle> vertices = dsc.vertices();
@@ -92,7 +93,7 @@ Complex collapsed_from_scratch(const Complex& dsc, Vertex_handle v, Vertex_handl
   return result;
 }
 
-// All cells by the coordinates of their vertices, with labels.
+// Returns all cells as coordinates of their vertices, with labels.
 using Cell = std::pair<std::array<Coordinates, 4>, int>;
 
 std::vector<Cell> cells(const Complex& dsc) {
@@ -109,7 +110,8 @@ std::vector<Cell> cells(const Complex& dsc) {
   return result;
 }
 
-// Proposes collapses of every so manieth edge; compares with complexes built from scratch.
+// Proposes collapses of every `every`-th edge, and compares the results with complexes built from
+// scratch.
 void expect_exact_collapses(const Complex& dsc, int every, int minimum_accepted) {
   const auto state = dsc.state();
   int accepted = 0, impossible = 0, away = 0, index = 0;
@@ -218,9 +220,8 @@ TEST(Edge_collapse, keeps_the_topology_of_labels_that_touch) {
                          2, 1);
 }
 
-// Four sectors meet around an edge, two of them of label 1, and four at its first vertex, where
-// label 1 has but one: the fourth is of label 0, which the collapse would join to that at the other
-// vertex.
+// Four sectors meet around the edge, two of them of label 1. At its first vertex, label 1 has only
+// one sector, and label 0 has one that the collapse would connect with label 0 at the other vertex.
 TEST(Edge_collapse, keeps_vertices_where_other_sectors_meet_than_around_the_edge) {
   Complex dsc = jittered_grid(
       4, [](const Point&) { return 1; }, .2, 7);
@@ -269,14 +270,14 @@ TEST(Edge_collapse, does_not_glue_two_sheets) {
   }
 }
 
-// Two phases that share a disk: what bounds it cannot become shorter than a triangle.
+// Two phases that share a disk: the boundary of the disk cannot become shorter than a triangle.
 TEST(Edge_collapse, does_not_separate_phases_that_touch_in_a_facet) {
   Complex dsc = small_meshes::make_complex(small_meshes::grid(6, small_meshes::uniform));
   Vertex_handle center;
   for (Vertex_handle v : dsc.vertices())
     if (dsc.position(v) == Complex::Approximate_point_3(0, 0, 0))
       center = v;
-  // Label 1 is a star and label 2 one cell of its neighborhood: they share one facet.
+  // Label 1 is a star, and label 2 is one cell next to it: they share one facet.
   std::vector<Cell_handle> star;
   dsc.star(center, star);
   for (Cell_handle c : star)

@@ -17,7 +17,7 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// Insertion of vertices against brute force.
+// Vertex insertion compared with brute force.
 
 namespace test_insertion {
 
@@ -32,7 +32,7 @@ Position barycenter(const Complex& dsc, Cell_handle c) {
   return CGAL::ORIGIN + sum / 4;
 }
 
-// The cells of one label that are connected with the seed, which comes first.
+// Returns the cells of one label that are connected with the seed; the seed is first.
 std::vector<Cell_handle> component(const Complex& dsc, Cell_handle seed) {
   std::vector<Cell_handle> cells = {seed};
   for (std::size_t k = 0; k < cells.size(); ++k)
@@ -45,8 +45,8 @@ std::vector<Cell_handle> component(const Complex& dsc, Cell_handle seed) {
   return cells;
 }
 
-// The worst quality of the star of a point p that replaces a subset of some cells; -infinity if p
-// does not see a facet of it, or a vertex has no facet.
+// Returns the worst quality of the star of a point p that replaces a subset of some cells. Returns
+// -infinity if p does not see a facet of the subset, or if a vertex has no facet.
 class Stars
 {
 public:
@@ -72,7 +72,7 @@ public:
 
   double worst_quality(unsigned set) const {
     double worst = infinity;
-    std::vector<Vertex_handle> inside, outside; // vertices of cells and of facets of the boundary
+    std::vector<Vertex_handle> inside, outside; // vertices of the cells and of the boundary facets
     for (std::size_t k = 0; k < m_cells.size(); ++k)
       for (int i = 0; i < 4 && (set >> k & 1) != 0; ++i) {
         inside.push_back(m_cells[k]->vertex(i));
@@ -95,14 +95,14 @@ private:
   struct Facet
   {
     double quality;
-    std::size_t behind; // the neighbor's index
+    std::size_t behind; // index of the neighbor
   };
   const std::vector<Cell_handle>& m_cells;
   std::vector<std::array<Facet, 4>> m_facets;
 };
 
-// Compares the proposals for all cells with the best of all sets of cells, where these are few.
-// Returns how many there were.
+// Compares the proposals for all cells with the best of all sets of cells, if there are few sets.
+// Returns the number of proposals.
 int compare_with_brute_force(const Complex& dsc) {
   static constexpr std::size_t few = 10;
   const auto state = dsc.state();
@@ -115,7 +115,7 @@ int compare_with_brute_force(const Complex& dsc) {
     ++proposals;
     const Stars stars(dsc, cells, barycenter(dsc, seed));
     double best = -infinity;
-    for (unsigned set = 1; set < 1u << cells.size(); set += 2) // those that contain the seed
+    for (unsigned set = 1; set < 1u << cells.size(); set += 2) // the sets that contain the seed
       best = (std::max)(best, stars.worst_quality(set));
     unsigned proposal = 0;
     for (Cell_handle c : cavity.removed())
@@ -142,8 +142,8 @@ int compare_with_brute_force(const Complex& dsc) {
   return proposals;
 }
 
-// A sliver, whose four vertices lie around the z-axis at the heights h and -h, between two vertices
-// at the heights 1 and -1 to which it is joined. The sliver comes first.
+// A sliver whose four vertices lie around the z-axis at the heights h and -h. It is joined to two
+// vertices at the heights 1 and -1. The sliver is the first cell.
 Labelled_mesh sliver_in_octahedron(double h) {
   return {{Point(1, 0, h), Point(-1, 0, h), Point(0, 1, -h), Point(0, -1, -h), Point(0, 0, 1),
            Point(0, 0, -1)},
@@ -151,7 +151,7 @@ Labelled_mesh sliver_in_octahedron(double h) {
           {0, 0, 0, 0, 0}};
 }
 
-// The quality of a tetrahedron of this volume and sum of squared edges.
+// Returns the quality of a tetrahedron with this volume and sum of squared edge lengths.
 double volume_length_ratio(double volume, double squares) {
   return 6 * std::sqrt(2.) * volume / std::pow(squares / 6, 1.5);
 }
@@ -168,7 +168,7 @@ TEST(Vertex_insertion, replaces_a_sliver_and_its_neighbors) {
   ASSERT_TRUE(propose_vertex_insertion(dsc, sliver, cavity));
   EXPECT_EQ(cavity.removed().size(), 5u);
   EXPECT_EQ(cavity.tetrahedra().size(), 8u);
-  // All eight new tetrahedra are alike, so that the new vertex stays in the middle.
+  // All eight new tetrahedra are congruent, so the new vertex stays in the center.
   EXPECT_NEAR(cavity.quality_before(), volume_length_ratio(4 * h / 3, 16 + 16 * h * h), tolerance);
   EXPECT_NEAR(cavity.quality_after(), volume_length_ratio(1. / 6, 9 + 8 * h * h), tolerance);
   EXPECT_LT((cavity.vertices().back().point - CGAL::ORIGIN).squared_length(), 1e-20);
@@ -184,12 +184,12 @@ TEST(Vertex_insertion, takes_no_cell_of_another_label) {
     const auto v = dsc.assign(mesh.points, mesh.tetrahedra, mesh.labels);
     ASSERT_TRUE(dsc.triangulation().is_cell(v[0], v[1], v[2], v[3], sliver));
   };
-  // Alone, the sliver can only be cut into worse ones.
+  // The sliver alone can only be divided into worse cells.
   mesh.labels = {1, 0, 0, 0, 0};
   assign();
   Cavity cavity(dsc);
   EXPECT_FALSE(propose_vertex_insertion(dsc, sliver, cavity));
-  // With the cells below it, the new vertex goes down.
+  // With the cells below the sliver, the new vertex moves down.
   mesh.labels = {0, 1, 1, 0, 0};
   assign();
   const auto interface_before = mesh_helpers::interface_triangles(dsc);
@@ -200,7 +200,7 @@ TEST(Vertex_insertion, takes_no_cell_of_another_label) {
   EXPECT_EQ(mesh_helpers::interface_triangles(dsc), interface_before);
 }
 
-// Four cells around an edge of a regular octahedron are better than any star inside.
+// Four cells around an edge of a regular octahedron are better than any star of an inner vertex.
 TEST(Vertex_insertion, without_gain_is_refused) {
   Complex dsc;
   dsc.assign({Point(0, 0, -1), Point(0, 0, 1), Point(1, 0, 0), Point(0, 1, 0), Point(-1, 0, 0),
@@ -241,7 +241,7 @@ TEST(Vertex_insertion, takes_the_best_of_all_sets_of_cells_of_a_ring) {
   EXPECT_GT(proposals, 10);
 }
 
-// One vertex inside, with four cells: they are not removed all at once.
+// An inner vertex with four cells: at least one of the cells stays.
 TEST(Vertex_insertion, leaves_every_vertex_a_cell) {
   Random random(3);
   for (int trial = 0; trial < 50; ++trial) {

@@ -14,7 +14,7 @@
 #include <iterator>
 #include <vector>
 
-// Operations that change the interface: flips of its edges, and relabeling.
+// Operations that change the interface: edge flips and relabeling.
 
 namespace test_interface_operations {
 
@@ -37,7 +37,7 @@ std::size_t number_of_interface_facets(const Complex& dsc, const Edge_in_cell& e
   return facets;
 }
 
-// The number of triangles of the interface a that the interface b does not have.
+// Returns the number of triangles of the interface a that the interface b does not contain.
 template <class Triangles> std::size_t missing(const Triangles& a, const Triangles& b) {
   Triangles difference;
   std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(difference));
@@ -132,7 +132,7 @@ TEST(Interface_flip, changes_two_triangles_and_no_topology) {
 
 // Relabeling
 
-// Twice the sum of the areas of the interface around a cell, if it had this label.
+// Returns twice the area of the interface on the facets of a cell, if the cell had this label.
 double area_around(const Complex& dsc, Cell_handle c, int label) {
   double area = 0;
   for (int i = 0; i < 4; ++i) {
@@ -145,9 +145,9 @@ double area_around(const Complex& dsc, Cell_handle c, int label) {
   return area;
 }
 
-// Returns the largest facet of the interface that the opposite vertex, which is on the interface
-// too, touches: up to .01 of a barycentric coordinate; a facet may be 2 % smaller than the largest.
-// Or -1.
+// Returns the largest interface facet of a cell that the opposite vertex, which is also on the
+// interface, touches. Tolerances: .01 in barycentric coordinates, 2 % of the largest area. Returns
+// -1 if there is none.
 int facet_of_contact(const Complex& dsc, Cell_handle c) {
   double areas[4], largest_area = 0;
   for (int i = 0; i < 4; ++i) {
@@ -172,7 +172,7 @@ int facet_of_contact(const Complex& dsc, Cell_handle c) {
   return result;
 }
 
-// Thresholds far above all qualities ask about every cell.
+// The threshold is far above all qualities, so each cell is examined.
 TEST(Relabeling, follows_the_two_rules) {
   Random random(6);
   const auto random_label = [&](const Point&) { return int(random.below(3)); };
@@ -229,7 +229,7 @@ TEST(Relabeling, considers_cells_below_its_thresholds_only) {
   EXPECT_GT(by_second_rule, 0);
 }
 
-// A cap with its base on phase 1, closed to the other side by phase 1 or 2.
+// A cap with its base on phase 1; the cell on the other side has label 1 or 2.
 TEST(Relabeling, gives_a_trapped_cap_to_the_phase_behind_it) {
   const double height = 1e-4;
   Complex dsc;

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-// Reconnection: edge removal and multi-face removal against brute force.
+// Edge removal and multi-face removal compared with brute force.
 
 namespace test_operations {
 
@@ -20,8 +20,8 @@ using mesh_helpers::jittered_grid;
 using mesh_helpers::minimum_quality;
 using namespace operation_helpers;
 
-// The vertices around the edge ij of a cell, in the order of the cells. Empty if the ring is not
-// finite.
+// Returns the vertices around the edge ij of a cell, in the order of the cells. Returns no vertices
+// if the ring contains an infinite cell.
 std::vector<Vertex_handle> ring_of(const Complex& dsc, Cell_handle cell, int i, int j) {
   const Vertex_handle a = cell->vertex(i), b = cell->vertex(j);
   std::vector<Vertex_handle> ring;
@@ -29,7 +29,7 @@ std::vector<Vertex_handle> ring_of(const Complex& dsc, Cell_handle cell, int i, 
   do {
     if (dsc.is_infinite(Cell_handle(c)))
       return {};
-    for (int k = 0; k < 4; ++k) { // of the two others, the one that comes first counterclockwise
+    for (int k = 0; k < 4; ++k) { // the first of the two other vertices in counterclockwise order
       const int l = 6 - c->index(a) - c->index(b) - k;
       if (c->vertex(k) != a && c->vertex(k) != b &&
           CGAL::orientation(a->point(), b->point(), c->vertex(k)->point(), c->vertex(l)->point()) ==
@@ -37,7 +37,7 @@ std::vector<Vertex_handle> ring_of(const Complex& dsc, Cell_handle cell, int i, 
         ring.push_back(c->vertex(k));
     }
   } while (++c != done);
-  // The circulator may turn either way.
+  // The circulator may have either direction.
   const std::size_t n = ring.size();
   Cell_handle ignored;
   if (!dsc.triangulation().is_cell(a, b, ring[0], ring[1 % n], ignored) ||
@@ -121,7 +121,7 @@ TEST(Multi_face_removal, is_best_of_all_sets_of_facets) {
   for (std::size_t m = 1; m <= 5; ++m)
     for (int trial = 0; trial < 60; ++trial) {
       Sandwich s(m, random);
-      const std::size_t other = random.below(3 * m); // a triangle in another phase, perhaps
+      const std::size_t other = random.below(3 * m); // possibly a triangle in another phase
       if (other < m)
         s.mesh.labels[2 * other] = s.mesh.labels[2 * other + 1] = 1;
       Complex dsc;
@@ -145,7 +145,7 @@ TEST(Multi_face_removal, is_best_of_all_sets_of_facets) {
                                              cavity);
         EXPECT_TRUE(dsc.state() == state);
 
-        // The worst quality of all, for the best set and for the one that is proposed.
+        // Returns the worst quality for the best set and for the proposed set.
         double best = -infinity, of_proposal = -infinity;
         bool is_improvable = false;
         unsigned proposal = 0;
@@ -193,8 +193,7 @@ TEST(Multi_face_removal, is_best_of_all_sets_of_facets) {
     EXPECT_GT(accepted[m], 3) << m;
 }
 
-// A cavity stays good while nothing changes: other proposals and looks at the complex may come
-// between.
+// A cavity stays valid until the complex changes; other proposals and queries may come between.
 TEST(Cavity, survives_everything_that_does_not_change_the_complex) {
   Random random(9);
   Labelled_mesh mesh;
@@ -234,7 +233,7 @@ TEST(Multi_face_removal, leaves_interface_and_boundary_alone) {
   EXPECT_TRUE(dsc.state() == state);
 }
 
-// Two apices over a disc of rings of triangles: each facet can be reached in very many ways.
+// Two apices over a disk of rings of triangles. Each facet can be reached on very many paths.
 TEST(Multi_face_removal, looks_at_each_facet_once) {
   static constexpr std::size_t sectors = 32, rings = 3;
   std::vector<Point> points = {Point(0, 0, 1), Point(0, 0, -1), Point(0, 0, 0)};

@@ -34,7 +34,8 @@ void append_rectangle(Patch& patch, const Point& a, const Point& b, const Point&
   patch.triangles.push_back({n, n + 2, n + 3});
 }
 
-// The sides of [x, x + 1] x [0, 1]^2 but for those across the x axis, all turned outwards.
+// Appends the sides of [x, x + 1] x [0, 1]^2 that are parallel to the x axis, with outward
+// orientation.
 void append_tube(Patch& patch, double x) {
   const auto p = [x](int i, int j, int k) { return Point(x + i, j, k); };
   append_rectangle(patch, p(0, 0, 0), p(1, 0, 0), p(1, 0, 1), p(0, 0, 1));
@@ -43,12 +44,12 @@ void append_tube(Patch& patch, double x) {
   append_rectangle(patch, p(0, 0, 1), p(1, 0, 1), p(1, 1, 1), p(0, 1, 1));
 }
 
-// Turned towards increasing x.
+// Orientation towards increasing x.
 void append_wall(Patch& patch, double x) {
   append_rectangle(patch, Point(x, 0, 0), Point(x, 1, 0), Point(x, 1, 1), Point(x, 0, 1));
 }
 
-// Two cubes of labels 1 and 2 with a wall between.
+// Two cubes of labels 1 and 2 with a common wall.
 std::vector<Patch> two_cubes() {
   Patch left, right, wall, left_end, right_end;
   append_tube(left, 0);
@@ -73,7 +74,7 @@ TEST(Patches, that_share_borders_separate_materials) {
   EXPECT_NEAR(dsc.volume(1), 1, 1e-12);
   EXPECT_NEAR(dsc.volume(2), 1, 1e-12);
   EXPECT_EQ(dsc.interface_facets().size(), 22u);
-  // The square where three labels meet: four edges of one triple line.
+  // The boundary of the square where three labels meet: four edges of one triple line.
   std::size_t triple_edges = 0;
   for (const auto& e : dsc.triangulation().finite_edges()) {
     std::set<int> labels;
@@ -89,7 +90,7 @@ TEST(Patches, that_share_borders_separate_materials) {
 
 TEST(Patches, may_enclose_other_patches_and_be_open_within_a_label) {
   auto patches = two_cubes();
-  Patch fin; // inside the left cube, and no part of the interface
+  Patch fin; // inside the left cube, not a part of the interface
   fin.points = {Point(.25, .25, .25), Point(.75, .25, .5), Point(.5, .75, .5)};
   fin.triangles = {{0, 1, 2}};
   fin.label_behind = fin.label_in_front = 1;
@@ -167,8 +168,8 @@ struct Tetrahedra
 TEST(Tetrahedra_in_a_box, of_several_parts_and_labels_stay_what_they_are) {
   Tetrahedra mesh;
   mesh.append(0, 0, 0, 1);
-  mesh.append(1, 0, 0, 2); // the corners of the common side are given twice
-  mesh.append(0, 1, 1, 3); // meets the first one in an edge
+  mesh.append(1, 0, 0, 2); // the corners of the common side are duplicated
+  mesh.append(0, 1, 1, 3); // shares an edge with the first cube
   mesh.append(5, 0, 0, 1);
   const Complex dsc = mesh.complex();
   EXPECT_TRUE(dsc.is_valid());

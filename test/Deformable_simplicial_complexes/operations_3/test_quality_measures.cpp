@@ -31,7 +31,8 @@ double facet_area(const Tetrahedron& t, int opposite) {
   return length(CGAL::cross_product(b - a, c - a)) / 2;
 }
 
-// The angle between the facets at the edge ij, by the directions in them that are orthogonal to it.
+// Returns the dihedral angle at the edge ij, computed from directions in the facets orthogonal to
+// the edge.
 double dihedral_angle(const Tetrahedron& t, int i, int j) {
   std::vector<Vector> across;
   const Vector edge = (t[j] - t[i]) / length(t[j] - t[i]);
@@ -44,7 +45,7 @@ double dihedral_angle(const Tetrahedron& t, int i, int j) {
 }
 
 double circumradius(const Tetrahedron& t) {
-  // 2 (t[i] - t[0]) x = |t[i] - t[0]|^2 for i = 1, 2, 3, by Cramer's rule.
+  // Solves 2 (t[i] - t[0]) x = |t[i] - t[0]|^2 for i = 1, 2, 3 by Cramer's rule.
   const std::array<Vector, 3> rows = {t[1] - t[0], t[2] - t[0], t[3] - t[0]};
   const Vector right(rows[0].squared_length() / 2, rows[1].squared_length() / 2,
                      rows[2].squared_length() / 2);
@@ -55,7 +56,7 @@ double circumradius(const Tetrahedron& t) {
                        CGAL::determinant(column(0), column(1), right) / d));
 }
 
-// The measures by their definitions.
+// The quality measures computed from their definitions.
 
 double slow(const DSC::Volume_length_ratio_3&, const Tetrahedron& t) {
   double squared = 0;
@@ -186,7 +187,7 @@ TYPED_TEST(Quality_measures, is_invariant_under_similarities) {
     Tetrahedron image;
     for (int k = 0; k < 4; ++k) {
       const Vector v =
-          t[k] - CGAL::ORIGIN; // rotated about z, then x and z are swapped and y mirrored
+          t[k] - CGAL::ORIGIN; // rotated about z, then x and z exchanged and y reflected
       const double x = std::cos(angle) * v.x() - std::sin(angle) * v.y(),
                    y = std::sin(angle) * v.x() + std::cos(angle) * v.y();
       image[k] = CGAL::ORIGIN + scale * (Vector(v.z(), -y, x) + shift);
@@ -196,7 +197,7 @@ TYPED_TEST(Quality_measures, is_invariant_under_similarities) {
   }
 }
 
-// Thin tetrahedra are worse the thinner they are, down to the smallest heights.
+// The quality of thin tetrahedra decreases with their height, down to the smallest heights.
 TYPED_TEST(Quality_measures, decreases_with_the_height_of_a_sliver) {
   double last = 2;
   for (double height = .5; height > 1e-12; height /= 16) {
@@ -211,13 +212,13 @@ TYPED_TEST(Quality_measures, decreases_with_the_height_of_a_sliver) {
   EXPECT_LT(last, 1e-9);
 }
 
-// Against central differences, on thin tetrahedra too.
+// Gradients compared with central differences, also for thin tetrahedra.
 TEST(Volume_length_ratio, gradient_agrees_with_differences) {
   const DSC::Volume_length_ratio_3 measure;
   mesh_helpers::Random random(8);
   for (int i = 0; i < 500; ++i) {
     Tetrahedron t = random_tetrahedron(random);
-    if (i % 2 == 0) // nearly flat
+    if (i % 2 == 0) // nearly degenerate
       t[0] = t[1] + .3 * (t[2] - t[1]) + .4 * (t[3] - t[1]) + 1e-3 * (t[0] - t[1]);
     const Vector gradient = measure.gradient(t[0], t[1], t[2], t[3]);
     const auto slope = [&](const Vector& axis) {

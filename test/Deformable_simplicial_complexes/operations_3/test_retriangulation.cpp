@@ -12,14 +12,14 @@
 #include <utility>
 #include <vector>
 
-// Multi-face retriangulation against brute force.
+// Multi-face retriangulation compared with brute force.
 
 namespace test_retriangulation {
 
 using mesh_helpers::jittered_grid;
 using namespace operation_helpers;
 
-// The triangles that can be reached from one of them without a change of label, as a set of bits.
+// Returns the triangles that are connected with a triangle without a change of label, as a bit set.
 unsigned connected_set(const Sandwich& s, std::size_t first) {
   const auto label = [&](std::size_t t) { return s.mesh.labels[2 * t]; };
   unsigned set = 1u << first;
@@ -60,7 +60,7 @@ Labelled_mesh two_sided(std::vector<Point> points, const std::vector<Triangle>& 
   return mesh;
 }
 
-// Tries all triangles of `two_sided()` in vain.
+// Checks that there is no proposal for any triangle of `two_sided()`.
 void expect_refusals(const Complex& dsc, const std::vector<Vertex_handle>& v,
                      const std::vector<Triangle>& triangles) {
   Cavity cavity(dsc);
@@ -74,7 +74,7 @@ TEST(Multi_face_retriangulation, is_best_of_all_triangulations_of_a_loop) {
     int accepted = 0, refused = 0;
     for (int trial = 0; trial < 40; ++trial) {
       Sandwich s(m, random);
-      const std::size_t other = random.below(3 * m); // a triangle in another phase, perhaps
+      const std::size_t other = random.below(3 * m); // possibly a triangle in another phase
       if (other < m)
         s.mesh.labels[2 * other] = s.mesh.labels[2 * other + 1] = 1;
       Complex dsc;
@@ -124,7 +124,8 @@ TEST(Multi_face_retriangulation, is_best_of_all_triangulations_of_a_loop) {
         ASSERT_TRUE(propose_multi_face_retriangulation(copy, c, below->index(v[0]), of_copy));
         expect_valid_commit(copy, of_copy, volume_of_domain(dsc));
         EXPECT_EQ(copy.number_of_vertices(), dsc.number_of_vertices());
-        // What is best is not proposed again. The first two cells share a triangle of the loop.
+        // An optimal triangulation has no further proposal. The first two cells share a triangle of
+        // the loop.
         Cavity again(copy);
         const Cell_handle created = of_copy.created()[1];
         EXPECT_FALSE(propose_multi_face_retriangulation(
@@ -140,7 +141,7 @@ TEST(Multi_face_retriangulation, is_best_of_all_triangulations_of_a_loop) {
   }
 }
 
-// Without its center the fan would be better.
+// Without its center, the fan would have a better triangulation.
 TEST(Multi_face_retriangulation, refuses_a_set_with_a_vertex_inside) {
   static constexpr std::size_t n = 5;
   std::vector<Point> points = {Point(0, 0, -1), Point(0, 0, 1), Point(.8, 0, 0)};
@@ -159,8 +160,9 @@ TEST(Multi_face_retriangulation, refuses_a_set_with_a_vertex_inside) {
   expect_refusals(dsc, v, triangles);
 }
 
-// Triangles around one of another label. It shares no vertex, or one, with the loop around them
-// all; with one, the number of edges of the boundary is that of a disc.
+// Triangles around a triangle of another label. This triangle shares no vertex or one vertex with
+// the outer loop. With one common vertex, the number of boundary edges equals the number for a
+// disk.
 TEST(Multi_face_retriangulation, refuses_a_set_with_a_hole) {
   std::vector<Point> points = {Point(0, 0, -1),   Point(0, 0, 1),    Point(1, 0, 0),
                                Point(0, 1, 0),    Point(-1, 0, 0),   Point(0, -1, 0),

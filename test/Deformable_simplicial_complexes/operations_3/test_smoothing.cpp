@@ -14,7 +14,7 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// Smart Laplacian and optimisation-based smoothing of vertices.
+// Smart Laplacian and optimization-based smoothing of vertices.
 
 namespace test_smoothing {
 
@@ -22,7 +22,7 @@ using mesh_helpers::jittered_grid;
 using namespace operation_helpers;
 using Position = Complex::Approximate_point_3;
 
-// The worst quality of the star of v if v were at p.
+// Returns the worst quality of the star of v if v were at p.
 double worst_quality(const Complex& dsc, Vertex_handle v, const Position& p) {
   std::vector<Cell_handle> star;
   dsc.triangulation().finite_incident_cells(v, std::back_inserter(star));
@@ -43,8 +43,9 @@ Position barycenter_of_neighbors(const Complex& dsc, Vertex_handle v) {
   return CGAL::ORIGIN + sum / double(neighbors.size());
 }
 
-// The best worst quality that v can have, by sampling smaller and smaller boxes. The positions with
-// at least a given quality form a convex set, so that there is one maximum.
+// Returns the largest possible worst quality of the star of v, by sampling smaller and smaller
+// boxes. The positions with at least a given quality form a convex set, so there is only one
+// maximum.
 double optimum(const Complex& dsc, Vertex_handle v) {
   static constexpr int samples = 5;
   Position best = dsc.position(v);
@@ -114,7 +115,7 @@ TEST(Optimal_position, never_lowers_the_worst_quality) {
     const bool proposed = propose_optimal_position(dsc, v, star, target);
     EXPECT_TRUE(dsc.state() == state);
     if (dsc.is_interface(v) || dsc.is_boundary(v)) {
-      EXPECT_FALSE(proposed); // the interface is nowhere flat
+      EXPECT_FALSE(proposed); // the interface is planar nowhere
     }
     if (!proposed)
       continue;
@@ -145,7 +146,7 @@ TEST(Optimal_position, comes_near_the_optimum) {
   }
 }
 
-// A cell may be positive and its quality zero or less by rounding.
+// A positive cell may have a quality of at most zero because of rounding.
 TEST(Optimal_position, survives_cells_flat_up_to_rounding) {
   for (const Point& p : {Point(.58, .31, .11), Point(.09, .33, .58)}) {
     Complex dsc;
@@ -172,13 +173,13 @@ TEST(Optimal_position, survives_cells_flat_up_to_rounding) {
   }
 }
 
-// In two boxes that share a wall: on a face and on the wall vertices move within the plane, on
-// edges along them, at corners not at all; the triple line around the wall is an edge like any
-// other.
+// Two boxes with a common wall. Vertices on a side or on the wall move within the plane, vertices
+// on edges move along the edge, and vertices at corners do not move. The triple line around the
+// wall is treated as an edge.
 TEST(Optimal_position, keeps_planes_and_lines_of_the_interface) {
   Complex dsc = small_meshes::make_complex(small_meshes::grid(8, small_meshes::two_boxes));
   const double volume_1 = dsc.volume(1), volume_2 = dsc.volume(2), area = dsc.area(0);
-  // Worse within their planes and lines.
+  // Displaces the vertices within their planes and lines.
   mesh_helpers::Random random(3);
   const auto planes = [](const Position& p) {
     return std::array<bool, 3>{std::abs(p.x()) == .5 || p.x() == 0, std::abs(p.y()) == .5,

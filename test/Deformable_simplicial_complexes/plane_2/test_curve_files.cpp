@@ -17,7 +17,7 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// What files of curves mean, and what is refused or named as not used.
+// Interpretation of curve files, and content that is rejected or reported as unused.
 
 namespace test_curve_files {
 
@@ -64,7 +64,7 @@ void expect_part(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
-// A square of side 4 with a square of side 2 in it.
+// A square of side length 4 with a square of side length 2 inside.
 const std::string squares = "8 2\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 1 1\n6 3 1\n7 3 3\n8 1 3\n"
                             "8\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n6 6 7\n7 7 8\n8 8 5\n";
 
@@ -74,7 +74,7 @@ TEST(Poly, without_regions_has_label_1_but_in_holes) {
   const Complex ring = make(read_poly(squares + "1\n1 2 2\n"));
   EXPECT_NEAR(ring.area(1), 12, 1e-12);
   EXPECT_EQ(ring.euler_characteristic(1), 0);
-  const Complex outside = make(read_poly(squares + "1\n1 9 9\n")); // eats nothing that is enclosed
+  const Complex outside = make(read_poly(squares + "1\n1 9 9\n")); // the hole point removes no enclosed region
   EXPECT_NEAR(outside.area(1), 16, 1e-12);
 }
 
@@ -176,7 +176,7 @@ TEST(Pgm, names_what_comes_after_its_pixels) {
   EXPECT_EQ(unused.text(), "10 bytes after the pixels");
 }
 
-// A complex of curves times a power of two has the same triangles times that power.
+// Scaling the curves by a power of two scales the complex and does not change its triangles.
 TEST(Curves, have_no_unit) {
   const auto of_scale = [](double scale) {
     std::ostringstream text;

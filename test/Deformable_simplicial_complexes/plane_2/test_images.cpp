@@ -13,7 +13,8 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// Complexes of images: each label keeps the area of its pixels, each pixel's center its label.
+// Complexes of images: each label has the area of its pixels, and the center of each pixel has the
+// label of the pixel.
 
 namespace test_images {
 
@@ -73,7 +74,8 @@ TEST(Image, keeps_areas_and_centers_of_pixels) {
   });
   const Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(disks);
   expect_image(dsc, disks);
-  // Smooth, unlike the edges of pixels, the length of which is four thirds of that of a circle.
+  // The interface is smooth. The edges of the pixels of a disk are four thirds as long as its
+  // circle.
   const double radius = std::sqrt(dsc.area(3) / CGAL_PI);
   EXPECT_NEAR(dsc.length(3), 2 * CGAL_PI * radius, .04 * 2 * CGAL_PI * radius);
   EXPECT_LT(dsc.interface_facets().size(), 85u);

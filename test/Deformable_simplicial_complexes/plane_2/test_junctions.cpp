@@ -1,4 +1,4 @@
-// Vertices where more than three phases meet, and curvature flow that keeps its interface fit.
+// Junctions of more than three phases, and curvature flow that remeshes its interface.
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complexes/junction_split_2.h>
@@ -26,7 +26,7 @@ using Complex = CGAL::Deformable_simplicial_complex_2<>;
 using Vertex_handle = Complex::Vertex_handle;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
-// A square of n times n pixels, with labels that a function of the half-axes tells.
+// Returns a square of n times n pixels with labels of a function.
 template <class LabelAt> Complex square(std::size_t n, const LabelAt& label_at) {
   DSC::Labelled_image_2 image;
   image.width = image.height = n;
@@ -41,7 +41,8 @@ template <class LabelAt> Complex square(std::size_t n, const LabelAt& label_at) 
 int four_labels(bool left, bool top) { return 1 + left + 2 * top; }
 int two_labels(bool left, bool top) { return 1 + (left == top); }
 
-// The vertices inside the domain with the most facets of the interface, and how many these are.
+// Returns the vertices inside the domain with the largest number of incident interface facets, and
+// this number.
 std::vector<Vertex_handle> junctions(const Complex& dsc, std::size_t degree) {
   std::vector<Vertex_handle> result;
   for (Vertex_handle v : dsc.interface_vertices())
@@ -94,7 +95,7 @@ TEST(Junction_split_2, is_a_part_of_curvature_flow) {
   EXPECT_EQ(junctions(as_it_is, 4).size(), 1u);
 }
 
-// With half-axes 3 and 1.
+// An ellipse with half-axes 3 and 1.
 Complex ellipse() {
   std::vector<Complex::Point_2> points;
   constexpr int n = 60;
@@ -109,7 +110,7 @@ Complex ellipse() {
       std::vector<DSC::Labelled_curve_2<Complex::Point_2>>{curve});
 }
 
-// dA/dt = -2 pi, whatever the shape.
+// dA/dt = -2 pi, for any shape.
 TEST(Curvature_flow_2, keeps_its_interface_fit) {
   Complex dsc = ellipse();
   const double before = dsc.area(1), dt = .01;
@@ -121,7 +122,7 @@ TEST(Curvature_flow_2, keeps_its_interface_fit) {
   EXPECT_NEAR(rate, exact, .01 * std::abs(exact));
 }
 
-// An image of polygons: a pixel has the label of the nearest of some points.
+// An image of Voronoi cells: a pixel has the label of the nearest seed.
 Complex foam(std::size_t n, std::size_t cells) {
   std::uint32_t state = 2;
   const auto next = [&] {
@@ -145,7 +146,7 @@ Complex foam(std::size_t n, std::size_t cells) {
   return DSC::make_deformable_simplicial_complex_2<Complex>(image);
 }
 
-// Of all triangles, in degrees.
+// Returns the smallest angle of all triangles, in degrees.
 double smallest_angle(const Complex& dsc) {
   double result = 180;
   for (const auto c : dsc.finite_cells())

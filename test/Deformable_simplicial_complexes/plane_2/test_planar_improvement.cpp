@@ -41,7 +41,8 @@ template <class C> double worst_quality(const C& dsc) {
   return worst;
 }
 
-// A grid whose vertices are disturbed, those of the interface along x = 0 less, within that line.
+// A grid with disturbed vertices. Vertices of the interface are disturbed less, along the line x =
+// 0.
 template <class C> void disturb(C& dsc, double size, unsigned seed) {
   std::mt19937 generator(seed);
   const auto random = [&] { return size * (2. * generator() / 4294967296. - 1); };
@@ -57,7 +58,7 @@ template <class C> void disturb(C& dsc, double size, unsigned seed) {
   }
 }
 
-// The square [-1, 1]^2, halved.
+// The square [-1, 1]^2 with two labels.
 Complex halves(int n, double size, unsigned seed) {
   std::vector<Point> points;
   std::vector<std::array<std::size_t, 3>> triangles;
@@ -105,7 +106,8 @@ TEST(Improve_mesh_2, refuses_what_is_out_of_range) {
             0u);
 }
 
-// A square with a vertex in the middle and a needle: two vertices of its lower edge are close.
+// A square with a vertex in the middle and a needle: two vertices of its lower edge are close to
+// each other.
 Complex square_with(const std::vector<Point>& inner,
                     const std::vector<std::array<std::size_t, 3>>& triangles,
                     const std::vector<int>& labels) {
@@ -116,7 +118,7 @@ Complex square_with(const std::vector<Point>& inner,
   return dsc;
 }
 
-// Label 1 has a spike to a = (-1, 0), flat as a cap, whose tip is c = (0, 0).
+// Label 1 has a thin spike towards a = (-1, 0), a cap with its tip at c = (0, 0).
 Complex spike(double height) {
   const std::vector<Point> inner = {{-1, 0}, {1, -height}, {0, 0}, {1, 1}};
   const std::size_t a = 4, b = 5, c = 6, d = 7;
@@ -164,7 +166,8 @@ TEST(Remove_degeneracies_2, leaves_a_cap_that_is_no_cap) {
   EXPECT_EQ(report.flipped + report.collapsed, 0u);
 }
 
-// A vertex is inserted where no flip helps: a square of long, thin triangles between two rows.
+// A square of long, thin triangles between two rows of vertices. A vertex is inserted because no
+// flip improves the triangles.
 TEST(Vertex_insertion_2, breaks_up_needles) {
   std::vector<Point> points;
   std::vector<std::array<std::size_t, 3>> triangles;
@@ -203,8 +206,8 @@ template <class C> double integral(const C& dsc, Cell_values<C>& averages, int l
   return result;
 }
 
-// What leaves the interface in its place keeps linear functions on vertices, constants and the
-// integrals of phases; `linear` is a function that is.
+// Operations that keep the interface preserve linear functions on vertices, constants on cells, and
+// integrals over phases. `linear` is a linear function.
 template <class C, class Linear> void expect_carried(C dsc, const Linear& linear) {
   Vertex_values<C> values;
   Cell_values<C> averages, constant;

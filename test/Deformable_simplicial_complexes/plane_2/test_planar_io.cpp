@@ -62,7 +62,7 @@ DSC::Labelled_image_2 read_image(const std::string& bytes) {
   return CGAL::IO::read_labelled_image(folder / "a.pgm");
 }
 
-// A ring and a disk in it, a strip along the top of the box, and a disk that touches nothing.
+// A ring with a disk inside, a strip along the top of the box, and an isolated disk.
 Complex phases() {
   return DSC::make_deformable_simplicial_complex_2<Complex>(
       CGAL::Bbox_2(0, 0, 2, 1), .08, [](const auto& p) {
@@ -94,7 +94,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return result;
 }
 
-// 3 times 2 pixels of two bits, indices of a palette; two gray values of 16 bits; one color.
+// 3 times 2 pixels: two bits with a palette; gray values of 16 bits; one color.
 const char palette_png[] =
     "\x89\x50\x4e\x47\x0d\x0a\x1a\x0a\x00\x00\x00\x0d\x49\x48\x44\x52\x00\x00\x00\x03\x00"
     "\x00\x00\x02\x02\x03\x00\x00\x00\xe0\x1a\x8e\x89\x00\x00\x00\x0c\x50\x4c\x54\x45\x00"
@@ -148,7 +148,7 @@ TEST(Labelled_PNG, passes_on_what_callbacks_throw) {
   EXPECT_EQ(told, "of the user");
 }
 
-// Its area is lost by rounding.
+// Rounding makes its area zero.
 TEST(Extract_polygons, knows_outer_boundaries_exactly) {
   DSC::Labelled_curve_2<Point> curve;
   curve.add_polyline(std::vector<Point>{Point(1000.0219146334566, 1000.6913223492447),
@@ -227,7 +227,7 @@ TEST(Svg, refuses_windows_that_are_none) {
   EXPECT_THROW(CGAL::IO::write_SVG(folder / "a.svg", dsc, options), Error);
   options.width = 100;
   options.window = CGAL::Bbox_2(.5, .4, .5 + 1e-100, .4 + 1e-100);
-  EXPECT_THROW(CGAL::IO::write_SVG(folder / "a.svg", dsc, options), Error); // nothing, rounded
+  EXPECT_THROW(CGAL::IO::write_SVG(folder / "a.svg", dsc, options), Error); // the window is empty after rounding
 }
 
 TEST(Polygons_2, have_the_holes_of_the_regions) {
@@ -250,8 +250,8 @@ TEST(Polygons_2, have_the_holes_of_the_regions) {
   }
 }
 
-// Two squares of one label that touch in a corner, within a frame of another label: what is between
-// the squares and the frame is pinched there.
+// Two squares of one label that touch at a corner, within a frame of another label. The region
+// between the squares and the frame is pinched there.
 TEST(Polygons_2, of_pinched_regions_pass_no_vertex_twice) {
   std::vector<Point> points;
   std::vector<std::array<std::size_t, 3>> triangles;
@@ -294,7 +294,7 @@ TEST(Interface_2, of_a_torus_is_unwrapped) {
   }
   EXPECT_NEAR(area, disk.area(1), 1e-13);
 
-  // A strip goes around: each of its sides is cut open.
+  // A strip around the torus: each of its two sides is cut open.
   const auto strip = torus::grid(8, [](const auto& p) { return p.y() > .5 ? 1 : 0; });
   const auto sides = DSC::extract_interface(strip);
   EXPECT_EQ(sides.segments.size(), 16u);
@@ -335,7 +335,7 @@ TEST(Well_known_text, of_regions_with_common_borders) {
   EXPECT_NEAR(dsc.area(1), .75, 1e-14);
   EXPECT_NEAR(dsc.area(2), 1, 1e-14);
   EXPECT_NEAR(dsc.area(3), .25, 1e-14);
-  // Borders that are common in parts only
+  // Boundaries that coincide only partially
   EXPECT_THROW(make(read_wkt("POLYGON((0 0,1 0,1 1,0 1,0 0))\nPOLYGON((1 0,2 0,2 2,1 2,1 0))")),
                Invalid_surface_error);
 }
@@ -364,7 +364,7 @@ TEST(Poly, comes_back) {
   expect_equal_areas(dsc, DSC::make_deformable_simplicial_complex_2<Complex>(segments));
 }
 
-// As Triangle's own examples are: numbers from 1, markers, comments, a hole and no region.
+// A file like the examples of Triangle: indices from 1, markers, comments, a hole and no region.
 TEST(Poly, of_triple_points_and_dangling_segments) {
   const auto segments = read_poly("# comment\n5 2 1 1\n1 0 0 9 1\n2 2 0 9 1\n3 2 2 9 1\n4 0 2 9 1\n"
                                   "5 1 1 9 0\n6 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 1 1\n"
@@ -374,7 +374,7 @@ TEST(Poly, of_triple_points_and_dangling_segments) {
   ASSERT_EQ(segments.seeds.size(), 2u);
   EXPECT_EQ(segments.seeds[0].second, 0);
   EXPECT_EQ(segments.seeds[1].second, 7);
-  // The diagonal passes through the point 5, where it should end.
+  // The diagonal passes through point 5, where it should end.
   EXPECT_THROW(DSC::make_deformable_simplicial_complex_2<Complex>(segments), Invalid_surface_error);
   auto divided = segments;
   divided.segments[4] = {0, 4};
@@ -451,7 +451,8 @@ TEST(Svg, has_a_region_for_each_label) {
   EXPECT_THROW(CGAL::IO::write_SVG(folder / "none/a.svg", phases()), File_error);
 }
 
-// Each triangle is drawn once in the box of a torus, and those across the seam on both sides.
+// Each triangle is drawn once in the box of the torus. Triangles across a seam are drawn on both
+// sides.
 TEST(Svg, of_a_torus_is_periodic) {
   const Temporary_folder folder;
   const std::size_t n = 8;

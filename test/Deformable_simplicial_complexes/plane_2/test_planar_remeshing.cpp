@@ -28,7 +28,7 @@ namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 constexpr double pi = 3.14159265358979323846;
 
-// Points of an ellipse about the origin at angles that a function of [0, 1) tells.
+// Returns points of an ellipse about the origin, at angles of a function on [0, 1).
 template <class Angle>
 Curve ellipse(double a, double b, std::size_t n, const Angle& angle, double x = 0, double y = 0) {
   Curve curve;
@@ -64,7 +64,7 @@ template <class C> double worst_radius(const C& dsc, double radius) {
   return worst;
 }
 
-// The cubic through four points is off by a term of the fourth order in the length of edges.
+// The cubic through four points has an error of fourth order in the edge length.
 TEST(Improve_interface_2, curved_splits_stay_on_the_curve) {
   std::vector<double> errors;
   for (std::size_t n : {20, 40, 80}) {
@@ -146,7 +146,7 @@ TEST(Improve_interface_2, smoothing_keeps_areas_and_evens_lengths) {
   EXPECT_LT(worst_radius(dsc, 1), 2e-3);
 }
 
-// At the ends of its axes, an ellipse bends by a / b^2 and b / a^2.
+// At the ends of its axes, an ellipse has the curvatures a / b^2 and b / a^2.
 TEST(Curvature_sizing_field_2, tells_the_lengths_of_an_ellipse) {
   const double a = 2, b = 1, tolerance = 1e-3;
   const Complex dsc = make(ellipse(a, b, 400, evenly));
@@ -193,7 +193,7 @@ TEST(Improve_interface_2, works_across_the_seam_of_a_torus) {
   EXPECT_NEAR(dsc.area(1), area, .01 * area);
 }
 
-// There and back within a hundredth of the volume-of-fluid methods' error.
+// After the reversed flow, the error is below one percent of the error of volume-of-fluid methods.
 TEST(Vortex_2, stays_smooth_where_it_is_stretched) {
   Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
       {ellipse(.15, .15, 60, evenly, .5, .75)},
@@ -240,7 +240,7 @@ TEST(Curve_shortening_2, of_nothing_is_nothing) {
   EXPECT_TRUE(report.complete);
 }
 
-// Any convex curve, and any other, encloses less area at the rate of 2 pi.
+// The enclosed area of any closed curve decreases at the rate 2 pi.
 TEST(Curve_shortening_2, ellipses_lose_area_at_a_constant_rate) {
   Complex dsc = make(ellipse(1, .5, 240, evenly));
   double area = dsc.area(1);

@@ -68,7 +68,8 @@ TEST(Plane, disks_that_meet_merge) {
   EXPECT_EQ(others, 0u);
 }
 
-// Free vertices outside a disk, nearer to it than half its radius, and where they were.
+// Returns the free vertices outside a disk whose distance to the disk is less than half its radius,
+// with their positions.
 std::map<Complex::Vertex_handle, Point> vertices_around(const Complex& complex, double radius) {
   std::map<Complex::Vertex_handle, Point> result;
   for (auto v : complex.vertices())
@@ -102,7 +103,7 @@ TEST(Plane, space_without_flow_follows_the_interface) {
   EXPECT_GT(least, .2 * way);
 }
 
-// A band across the square, whose lines of contact move along two of its sides.
+// A band across the square. Its contact points move along two sides of the square.
 TEST(Plane, free_vertices_on_the_boundary_go_along_with_lines_of_contact) {
   const int n = 12;
   std::vector<Point> points;
@@ -130,7 +131,7 @@ TEST(Plane, free_vertices_on_the_boundary_go_along_with_lines_of_contact) {
   EXPECT_EQ(corner, Point(0, 0));
 }
 
-// One cell of an area that is no normal number must not spoil the motion of all others.
+// One cell of subnormal area must not disturb the displacements of other cells.
 TEST(Plane, a_flat_cell_has_no_say_in_the_motion_of_space) {
   std::vector<Point> points;
   std::vector<std::array<std::size_t, 3>> triangles;
@@ -159,7 +160,7 @@ TEST(Plane, a_flat_cell_has_no_say_in_the_motion_of_space) {
     EXPECT_NEAR(d.x(), 1, .1);
 }
 
-// A linear field has one gradient and one divergence everywhere, and masses make up the whole.
+// A linear field has constant gradient and divergence, and the masses sum up to the total area.
 TEST(Plane, linear_elements_reproduce_linear_fields) {
   const Complex complex = plane::disks_in_a_square({{.3, .1, .8, 1}}, 24, 2, 12);
   using Vector = Complex::Approximate_vector_2;

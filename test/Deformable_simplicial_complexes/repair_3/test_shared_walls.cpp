@@ -1,4 +1,4 @@
-// Surfaces that share walls.
+// Surfaces with shared walls.
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
@@ -23,7 +23,7 @@ using Surface = DSC::Labelled_surface_3<Point>;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
 
-// Twelve triangles; the other diagonals of the faces if `is_other`.
+// Twelve triangles. If `is_other` is true, the faces have the other diagonals.
 Surface box(const std::array<double, 6>& b, int label, bool is_other = false) {
   Surface surface;
   for (int i = 0; i < 8; ++i)
@@ -49,7 +49,7 @@ Complex complex_of(const std::vector<Surface>& surfaces) {
   return dsc;
 }
 
-// One surface of several, the points of which are not shared.
+// Concatenates surfaces into one; their points are not shared.
 Surface join(const std::vector<Surface>& surfaces) {
   Surface result;
   for (const Surface& surface : surfaces) {
@@ -93,7 +93,7 @@ TEST(Shared_walls, leave_cavities_what_they_are) {
 }
 
 TEST(Shared_walls, of_one_surface_divide_it_into_labels) {
-  // Parts that have the wall each, and an edge of three triangles.
+  // Both components contain the wall; three triangles meet at some edges.
   Surface twice = join({box({0, 0, 0, 1, 1, 1}, 1), box({1, 0, 0, 3, 1, 1}, 1)});
   Surface once = box({0, 0, 0, 1, 1, 1}, 1);
   once.triangles.push_back({0, 3, 7}); // the faces z = 0 and z = 1 have this diagonal

@@ -1,4 +1,4 @@
-// Surfaces that nearly bound a solid, and are made to.
+// Repair of surfaces that almost bound a solid.
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
@@ -39,7 +39,7 @@ void add(Surface& surface, const Point& a, const Point& b, const Point& c) {
   surface.triangles.push_back({i, i + 1, i + 2});
 }
 
-// 192 triangles; 96 edges of length 1/4 and 96 of 1/4 sqrt(2), but for shared ones.
+// A cube of 192 triangles. On each side, edges have the lengths 1/4 and 1/4 sqrt(2).
 Surface cube(double x = 0) {
   Surface surface;
   for (int axis = 0; axis < 3; ++axis)
@@ -94,8 +94,8 @@ TEST(Surface_repair, leaves_what_bounds_a_solid) {
 
 TEST(Surface_repair, removes_triangles_without_area) {
   Surface surface = cube();
-  // An edge that has a vertex on one side only: the other side is a triangle with three corners on
-  // it.
+  // An edge with an additional vertex on one side only. On the other side, a degenerate triangle
+  // has its three corners on the edge.
   const auto t = surface.triangles.front();
   const Point a = surface.points[t[0]], b = surface.points[t[1]], c = surface.points[t[2]];
   const Point middle = CGAL::midpoint(a, b);
@@ -172,7 +172,7 @@ TEST(Surface_repair, keeps_small_parts) {
     surface.points.emplace_back(1e4 * p.x(), 1e4 * p.y(), 1e4 * p.z());
   surface.triangles = cube().triangles;
   Surface small = cube();
-  for (Point& p : small.points) // edges of a thousandth of the mean one
+  for (Point& p : small.points) // edges of one thousandth of the mean length
     p = p + Vector(2e4, 0, 0);
   small.triangles.pop_back();
   add_all(surface, small, false);
@@ -195,7 +195,7 @@ TEST(Surface_repair, measures_borders_beside_the_part_that_has_them) {
 
 TEST(Surface_repair, removes_walls_inside_solids) {
   Surface surface = cube();
-  add(surface, Point(0, 0, 0), Point(.5, .5, .5), Point(0, 0, .25)); // on an edge of two others
+  add(surface, Point(0, 0, 0), Point(.5, .5, .5), Point(0, 0, .25)); // on an edge that two other triangles share
   add(surface, Point(0, 0, 0), Point(.5, .5, .5), Point(.25, 0, 0));
   add(surface, Point(0, 0, .25), Point(.5, .5, .5), Point(.25, 0, 0));
   const auto report = DSC::repair_surface_3(surface);
@@ -218,7 +218,7 @@ TEST(Surface_repair, ends_soon_if_there_are_many_points_as_triangles) {
 
 TEST(Surface_repair, stitches_borders_that_are_near) {
   Surface surface = cube();
-  for (std::size_t i = 0; i < 3; ++i) // these are of the first triangle alone
+  for (std::size_t i = 0; i < 3; ++i) // these points belong to the first triangle only
     surface.points[i] = surface.points[i] + Vector(1e-5, -1e-5, 1e-5);
   const auto report = DSC::repair_surface_3(surface);
   EXPECT_EQ(report.stitched_points, 3u);
@@ -236,7 +236,7 @@ TEST(Surface_repair, fills_holes) {
   EXPECT_EQ(report.filled_holes, 2u);
   EXPECT_EQ(surface.triangles.size(), 192u);
   EXPECT_NEAR(report.distance_from_input, 0, 1e-15);
-  EXPECT_GT(report.distance_to_input, .05); // from the middle of a hole
+  EXPECT_GT(report.distance_to_input, .05); // at the middle of a hole
   EXPECT_LT(report.distance_to_input, .13);
   EXPECT_NEAR(volume(surface), 1, 1e-12);
 }
@@ -251,7 +251,7 @@ TEST(Surface_repair, turns_triangles_alike_to_fill_holes) {
 }
 
 TEST(Surface_repair, removes_crossings) {
-  // A vertex of a face that is pushed through the opposite face.
+  // A vertex of a face is moved through the opposite face.
   Surface surface = cube();
   for (Point& p : surface.points)
     if (p == Point(.5, .5, 1))
@@ -261,15 +261,16 @@ TEST(Surface_repair, removes_crossings) {
   EXPECT_EQ(report.united_parts, 1u);
   EXPECT_FALSE(report.is_wrapped);
   EXPECT_NEAR(report.distance(), 0, 1e-12);
-  // The vertex makes a pyramid about the cube's vertical axis, of which the face below cuts off the
-  // tip. Six triangles meet in the vertex: three quarters of a square of side 1/2.
+  // The vertex is the apex of a pyramid about the vertical axis of the cube. The face below cuts
+  // off its tip. Six triangles meet at the vertex; they cover three quarters of a square of side
+  // length 1/2.
   const double pyramid = 3. / 4 * .25 * 1.1 / 3;
   EXPECT_NEAR(volume(surface), 1 - pyramid * (1 - std::pow(.1 / 1.1, 3)), 1e-12);
 }
 
 TEST(Surface_repair, wraps_what_it_is_told_to) {
   Surface surface = cube();
-  const Surface other = cube(.4); // faces of both cover each other
+  const Surface other = cube(.4); // faces of both components overlap
   for (const auto& t : other.triangles)
     add(surface, other.points[t[0]], other.points[t[1]], other.points[t[2]]);
   DSC::Surface_repair_options_3 options;
@@ -280,7 +281,7 @@ TEST(Surface_repair, wraps_what_it_is_told_to) {
   EXPECT_DOUBLE_EQ(report.alpha, .5 * report.mean_edge);
   EXPECT_DOUBLE_EQ(report.offset, .05 * report.mean_edge);
   EXPECT_LT(report.distance_to_input, 2 * report.offset);
-  // 2 (1.4 + 1.4 + 1) is the area; corners are cut off.
+  // the area is 2 (1.4 + 1.4 + 1); corners are cut off
   EXPECT_NEAR(volume(surface), 1.4 + 7.6 * report.offset, .03);
 }
 
@@ -375,9 +376,9 @@ TEST(Surface_repair, unites_parts_that_cross) {
   const double both = 2 + 1.9 * 1.8 * 1.4 - .9 * .8 * .7;
   expect_union({a, b}, 2, both);
   expect_union({a, box(Point(1.1, .2, .3), Point(3, 2, 1.7), true)}, 2, both);
-  // In a common plane, and with faces that cover each other.
+  // With faces in a common plane, which overlap.
   expect_union({cube(), cube(.4)}, 2, 1.4);
-  // Three at once.
+  // Three components at once.
   expect_union({a, b, box(Point(1.5, .5, .5), Point(1.75, .75, 3))}, 3,
                both + .25 * .25 * (3 - 1.7));
 }
@@ -388,7 +389,7 @@ TEST(Surface_repair, keeps_cavities_of_parts_that_cross) {
   const double both = 2 + 1.9 * 1.8 * 1.4 - .9 * .8 * .7;
   for (bool turned : {false, true})
     expect_union({a, b, box(Point(.2, .2, .2), Point(.5, .5, .5), turned)}, 2, both - .027);
-  // A cavity of one into which the other one reaches, and a solid in a cavity.
+  // A cavity of one component into which the other one extends, and a solid inside a cavity.
   expect_union({a, b, box(Point(.2, .2, .2), Point(1.5, .5, .5))}, 3,
                both - (1.3 * .3 * .3 - .4 * .3 * .2));
   expect_union(
@@ -397,9 +398,9 @@ TEST(Surface_repair, keeps_cavities_of_parts_that_cross) {
 }
 
 TEST(Surface_repair, unites_touching_parts_only_where_they_share_area) {
-  // In a part of a face, which both have in other triangles.
+  // The components share a part of a face, with different triangles.
   expect_union({cube(), box(Point(1, .3, .3), Point(2, .6, .7))}, 2, 1 + .3 * .4);
-  // In vertices or edges they bound a solid as they are.
+  // Components that touch at vertices or edges bound a solid without repair.
   Surface corner = cube();
   add_all(corner, box(Point(1, 1, 1), Point(2, 2, 2)), false);
   EXPECT_TRUE(DSC::repair_surface_3(corner).was_sound());
@@ -417,7 +418,7 @@ TEST(Surface_repair, removes_fins) {
   EXPECT_NEAR(volume(surface), 1, 1e-12);
 }
 
-// The edge between two faces has a vertex more on one side, by `gap` away from it.
+// The edge between two faces has an additional vertex on one side, at distance `gap` from the edge.
 Surface with_t_junction(double gap) {
   Surface surface = cube();
   const auto t = surface.triangles.front();
@@ -438,7 +439,7 @@ TEST(Surface_repair, closes_t_junctions) {
     EXPECT_EQ(surface.triangles.size(), 194u) << gap;
     EXPECT_NEAR(volume(surface), 1, 1e-4) << gap;
   }
-  Surface wide = with_t_junction(.01); // a hole that can be seen
+  Surface wide = with_t_junction(.01); // a hole of positive width
   EXPECT_EQ(DSC::repair_surface_3(wide).filled_holes, 1u);
 }
 
@@ -454,7 +455,7 @@ TEST(Surface_repair, fills_holes_up_to_a_length) {
 }
 
 TEST(Surface_repair, merges_vertices_that_nearly_coincide) {
-  // An edge of one cube nearly on an edge of the other, which TetGen takes for one.
+  // An edge of one cube is so close to an edge of the other cube that TetGen merges them.
   Surface surface = cube();
   add_all(surface, box(Point(1 + 1e-15, 1, 0), Point(2, 2, 1)), false);
   EXPECT_TRUE(DSC::repair_surface_3(surface).was_sound());

@@ -31,7 +31,7 @@ using Reason = Invalid_surface_error::Reason;
 using Indices = std::vector<std::size_t>;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
-// Surfaces that get to a tetrahedralizer were not refused.
+// Thrown if a surface is accepted and reaches the tetrahedralizer.
 struct Accepted
 {
 };
@@ -58,7 +58,7 @@ std::optional<Invalid_surface_error> refusal(const Surface& surface) {
   return refusal(std::vector<Surface>{surface});
 }
 
-// Of one surface.
+// Returns the error for one surface.
 void expect_refusal(const Surface& surface, Reason reason, const Indices& facets,
                     const Indices& vertices) {
   const auto e = refusal(surface);
@@ -175,7 +175,7 @@ TEST(Surfaces, a_facet_with_collinear_points) {
   s.triangles[0] = {0, 2, 4};
   s.triangles.push_back({4, 2, 1});
   expect_refusal(s, Reason::degenerate_facet, {4}, {});
-  // The smallest area that there is will do.
+  // A subnormal area is sufficient.
   s.points[4] = Point(.5, std::numeric_limits<double>::denorm_min(), 0);
   EXPECT_FALSE(refusal(s));
 }
@@ -186,7 +186,7 @@ TEST(Surfaces, an_open_surface) {
   expect_refusal(s, Reason::open, {0, 1, 2}, {0, 2, 0, 3, 2, 3});
 }
 
-// Two tetrahedra, mirror images, with the same corner.
+// Two tetrahedra with a common vertex; one is the mirror image of the other.
 Surface tetrahedra_at_a_vertex() {
   Surface s = tetrahedron();
   append(s, {{{-1, 0, 0}, {0, -1, 0}, {0, 0, 0}, {0, 0, -1}}, s.triangles, 1});
@@ -209,7 +209,7 @@ TEST(Surfaces, a_wall_between_parts) {
 
 TEST(Surfaces, a_vertex_on_a_facet) {
   Surface s = tetrahedron();
-  append(s, tetrahedron(Point(-1, .25, .25))); // one of its vertices has come down on facet 3
+  append(s, tetrahedron(Point(-1, .25, .25))); // one of its vertices lies on facet 3
   expect_refusal(s, Reason::self_intersection, {3, 4, 3, 5, 3, 6}, {});
 }
 
@@ -238,7 +238,7 @@ TEST(Surfaces, facets_that_overlap_beside_a_common_edge) {
 }
 
 TEST(Surfaces, facets_that_cross_at_a_common_vertex) {
-  // The top of the octahedron has come down on one side, through two facets at the bottom.
+  // The top vertex of the octahedron is moved through two facets at the bottom.
   Surface s = octahedron();
   s.points[4] = Point(.75, .25, -.5);
   const auto e = refusal(s);
@@ -274,7 +274,7 @@ TEST(Surfaces, a_projective_plane) {
 
 TEST(Surfaces, intersections_agree_with_polygon_mesh_processing) {
   std::mt19937 random(1);
-  std::uniform_int_distribution<int> coordinate(-3, 3); // small: many special positions
+  std::uniform_int_distribution<int> coordinate(-3, 3); // a small range gives many degenerate positions
   int refused = 0, accepted = 0;
   for (int i = 0; i < 1000; ++i) {
     Surface s = octahedron();
@@ -312,7 +312,7 @@ TEST(Surfaces, two_surfaces_that_cross) {
   const auto e = refusal(std::vector<Surface>{far, tetrahedron(), far, needle});
   ASSERT_TRUE(e);
   EXPECT_EQ(e->reason(), Reason::crossing_surfaces);
-  EXPECT_EQ(e->surface(), 0u); // equal surfaces meet everywhere
+  EXPECT_EQ(e->surface(), 0u); // equal surfaces intersect in all facets
   EXPECT_EQ(e->other_surface(), 2u);
 
   const auto f = refusal(std::vector<Surface>{far, tetrahedron(), needle});
@@ -336,7 +336,7 @@ TEST(Surfaces, two_surfaces_that_share_a_facet) {
   EXPECT_EQ(e->facets(), (Indices{0, 0}));
 }
 
-// Two tetrahedra without the facet that they share.
+// Two tetrahedra without their common facet.
 Surface bipyramid(double bottom, double top) {
   return {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, bottom}, {1, 1, top}},
           {{0, 1, 4}, {1, 2, 4}, {2, 0, 4}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
@@ -347,7 +347,7 @@ TEST(Surfaces, two_surfaces_may_touch_but_not_cross_in_common_edges) {
   for (double bottom : {-4, -3, -2, -1, 1, 2, 3, 4})
     for (double top : {-4, -3, -2, -1, 1, 2, 3, 4}) {
       if (bottom >= top || bottom == -3 || bottom == 3 || top == -3 || top == 3)
-        continue; // no bipyramid, or a common facet
+        continue; // not a bipyramid, or a common facet
       const bool cross = (-3 < bottom && bottom < 3) != (-3 < top && top < 3);
       for (bool swap : {false, true}) {
         std::vector<Surface> surfaces = {bipyramid(-3, 3), bipyramid(bottom, top)};
@@ -357,7 +357,7 @@ TEST(Surfaces, two_surfaces_may_touch_but_not_cross_in_common_edges) {
         EXPECT_EQ(bool(e), cross) << bottom << ' ' << top;
         if (e) {
           EXPECT_EQ(e->reason(), Reason::crossing_surfaces);
-          EXPECT_EQ(e->facets().size(), 2u * 3u * 3u); // at each edge, three pairs that alternate
+          EXPECT_EQ(e->facets().size(), 2u * 3u * 3u); // three alternating pairs at each edge
         }
       }
     }
@@ -385,7 +385,7 @@ TEST(Surfaces, the_box_must_be_around_them) {
   const auto np = parameters::enclosing_box(CGAL::Bbox_3(-1, -1, -1, 1, 2, .5));
   const auto e = refusal(std::vector<Surface>{tetrahedron(Point(0, 0, 0), .25), tetrahedron()}, np);
   ASSERT_TRUE(e);
-  EXPECT_EQ(e->reason(), Reason::crossing_surfaces); // they share a corner of three facets
+  EXPECT_EQ(e->reason(), Reason::crossing_surfaces); // they share a corner where three facets meet
 
   const auto f =
       refusal(std::vector<Surface>{tetrahedron(Point(-.5, -.5, -.5), .25), tetrahedron()}, np);

@@ -1,4 +1,4 @@
-// Surfaces whose parts touch in vertices and along edges.
+// Surfaces whose components touch at vertices and along edges.
 
 #include "mesh_helpers.h"
 
@@ -39,7 +39,7 @@ Surface tetrahedron(const std::vector<Point>& corners) {
   return {corners, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}, 1};
 }
 
-// Three are a corner of a cube that is cut off.
+// The corner of a cube that is cut off has three such triangles.
 Surface corner(double x, double y, double z) {
   return tetrahedron({{0, 0, 0}, {x, 0, 0}, {0, y, 0}, {0, 0, z}});
 }
@@ -58,7 +58,7 @@ Surface cube(const Point& lowest, double side) {
   return s;
 }
 
-// Two tetrahedra without the facet that they share, of volume 8/3 (top - bottom).
+// Two tetrahedra without their common facet; the volume is 8/3 (top - bottom).
 Surface bipyramid(double bottom, double top, int label) {
   return {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, bottom}, {1, 1, top}},
           {{0, 1, 4}, {1, 2, 4}, {2, 0, 4}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}},
@@ -70,7 +70,7 @@ Surface labelled(Surface s, int label) {
   return s;
 }
 
-// Equal points become one if asked for.
+// Merges surfaces; equal points become one point if requested.
 Surface united(const Surfaces& parts, bool shares_points) {
   Surface result;
   result.label = parts.front().label;
@@ -108,7 +108,7 @@ void expect_interface(const Complex& dsc, const Surfaces& surfaces) {
   EXPECT_EQ(dsc.interface_facets().size(), number_of_triangles(surfaces));
 }
 
-// Three steps of a quarter of an edge.
+// Three steps of a quarter of the mean edge length.
 void expect_growth(Complex& dsc) {
   const double speed = dsc.mean_interface_edge() / 4;
   for (int step = 0; step < 3; ++step) {
@@ -119,7 +119,7 @@ void expect_growth(Complex& dsc) {
   }
 }
 
-// Parts of one volume each, as one surface and as one surface each.
+// Builds components of equal volume as one surface, and as separate surfaces.
 void expect_parts(Surfaces parts, double volume) {
   for (bool shares_points : {true, false}) {
     const Surface surface = united(parts, shares_points);
@@ -173,7 +173,7 @@ TEST(Touching_surfaces, six_triangles_at_an_edge) {
                1);
 }
 
-// Five cubes of eight, two of which have but an edge in common.
+// Five of eight cubes; two of them have only an edge in common.
 TEST(Touching_surfaces, an_edge_of_four_triangles_in_one_part) {
   std::vector<Point> lowest_corners = {{0, 0, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}};
   using Triangle = std::array<Point, 3>;
@@ -211,7 +211,7 @@ TEST(Touching_surfaces, any_orientation) {
 
 TEST(Touching_surfaces, a_part_in_another_is_a_cavity) {
   for (bool shares_points : {true, false}) {
-    // in a vertex
+    // touching at a vertex
     const Surface inner =
         tetrahedron({{0, 0, 0}, {1.5, .25, .25}, {.25, 1.5, .25}, {.25, .25, 1.5}});
     Complex dsc = build({united({corner(3, 3, 3), inner}, shares_points)});
@@ -220,14 +220,14 @@ TEST(Touching_surfaces, a_part_in_another_is_a_cavity) {
     EXPECT_EQ(dsc.number_of_components(0), 2u);
     expect_growth(dsc);
 
-    // in three edges: two parts are left that touch only there
+    // touching along three edges: the two remaining components touch only there
     Complex shell = build({united({bipyramid(-3, 3, 1), bipyramid(-1, 1, 1)}, shares_points)});
     EXPECT_NEAR(shell.volume(1), 16 - 16. / 3., 1e-12);
     EXPECT_EQ(shell.number_of_components(1), 2u);
     EXPECT_EQ(shell.number_of_components(0), 2u);
     expect_growth(shell);
 
-    // crossing each other in three edges
+    // intersecting in three edges
     Complex crossing = build({united({bipyramid(-3, 3, 1), bipyramid(-2, 4, 1)}, shares_points)});
     EXPECT_NEAR(crossing.volume(1), 16. / 3., 1e-12);
     EXPECT_EQ(crossing.number_of_components(1), 2u);

@@ -21,7 +21,7 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// Where the boundaries of phases are 2-manifolds, and deformations that keep them so.
+// Boundaries of phases that are 2-manifolds, and deformations that preserve this property.
 
 namespace test_manifold_interface {
 
@@ -53,7 +53,7 @@ std::vector<Coordinates> pinches(const Label_of_point& label) {
   return result;
 }
 
-// Two cubes that meet in the origin, of the given labels.
+// Two cubes with the given labels that touch at the origin.
 Label_of_point cubes_at_a_vertex(int left, int right) {
   return [=](const Point& p) {
     const bool is_inside = small_meshes::cube(p) == 1 && p.x() * p.y() > 0 && p.x() * p.z() > 0;
@@ -61,7 +61,8 @@ Label_of_point cubes_at_a_vertex(int left, int right) {
   };
 }
 
-// Two cubes that meet in an edge, of label 1 in label 0, or with `inside` = 0 the other way around.
+// Two cubes that touch along an edge, of label 1 in label 0, or with `inside` = 0 of label 0 in
+// label 1.
 Label_of_point cubes_at_an_edge(int inside) {
   return [=](const Point& p) {
     const bool is_inside = small_meshes::cube(p) == 1 && p.x() * p.y() > 0 && p.z() < 0;
@@ -85,8 +86,8 @@ bool is_in_gap(const Complex& dsc, Cell_handle c) {
 
 int quadruple_point(const Point& p) { return p.x() < 0 ? 0 : p.y() < 0 ? 1 : p.z() < 0 ? 2 : 3; }
 
-// A plane between two labels, or two crossing planes between four, with random labels on a part of
-// the cells.
+// A plane between two labels, or two intersecting planes between four labels, with random labels on
+// a part of the cells.
 Label_of_point noise(int number_of_labels, double part, Random& random) {
   return [=, &random](const Point& p) {
     return random(0, 1) < part ? int(random.below(std::size_t(number_of_labels)))
@@ -94,8 +95,8 @@ Label_of_point noise(int number_of_labels, double part, Random& random) {
   };
 }
 
-// Whether the facets around v that bound a label surround it exactly once, by the definition: their
-// edges opposite to v form one circle, or there are none.
+// Returns whether the facets at v that bound a label form at most one fan around v. By the
+// definition, their edges opposite to v form one cycle or there are no such edges.
 bool is_surrounded_once(const Complex& dsc, Vertex_handle v, int label) {
   std::vector<Cell_handle> star;
   dsc.star(v, star);
@@ -123,7 +124,7 @@ bool is_surrounded_once(const Complex& dsc, Vertex_handle v, int label) {
 TEST(Manifold_at, is_not_where_parts_of_a_phase_touch) {
   const std::vector<Coordinates> origin = {{0, 0, 0}}, edge = {{0, 0, -.5}, {0, 0, 0}};
   EXPECT_EQ(pinches(cubes_at_a_vertex(1, 1)), origin);
-  EXPECT_EQ(pinches(cubes_at_a_vertex(1, 2)), origin); // the phase around them
+  EXPECT_EQ(pinches(cubes_at_a_vertex(1, 2)), origin); // the surrounding phase is pinched
   EXPECT_EQ(pinches(cubes_at_an_edge(1)), edge);
   EXPECT_EQ(pinches(cubes_at_an_edge(0)), edge);
 }
@@ -163,7 +164,7 @@ TEST(Manifold_relabeling, opens_a_tunnel_between_parts) {
     if (!is_in_gap(dsc, c))
       continue;
     dsc.relabel(c, 1);
-    EXPECT_GT(number_of_pinches(dsc), 0u); // alone
+    EXPECT_GT(number_of_pinches(dsc), 0u); // the single relabeling creates a pinch
     dsc.relabel(c, 0);
     ASSERT_TRUE(propose_manifold_relabeling(dsc, c, 1, cells));
     ++proposals;
@@ -178,10 +179,10 @@ TEST(Manifold_relabeling, opens_a_tunnel_between_parts) {
     for (Cell_handle d : cells)
       dsc.relabel(d, 0);
   }
-  EXPECT_EQ(proposals, 54u); // of the cubes of the gap
+  EXPECT_EQ(proposals, 54u); // in the cubes of the gap
 }
 
-// A cell that closes a crease of the ball keeps all Betti numbers.
+// A cell that closes a crease of the ball preserves all Betti numbers.
 TEST(Manifold_relabeling, takes_more_than_to_keep_the_topology) {
   Complex dsc = make_complex(grid(6, small_meshes::ball));
   std::size_t kept = 0, pinched = 0;
@@ -241,7 +242,7 @@ TEST(Manifold_relabeling, keeps_its_promise_on_random_labels) {
   EXPECT_GT(kept, 0u);
 }
 
-// Commits what is proposed for each edge of each cell. Returns how often.
+// Commits the proposals for each edge of each cell. Returns their number.
 template <class Propose> std::size_t expect_no_new_pinch(Complex& dsc, const Propose& propose) {
   std::vector<std::pair<Cell_handle, std::size_t>> cells;
   for (Cell_handle c : dsc.cells())
@@ -281,7 +282,7 @@ TEST(Manifold_interface, survives_collapses_and_flips) {
   EXPECT_GT(flips, 0u);
 }
 
-// Looks at the complex before each pass.
+// Examines the complex before each pass.
 struct Pinch_counter : public DSC::Deformation_visitor
 {
   explicit Pinch_counter(const Complex& complex) : dsc(complex) {}
@@ -295,8 +296,8 @@ struct Pinch_counter : public DSC::Deformation_visitor
   std::size_t pinches = 0;
 };
 
-// Deforms the complex with a random field, rough or smooth. Returns the number of pinches seen
-// before each pass and in the end.
+// Deforms the complex with a random field, rough or smooth. Returns the number of pinches before
+// each pass and at the end.
 template <class NamedParameters>
 std::size_t deform_at_random(Complex& dsc, unsigned field, const NamedParameters& np) {
   Random random(field);
@@ -315,7 +316,7 @@ std::size_t deform_at_random(Complex& dsc, unsigned field, const NamedParameters
   return counter.pinches + number_of_pinches(dsc);
 }
 
-// Deforms a grid with one random field after the other. Returns the number of pinches seen.
+// Deforms a grid with a sequence of random fields. Returns the number of pinches.
 std::size_t pinches_in_run(std::size_t n, const Label_of_point& label, bool manifold_interface) {
   Complex dsc = make_complex(grid(n, label));
   EXPECT_EQ(number_of_pinches(dsc), 0u);
@@ -356,7 +357,7 @@ TEST(Manifold_interface, of_a_pinched_input_gets_no_worse) {
   }
 }
 
-// It is resolved, not only refused.
+// The contact is resolved, not only prevented.
 TEST(Manifold_interface, lets_cubes_merge) {
   const auto two_cubes = [](const Point& p) {
     return int(std::abs(p.y()) < .5 && std::abs(p.z()) < .5 &&

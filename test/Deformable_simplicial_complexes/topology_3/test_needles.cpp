@@ -1,4 +1,4 @@
-// Surfaces of CAD, with triangles whose angles are small, in rigid motion.
+// CAD surfaces, whose triangles have small angles, in rigid motion.
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
@@ -23,8 +23,8 @@ using Point = Complex::Point_3;
 using Report = DSC::Deformation_report<Complex>;
 using Surface = DSC::Labelled_surface_3<Point>;
 
-// A prism over a regular polygon, whose ends are fans about a vertex: all angles there are 180 / n
-// degrees or near 180.
+// A prism over a regular polygon. Its ends are fans about a vertex: all angles there are 180 / n
+// degrees or close to 180 degrees.
 Complex drum(std::size_t n, double height) {
   Surface s;
   for (double z : {-height / 2, height / 2})
@@ -46,7 +46,7 @@ Complex drum(std::size_t n, double height) {
                                                             CGAL::Tetgen_tetrahedralizer_3());
 }
 
-// By vertices, which go where they go.
+// Returns triangles as time stamps of vertices, which do not depend on positions.
 std::vector<std::array<std::size_t, 3>> interface_triangles(const Complex& dsc) {
   std::vector<std::array<std::size_t, 3>> result;
   for (const auto& f : dsc.interface_facets()) {
@@ -69,7 +69,7 @@ std::vector<Report> turn(Complex& dsc, int steps) {
   return result;
 }
 
-// Cells between the ends are as thin as the drum, which is no reason to change it.
+// The cells between the ends are as thin as the drum; they must not change the interface.
 TEST(Needles, keep_their_triangles_in_a_rigid_motion) {
   Complex dsc = drum(64, .06);
   const auto triangles = interface_triangles(dsc);
@@ -79,8 +79,8 @@ TEST(Needles, keep_their_triangles_in_a_rigid_motion) {
   EXPECT_NEAR(dsc.volume(1), volume, 1e-12 * volume);
 }
 
-// Cells at needles stay bad whatever is done. Once that is known, a step works where space is
-// sheared, and not on all of them.
+// Cells at needles cannot be improved. After the first step, remeshing works only where the mesh is
+// sheared.
 TEST(Needles, are_not_worked_on_in_vain_again_and_again) {
   Complex dsc = drum(48, 4);
   const auto reports = turn(dsc, 5);

@@ -22,7 +22,7 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// Loop subdivision of interfaces, manifold or not.
+// Loop subdivision of manifold and non-manifold interfaces.
 
 namespace test_subdivision {
 
@@ -33,7 +33,7 @@ using small_meshes::make_complex;
 using small_meshes::Point;
 using Surface = DSC::Interface_surface_3<Complex>;
 
-// The numbers of triangles at edges, by the points of these.
+// Returns the number of triangles at each edge; edges are pairs of points.
 std::map<std::pair<std::size_t, std::size_t>, int> edges(const Surface& surface) {
   std::map<std::pair<std::size_t, std::size_t>, int> result;
   for (const auto& t : surface.triangles)
@@ -42,7 +42,7 @@ std::map<std::pair<std::size_t, std::size_t>, int> edges(const Surface& surface)
   return result;
 }
 
-// How many edges have so many triangles.
+// Returns the number of edges with this number of triangles.
 std::map<int, std::size_t> degrees(const Surface& surface) {
   std::map<int, std::size_t> result;
   for (const auto& [edge, degree] : edges(surface))
@@ -62,7 +62,7 @@ double volume_behind(const Surface& surface, int label) {
   return volume;
 }
 
-// Whether the triangles at a label bound it: each side of one is that of another, the other way.
+// Returns whether the triangles at a label form its closed boundary: opposite half-edges match.
 bool bounds(const Surface& surface, int label) {
   std::map<std::pair<std::size_t, std::size_t>, int> balance;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
@@ -98,8 +98,7 @@ void expect_equal(const Surface& a, const Surface& b) {
   EXPECT_EQ(a.boundary_classes, b.boundary_classes);
 }
 
-// What holds for any interface: sizes, labels, handles, and edges which are as many times as large
-// as they have to be.
+// Checks the properties of any subdivision step: sizes, labels, handles, and numbers of edges.
 void check_step(const Surface& before, const Surface& after) {
   const std::size_t n = before.triangles.size();
   ASSERT_EQ(after.triangles.size(), 4 * n);
@@ -123,12 +122,12 @@ bool is_near_origin(const Point& p) {
   return std::max({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}) < .5;
 }
 
-// Two boxes of label 1 that touch in an edge from the origin upwards, of a single cube if n is 4.
+// Two boxes of label 1 that touch along an edge from the origin upwards; single cubes if n is 4.
 int boxes_at_an_edge(const Point& p) {
   return is_near_origin(p) && p.z() > 0 && (p.x() < 0) == (p.y() < 0) ? 1 : 0;
 }
 
-// Two boxes of label 1 that touch in the origin.
+// Two boxes of label 1 that touch at the origin.
 int boxes_at_a_point(const Point& p) {
   return is_near_origin(p) && (p.x() < 0) == (p.y() < 0) && (p.x() < 0) == (p.z() < 0) ? 1 : 0;
 }
@@ -174,7 +173,7 @@ TEST(Subdivide_interface, of_a_manifold_is_that_of_the_mesh) {
   for (const auto& p : DSC::subdivide_interface(surface, 2).points)
     points.emplace_back(p.x(), p.y(), p.z());
   ASSERT_EQ(points.size(), expected.size());
-  // Sums may begin with another neighbor.
+  // The order of summation may differ.
   for (const Point& p : points) {
     double nearest = 1;
     for (const Point& q : expected)
@@ -193,9 +192,9 @@ TEST(Subdivide_interface, of_a_ball_stays_a_ball) {
     check_step(surface, next);
     EXPECT_EQ(degrees(next), (std::map<int, std::size_t>{{2, 3 * next.triangles.size() / 2}}));
     EXPECT_EQ(measures(next).euler_characteristic, 2);
-    // New points are means of old ones that are no farther than an edge e from one of these, p. In
-    // the direction of p, they are not lower than r - e^2 / 2 r, if r is the least distance from
-    // the origin. The same holds for all points of a triangle.
+    // New points are averages of old points whose distance from one of them, p, is at most an edge
+    // length e. In the direction of p, their height is at least r - e^2 / 2 r, where r is the
+    // smallest distance from the origin. The same bound holds for all points of a triangle.
     const double lowest = least - square_of_longest_edge(surface) / (2 * least);
     surface = next;
     least = least_radius(surface);
@@ -265,7 +264,7 @@ TEST(Subdivide_interface, holds_points_where_curves_branch) {
       EXPECT_EQ(next.points[p], surface.points[p]);
     } else
       EXPECT_NE(next.points[p], surface.points[p]);
-  EXPECT_GE(branchings, 7u); // the middle, and where axes leave the ball
+  EXPECT_GE(branchings, 7u); // the center, and the points where the axes leave the ball
 }
 
 TEST(Subdivide_interface, keeps_what_touches_together) {
@@ -320,7 +319,7 @@ TEST(Subdivide_interface, of_a_pair_of_labels_is_a_part_of_the_whole) {
   for (const auto& [ends, degree] : edges(pair))
     if (degree == 1)
       border.insert({pair.points[ends.first], pair.points[ends.second]});
-  EXPECT_EQ(border, junction); // to the bit
+  EXPECT_EQ(border, junction); // bitwise
 }
 
 TEST(Subdivide_interface, is_written) {

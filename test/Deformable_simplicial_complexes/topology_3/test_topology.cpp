@@ -17,7 +17,7 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// What a deformation may do to the topology of the labels and of their interface.
+// Changes of the topology of labels and of their interface in deformations.
 
 namespace test_topology {
 
@@ -52,7 +52,7 @@ DSC::Deformation_report<Complex> deform(Complex& dsc,
   return report;
 }
 
-// Two cubes a fifth of their side apart, with the given labels.
+// Two cubes with the given labels, at a distance of one fifth of their side length.
 auto two_cubes(int left, int right) {
   return [=](const Point& p) {
     const bool is_inside =
@@ -61,7 +61,7 @@ auto two_cubes(int left, int right) {
   };
 }
 
-// Pushes everything towards x = 0.
+// Moves everything towards x = 0.
 Vector to_the_middle(const Position& p) { return Vector(p.x() > 0 ? -.08 : .08, 0, 0); }
 
 TEST(Betti_numbers, of_known_shapes) {
@@ -99,7 +99,7 @@ TEST(Relabeling_topology, cells_at_the_side_of_a_solid_keep_it) {
       EXPECT_TRUE(keeps);
       ++kept;
     }
-    if (facets == 0) { // a new part, or one that hangs on by a vertex or an edge
+    if (facets == 0) { // a new component, or one that is connected only by a vertex or an edge
       EXPECT_FALSE(keeps);
     }
     EXPECT_FALSE(relabeling_keeps_topology(dsc, c, 2)); // a new label appears
@@ -107,7 +107,7 @@ TEST(Relabeling_topology, cells_at_the_side_of_a_solid_keep_it) {
   EXPECT_GT(kept, 0u);
 }
 
-// Betti numbers counted from scratch stay whenever the criterion says so.
+// If the criterion holds, Betti numbers counted from scratch do not change.
 TEST(Relabeling_topology, agrees_with_betti_numbers_on_random_labels) {
   Random random(1);
   std::size_t kept = 0;
@@ -135,8 +135,8 @@ TEST(Relabeling_topology, agrees_with_betti_numbers_on_random_labels) {
   EXPECT_GT(kept, 30u);
 }
 
-// What is said to change does change something, where only one thing can: away from the box, around
-// a ball.
+// A reported change is a real change. This is testable only away from the box and around a ball,
+// where a single change is possible.
 TEST(Relabeling_topology, names_no_change_where_there_is_none) {
   Complex dsc = make_complex(grid(6, small_meshes::ball));
   std::size_t changes = 0;
@@ -156,8 +156,8 @@ TEST(Relabeling_topology, names_no_change_where_there_is_none) {
   EXPECT_GT(changes, 0u);
 }
 
-// Two boxes with the same triangulation of the faces that meet: vertices project to vertices, so
-// rounding alone tells which facet of a cell of the gap is the largest.
+// Two boxes with equal triangulations of the facing sides. Vertices project to vertices, so
+// rounding decides which facet of a cell of the gap is the largest.
 TEST(Gaps, between_equal_triangulations_close_at_once_whatever_their_width) {
   for (double width : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-12}) {
     const double layer = 2. / 7;
@@ -192,7 +192,7 @@ TEST(Topology_control, forbidden_cubes_do_not_merge) {
   EXPECT_EQ(betti_numbers::of_complex(dsc), before);
   EXPECT_FALSE(report.complete);
   EXPECT_EQ(dsc.number_of_components(1), 2u);
-  for (const auto& unfinished : report.unfinished) // only those that meet
+  for (const auto& unfinished : report.unfinished) // only vertices of the sides that meet
     EXPECT_LT(std::abs(dsc.position(unfinished.vertex).x()), .1);
 }
 
@@ -221,7 +221,7 @@ TEST(Topology_control, asks_a_predicate_of_the_user) {
   EXPECT_EQ(dsc.number_of_components(1), 2u);
 }
 
-// Whatever the displacement, nothing changes that must not.
+// No displacement causes a forbidden change.
 TEST(Topology_control, forbidden_changes_do_not_happen_under_random_abuse) {
   Random random(3);
   const auto random_label = [&](const Point&) { return int(random.below(4)); };
@@ -244,7 +244,7 @@ TEST(Topology_control, forbidden_changes_do_not_happen_under_random_abuse) {
   }
 }
 
-// Whoever grants changes, only the labels between which one was granted may change.
+// For any control, only the labels with a granted change may change.
 TEST(Topology_control, eight_labels_change_only_where_granted) {
   using Control = std::function<bool(const Complex&, Cell_handle, int)>;
   const auto is_at_the_right = [](const Complex& complex, Cell_handle c, int) {
@@ -310,7 +310,7 @@ TEST(Topology_events, tell_of_a_merge_once_and_where) {
   EXPECT_EQ(visitor.events.front().where, event.where);
 }
 
-// A bar between two cubes is pinched until it tears, and then what is left of a side vanishes.
+// A bar between two cubes is pinched until it breaks. Then the rest of one side vanishes.
 TEST(Topology_events, tell_of_what_splits_and_vanishes) {
   const auto dumbbell = [](const Point& p) {
     const double width = std::abs(p.x()) > .25 ? .5 : .25;
@@ -333,7 +333,7 @@ TEST(Topology_events, tell_of_what_splits_and_vanishes) {
   run([&](const Position& p) {
     return std::abs(p.x()) < .2 ? shortened(Vector(0, -p.y(), -p.z())) : Vector(0, 0, 0);
   });
-  // While cells of the neck are relabeled one after the other, its ends may meet again.
+  // While cells of the neck are relabeled one after the other, the ends of the neck may meet again.
   ASSERT_FALSE(events.empty());
   std::size_t components = 1;
   for (const auto& event : events) {
