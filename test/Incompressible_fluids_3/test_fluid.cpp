@@ -1,4 +1,4 @@
-// Incompressible flow: exact solutions, what is kept, contacts, and the solvers.
+// Incompressible flow: exact solutions, conserved quantities, contacts, and solvers.
 #include "mesh_helpers.h"
 
 #include <CGAL/Incompressible_fluid_3.h>
@@ -79,7 +79,7 @@ TEST(Fluid, falls_freely) {
   EXPECT_TRUE(complex.is_valid());
 }
 
-// Whatever the implicitness, a drop that flies does not begin to spin.
+// For any implicitness, a drop in free flight does not start to rotate.
 TEST(Fluid, flies_without_spinning) {
   Complex complex = sphere(8, .4);
   Fluid fluid(complex, liquid(1, 0, 0, 10));
@@ -110,7 +110,7 @@ TEST(Fluid, keeps_momenta_and_volume_and_loses_energy) {
     const Vector p = vector(complex.position(v));
     return Vector(.3 - p.y() + .2 * p.z(), .4 * p.x(), -.1 * p.z() * p.z());
   });
-  fluid.advance(.01); // velocities without divergence, and a mesh of its own
+  fluid.advance(.01); // divergence-free velocities, and a separate mesh
   const auto start = fluid.balance();
   double energy = start.energy();
   for (int k = 0; k < 12; ++k) {
@@ -125,8 +125,8 @@ TEST(Fluid, keeps_momenta_and_volume_and_loses_energy) {
   EXPECT_TRUE(complex.is_valid());
 }
 
-// Without tension, the pressure of a spinning ball falls off as (r^2 - R^2) / 3: its poles come in
-// by t^2 / 3, and its equator goes out by half of that.
+// Without surface tension, the pressure of a rotating ball is proportional to (r^2 - R^2) / 3. Its
+// poles move inwards by t^2 / 3, and its equator moves outwards by half of this distance.
 TEST(Fluid, that_spins_flattens) {
   Complex complex = sphere(12, .6);
   Fluid fluid(complex, liquid(1));
@@ -159,7 +159,7 @@ TEST(Fluid, relaxes_to_rest) {
     EXPECT_LT(fluid.advance(.05).greatest_velocity, 1e-8);
 }
 
-// Where vertices are half-way is known as well as what they do there.
+// The midpoint positions are as accurate as the velocities.
 TEST(Fluid, rests_when_solved_by_iterations) {
   Complex complex = sphere(8, .6);
   Fluid(complex, liquid(1, 0, 1)).relax(1, 100);
@@ -174,7 +174,7 @@ TEST(Fluid, rests_when_solved_by_iterations) {
         1e-8);
 }
 
-// A mode of three of a droplet moves only if volumes of vertices, not of cells, are kept.
+// A mode of order three oscillates only if the volumes of vertices, not of cells, are preserved.
 TEST(Fluid, droplet_oscillates) {
   Complex complex = sphere(12, .6);
   const auto radius = [](double z) { return 1 + .03 * (5 * z * z * z - 3 * z) / 2; };
@@ -222,7 +222,7 @@ TEST(Fluid, enters_no_solid) {
   EXPECT_TRUE(complex.is_valid());
 }
 
-// The area of facets on a wall at a height around one vertex, the most.
+// Returns the largest area of wall facets around one vertex at a height.
 double largest_wet_star(const Complex& complex, double height) {
   std::map<Complex::Vertex_handle, double> areas;
   for (const auto& facet : complex.interface_facets()) {
@@ -239,7 +239,7 @@ double largest_wet_star(const Complex& complex, double height) {
   return result;
 }
 
-// What lifts off a wall and falls back would gain the energy of wetting it each time.
+// A liquid that leaves a wall and falls back must not gain the energy of wetting each time.
 TEST(Fluid, gains_no_energy_at_walls) {
   Complex complex = sphere(8, .4);
   Fluid fluid(complex, liquid(1, .02, 1, 1));
@@ -248,8 +248,8 @@ TEST(Fluid, gains_no_energy_at_walls) {
   const double start = fluid.balance().energy();
   std::size_t contacts = 0, large_gains = 0;
   for (int k = 0; k < 60; ++k) {
-    // An edge that goes may dry what is around its end, which is rare; the tension is 1. Other
-    // changes of the mesh may dry or wet a few facets.
+    // An edge collapse may dry the star of its end vertex, which is rare; the surface tension is 1.
+    // Other mesh operations may dry or wet a few facets.
     const double star = largest_wet_star(complex, height), little = .01;
     const auto report = fluid.advance(.01);
     EXPECT_LT(report.moved.energy(), report.before.energy()) << k;
@@ -278,7 +278,8 @@ TEST(Fluid, keeps_off_sides_of_the_domain) {
   EXPECT_TRUE(complex.is_valid());
 }
 
-// Of velocities that sides or volumes do not permit, a half-way rule would turn the sign for ever.
+// If sides or volumes do not permit the initial velocities, a midpoint rule would alternate their
+// sign forever.
 TEST(Fluid, begins_with_velocities_that_are_permitted) {
   Complex complex = small_meshes::make_complex(
       small_meshes::grid(6, [](const auto& p) { return CGAL::to_double(p.z()) < 0 ? 1 : 0; }));
@@ -352,7 +353,7 @@ TEST(Fluid, that_sticks_goes_with_the_wall) {
 }
 
 TEST(Fluid, with_two_liquids_rests) {
-  // A heavy liquid below a light one, both in the box that is the domain.
+  // A heavy liquid below a light liquid; both fill the box that is the domain.
   Complex complex = small_meshes::make_complex(
       small_meshes::grid(6, [](const auto& p) { return CGAL::to_double(p.z()) < 0 ? 2 : 1; }));
   dsc::Fluid_properties_3 properties;
@@ -364,8 +365,8 @@ TEST(Fluid, with_two_liquids_rests) {
   EXPECT_LT(greatest_velocity(fluid), 1e-10);
 }
 
-// A bubble in a ball of liquid, under the same pressure as the air around, breathes (M. Minnaert,
-// 1933; with the mass of a shell).
+// A bubble in a ball of liquid oscillates; gas and surrounding air have the same pressure (M.
+// Minnaert, 1933; with the mass of a shell).
 TEST(Fluid, breathes_around_a_bubble_of_gas) {
   const double inner = .45, outer = .8, pressure = 1, exponent = 1.4, speed = .02;
   const auto label_at = [=](const auto& p) {
@@ -378,7 +379,7 @@ TEST(Fluid, breathes_around_a_bubble_of_gas) {
   properties.set_gas(0, {pressure, 0});
   properties.set_gas(2, {pressure, exponent});
   Fluid fluid(complex, properties);
-  // Of the lumpy ball that the grid gives: the same volumes.
+  // The grid approximates balls; the exact frequency uses balls of the same volumes.
   double gas = complex.volume(2), liquid = complex.volume(1);
   const double r = std::cbrt(3 * gas / (4 * CGAL_PI)),
                s = std::cbrt(3 * (gas + liquid) / (4 * CGAL_PI));
@@ -392,7 +393,7 @@ TEST(Fluid, breathes_around_a_bubble_of_gas) {
   });
   const double dt = 2 * CGAL_PI / frequency / 40, energy = fluid.balance().energy();
   double before = 0, previous = 0;
-  std::vector<double> crossings; // of the volume and the one that it begins with
+  std::vector<double> crossings; // times when the volume has its initial value
   for (int k = 1; k <= 50; ++k) {
     const auto report = fluid.advance(dt, parameters::adaptation_interval(0u));
     EXPECT_NEAR(report.after.volume, liquid, 1e-9);
@@ -413,7 +414,7 @@ TEST(Fluid, breathes_around_a_bubble_of_gas) {
   EXPECT_NEAR(crossings[1], 2 * CGAL_PI / frequency, .1 * 2 * CGAL_PI / frequency);
 }
 
-// Air above a tank, which ends at the sides of the domain, changes nothing.
+// Air above a tank, up to the sides of the domain, has no effect.
 TEST(Fluid, does_not_feel_the_air_above_a_tank) {
   std::vector<Vector> momenta;
   std::vector<double> kinetic;
@@ -435,7 +436,8 @@ TEST(Fluid, does_not_feel_the_air_above_a_tank) {
   EXPECT_NEAR(kinetic[0], kinetic[1], 1e-8);
 }
 
-// Everywhere the same divergence: the liquid stays alike and goes on, with ever more momentum.
+// The divergence is constant: the liquid expands uniformly and keeps its velocity, so its momentum
+// increases.
 TEST(Fluid, grows_by_sources) {
   Complex complex = sphere(8, .4);
   Fluid fluid(complex, liquid(1, 0, 0, 0));
@@ -467,7 +469,7 @@ TEST(Gas_bookkeeping, follows_parts) {
   Ledger ledger;
   ledger.set_bodies(
       {{1, {gas, 2, 1, 2}}, {2, {gas, 1, 4, 1}}, {5, {gas, 3, 7, 2}}, {6, {gas, 2, 2, 1}}});
-  // 1 (pressure 1) and 2 (pressure 4) merge into 3, 5 stays and is 1 by now, 6 falls into 7 and 8.
+  // 1 (pressure 1) and 2 (pressure 4) merge into 3; 5 becomes 1; 6 splits into 7 and 8.
   ledger.follow(
       {{1, 3}, {2, 3}, {5, 1}, {6, 7}, {6, 8}},
       {{3, {gas, 3, 0, 1}}, {1, {gas, 3.3, 0, 1}}, {7, {gas, 1.5, 0, 1}}, {8, {gas, .5, 0, 1}}});
@@ -573,7 +575,7 @@ TEST(Fluid_solids, tell_distances_with_their_gradients) {
       solid(p, t + h, later);
       for (std::size_t i = 0; i < walls.size(); ++i) {
         EXPECT_NEAR(length(walls[i].normal), 1, 1e-12);
-        // A wall that comes nearer by its velocity.
+        // A wall that approaches with its velocity.
         EXPECT_NEAR((later[i].distance - walls[i].distance) / h,
                     -(walls[i].normal * walls[i].velocity), 1e-4);
         for (int axis = 0; axis < 3; ++axis) {
@@ -600,8 +602,8 @@ TEST(Fluid_solids, of_meshes_are_on_one_side_whatever_their_orientation) {
   }
 }
 
-// A chain of vertices, each with the coupling of coordinates of its own, a pressure between two
-// neighbors, and some of the velocities held.
+// A chain of vertices. Each vertex couples its coordinates, two neighbors share a pressure, and
+// some velocities are constrained.
 dsc::Saddle_point_system chain(Eigen::Index n, bool is_coupled) {
   const Eigen::Index m = n - 1;
   mesh_helpers::Random random(7);
@@ -649,7 +651,7 @@ dsc::Saddle_point_system chain(Eigen::Index n, bool is_coupled) {
   return result;
 }
 
-// By the definition of the system, from matrices that are not sparse.
+// The solution by the definition of the system, with dense matrices.
 template <class Solver> void expect_solution(Eigen::Index n, bool is_coupled) {
   const dsc::Saddle_point_system system = chain(n, is_coupled);
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(3 * n, 3 * n),
@@ -688,8 +690,8 @@ TEST(Saddle_point_solvers, solve) {
   }
 }
 
-// Pressures that are all the same push nothing but what is held, up to rounding; and what is asked
-// for changes the whole volume, up to rounding, too.
+// Constant pressures act only on constrained velocities, and the prescribed changes sum up to the
+// change of the total volume, up to rounding.
 template <class Solver> void expect_closed_solution() {
   const Eigen::Index n = 400, m = n - 1;
   dsc::Saddle_point_system system;
@@ -755,7 +757,8 @@ TEST(Saddle_point_solvers, threads_change_no_bit) {
   EXPECT_TRUE(solutions[0] == solutions[2]);
 }
 
-// What components own when they merge and split, by pairs of numbers then and now.
+// Properties of connected components when they merge and split. Pairs of numbers map old components
+// to new ones.
 TEST(Liquid_bookkeeping, follows_parts) {
   dsc::internal::Liquid_bookkeeping_3 ledger;
   ledger.set_volumes({{1, 2.}, {2, 3.}, {4, 1.}, {7, .5}});
@@ -763,7 +766,7 @@ TEST(Liquid_bookkeeping, follows_parts) {
   for (std::size_t i : {1, 2, 4, 7})
     momenta[i].linear = Eigen::Vector3d(double(i), 0, 0);
   ledger.set_momenta(momenta, {0, 1, 2, 3, 4, 5, 6, 7});
-  // 1 and 2 merge, 4 falls into two, 7 vanishes, 9 appears.
+  // 1 and 2 merge, 4 splits into two, 7 vanishes, 9 appears.
   EXPECT_EQ(ledger.follow({{1, 3}, {2, 3}, {4, 1}, {4, 2}}, {{1, .3}, {2, .6}, {3, 5.1}, {9, 1.}}),
             .5);
   EXPECT_DOUBLE_EQ(ledger.volumes().at(3), 5);
@@ -774,7 +777,7 @@ TEST(Liquid_bookkeeping, follows_parts) {
   EXPECT_EQ(ledger.momenta()[ledger.set_of(1)].linear.x(), 4);
   EXPECT_EQ(ledger.set_of(1), ledger.set_of(2));
   EXPECT_EQ(ledger.momenta()[ledger.set_of(9)].linear.x(), 0);
-  // Parts of one set stay in it when they are numbered anew.
+  // Components of one set stay in the set when they are renumbered.
   ledger.follow({{1, 5}, {2, 6}, {3, 7}, {9, 8}}, {{5, .3}, {6, .6}, {7, 5.}, {8, 1.}});
   EXPECT_DOUBLE_EQ(ledger.volumes().at(5), 1. / 3);
   EXPECT_EQ(ledger.momenta()[ledger.set_of(5)].linear.x(), 4);

@@ -1,5 +1,5 @@
-// Fluids run with models that offer nothing but what the concepts `Solid_3` and `SaddlePointSolver`
-// require, and do with them exactly what they do with models of the package.
+// Fluids run with models that provide only the requirements of the concepts `Solid_3` and
+// `SaddlePointSolver`, with the same results as with models of the package.
 #include "archetypes.h"
 #include "small_meshes.h"
 
@@ -20,7 +20,7 @@ using Tds =
 using Archetype =
     CGAL::Deformable_simplicial_complex_3<archetypes::Traits, Tds, archetypes::Quality_measure>;
 
-// Solid_3: a floor. It can be copied, but neither made without arguments nor assigned.
+// Solid_3: a floor. It is copyable, but neither default-constructible nor assignable.
 class Floor
 {
 public:
@@ -37,7 +37,7 @@ private:
   double m_height;
 };
 
-// SaddlePointSolver. It need not be copied.
+// SaddlePointSolver. It is not copyable.
 class Solver
 {
 public:
@@ -68,7 +68,7 @@ dsc::Fluid_properties_3 properties() {
   return result;
 }
 
-constexpr double height = -.5; // of the floor: the cube stands on it
+constexpr double height = -.5; // for the floor: the cube stands on it
 
 TEST(Fluid_archetypes, step) {
   Archetype archetype;

@@ -1,4 +1,4 @@
-// Time steps of fluids that fail: they are undone and repeated, or end with an error.
+// Time steps of fluids that fail: they are undone and repeated, or they end with an exception.
 #include "mesh_helpers.h"
 
 #include <CGAL/Incompressible_fluid_3.h>
@@ -37,11 +37,11 @@ dsc::Fluid_properties_3 liquid(double density, double viscosity, double tension,
   return result;
 }
 
-// Fails, or returns a wrong solution, at the next calls.
+// A solver that fails, or returns a wrong solution, in its next calls.
 class Faulty_solver
 {
 public:
-  static unsigned failures, wrong_solutions; // to come
+  static unsigned failures, wrong_solutions; // remaining numbers
 
   void factorize(dsc::Saddle_point_system&& system, unsigned number_of_threads) {
     m_solver.factorize(std::move(system), number_of_threads);
@@ -113,12 +113,12 @@ TEST_F(Fluid_steps, that_succeed_tell_a_small_residual) {
       ++number;
     }
   ASSERT_GT(number, 0u);
-  EXPECT_NEAR(sum / double(number), 2.5, 1); // 2 tension / radius, about: the sphere is coarse
+  EXPECT_NEAR(sum / double(number), 2.5, 1); // 2 tension / radius; the sphere is coarse
 }
 
 TEST_F(Fluid_steps, with_wrong_solutions_are_repeated) {
   fluid.advance(.02);
-  Faulty_solver::wrong_solutions = 2; // a prediction, and the solution that counts
+  Faulty_solver::wrong_solutions = 2; // the predictor and the corrector
   const auto report = fluid.advance(.02);
   ASSERT_EQ(report.repetitions.size(), 1u);
   EXPECT_GT(report.repetitions[0].amount, 1e-8);
@@ -150,7 +150,7 @@ TEST_F(Fluid_steps, that_fail_for_ever_leave_the_state_before) {
   EXPECT_TRUE(fluid.advance(.02).repetitions.empty());
 }
 
-// A step that was undone leaves no trace: the next one gives the same bits as without it.
+// An undone step has no effect: the next step is bitwise equal to a step without it.
 TEST_F(Fluid_steps, that_are_interrupted_leave_no_trace) {
   Complex other_complex = sphere(8, .4);
   Fluid other(other_complex, liquid(1, .1, .5, 1));
@@ -171,14 +171,14 @@ TEST_F(Fluid_steps, that_are_interrupted_leave_no_trace) {
   EXPECT_EQ(fluid.state().motion, other.state().motion);
 }
 
-// Drops that land on a plane: the mesh adheres and is adapted there, by whole facets. The motion
-// alone may raise the energy by a thousandth, the mesh by a twentieth.
+// Drops that land on a plane. The liquid adheres, and remeshing wets whole facets. The motion may
+// raise the energy by at most one thousandth, remeshing by at most one twentieth.
 TEST(Fluid, that_lands_gains_hardly_any_energy) {
   for (const double angle : {70., 100.}) {
     Complex complex = sphere(8, .4);
     CGAL::Incompressible_fluid_3<Complex> drop(complex, liquid(1.3, .02, .5, 2));
     drop.add_solid(dsc::Plane_solid_3(Point(0, 0, -.43), Vector(0, 0, 1)), {angle, false, true});
-    double floor = drop.balance().mass * 2 * -.43; // the potential there
+    double floor = drop.balance().mass * 2 * -.43; // the potential energy there
     double energy = drop.advance(.01).after.energy();
     for (int k = 0; k < 25; ++k) {
       const auto before = complex.state();
@@ -258,7 +258,7 @@ TEST(Energy_budget, does_not_depend_on_the_origin) {
   }
 }
 
-// A singular system without a solution: the residual stagnates, which is told.
+// A singular system without a solution: the residual stagnates, and the solver reports this.
 TEST(Minimal_residuals, tell_that_they_stagnate) {
   const Eigen::VectorXd diagonal = Eigen::Vector4d(1, 2, 3, 0), right = Eigen::Vector4d(1, 1, 1, 1);
   const DSC::For_each_index for_each(1);
@@ -271,12 +271,12 @@ TEST(Minimal_residuals, tell_that_they_stagnate) {
     dsc::internal::minimal_residuals(for_each, multiply, precondition, right, 1e-12, x);
     ADD_FAILURE();
   } catch (const dsc::Convergence_error& error) {
-    EXPECT_GT(error.residual(), .4); // one of four equations cannot hold
+    EXPECT_GT(error.residual(), .4); // one of four equations cannot be satisfied
     EXPECT_LT(error.bound(), 1e-8);
   }
 }
 
-// Cells without a volume, also at the beginning, leave equations that are finite.
+// Cells without volume, also at the beginning, give finite equations.
 TEST(Fluid_equations, of_flat_cells_are_finite) {
   using Equations = dsc::internal::Fluid_equations_3<Complex>;
   Complex complex = sphere(4, .4);

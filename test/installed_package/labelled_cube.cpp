@@ -9,8 +9,8 @@
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
 
-// The unit cube in six tetrahedra about a diagonal; vertex i is at the bits (x, y, z) of i. Label 1
-// is where x > y.
+// The unit cube in six tetrahedra about a diagonal. The bits of i are the coordinates (x, y, z) of
+// vertex i. Label 1 is the part x > y.
 int main() {
   std::vector<Point> points;
   for (int i = 0; i < 8; ++i)

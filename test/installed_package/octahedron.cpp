@@ -18,7 +18,7 @@ int main() {
       {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
       {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}},
       1};
-  // Several threads at the same time: each runs TetGen in a process of its own.
+  // Several threads at the same time: each thread runs TetGen in a separate process.
   std::vector<Complex> complexes(4);
   std::vector<std::thread> threads;
   for (Complex& complex : complexes)

@@ -16,8 +16,7 @@
 
 #include <sys/wait.h>
 
-// The program as its users see it: exit codes, messages, files. Without a built program there is
-// nothing to test.
+// Tests of the program from outside: exit codes, messages, files. The tests need the built program.
 namespace program {
 
 namespace fs = std::filesystem;
@@ -34,7 +33,7 @@ inline std::string contents(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// An axis-parallel box as an OFF file.
+// Returns an axis-parallel box as an OFF file.
 inline std::string box(double x0, double y0, double z0, double x1, double y1, double z1) {
   std::ostringstream off;
   off << "OFF\n8 12 0\n";
@@ -45,14 +44,14 @@ inline std::string box(double x0, double y0, double z0, double x1, double y1, do
   return off.str();
 }
 
-// The label's part of a state in a report.
+// Returns the part of a state in a report that belongs to a label.
 inline const Json& label_of(const Json& state, int label) {
   const Json& labels = state.at("labels");
   return *std::find_if(labels.begin(), labels.end(),
                        [&](const Json& entry) { return entry.at("label") == label; });
 }
 
-// Runs the program in a folder of its own.
+// Runs the program in a separate folder.
 class Program_test : public testing::Test
 {
 protected:
@@ -95,7 +94,7 @@ protected:
     return outcome;
   }
 
-  // One line on stderr that says what is wrong and what to do, nothing else.
+  // Expects one line on stderr with the error and advice, and no other output.
   void expect_error(const std::string& arguments, int exit_code) const {
     SCOPED_TRACE(arguments);
     const Outcome outcome = run(arguments);
@@ -115,7 +114,7 @@ protected:
 
   Json report(const std::string& name) const { return Json::parse(contents(path(name))); }
 
-  // The number in the line of `dsc info` that starts with `key`.
+  // Returns the number in the line of `dsc info` that starts with `key`.
   double info(const std::string& file, const std::string& key) const {
     const Outcome outcome = run("info " + file);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

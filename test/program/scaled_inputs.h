@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-// Small inputs of every kind, whose coordinates are multiplied by a unit of length.
+// Small inputs of all formats, with coordinates multiplied by a unit of length.
 namespace scaled_inputs {
 
 using Point = std::array<double, 3>;
@@ -38,7 +38,7 @@ inline std::string words(const Point& p, double unit) {
   return list({p[0], p[1], p[2]}, unit, " ") + '\n';
 }
 
-// A number from 0 to 1 that looks random: no ties for rounding to decide.
+// Returns a pseudo-random number from 0 to 1, so that rounding has no ties to break.
 inline double noise(std::size_t i) {
   const double x = std::sin(12.9898 * double(i + 1)) * 43758.5453;
   return x - std::floor(x);
@@ -50,7 +50,7 @@ struct Surface
   std::vector<std::array<std::size_t, 3>> triangles;
 };
 
-// An uneven ellipsoid of 128 triangles.
+// An irregular ellipsoid of 128 triangles.
 inline const Surface& ball() {
   static const Surface result = [] {
     Surface s{
@@ -77,7 +77,7 @@ inline const Surface& ball() {
       }
       s.triangles.swap(finer);
     }
-    // As single precision has them, for STL.
+    // Returns the value in single precision, for STL.
     const Point center = {.1, .2, -.05}, radii = {1, .83, .71};
     for (std::size_t v = 0; v < s.points.size(); ++v)
       for (std::size_t i = 0; i < 3; ++i)
@@ -97,7 +97,7 @@ inline std::string off(double unit, const Surface& s = ball()) {
   return text;
 }
 
-// One triangle twice, another one missing.
+// One triangle is duplicated, another triangle is missing.
 inline std::string broken_off(double unit) {
   Surface s = ball();
   s.triangles.push_back(s.triangles[0]);
@@ -136,7 +136,7 @@ inline std::string stl(double unit) {
 }
 
 template <class Number> void append_bytes(std::string& text, Number x) {
-  text.append(reinterpret_cast<const char*>(&x), sizeof x); // little endian, as all tests assume
+  text.append(reinterpret_cast<const char*>(&x), sizeof x); // little endian, as in all tests
 }
 
 inline std::string binary_stl(double unit) {
@@ -152,11 +152,11 @@ inline std::string binary_stl(double unit) {
   return text;
 }
 
-// Points of an uneven grid from 0 to 3, and its tetrahedra; labels 1 and 2.
+// Points of an irregular grid from 0 to 3, and its tetrahedra with labels 1 and 2.
 struct Tetrahedra
 {
   std::vector<Point> points;
-  std::vector<std::array<std::size_t, 5>> cells; // the label last
+  std::vector<std::array<std::size_t, 5>> cells; // the label is last
 };
 
 inline Tetrahedra grid() {

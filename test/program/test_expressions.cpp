@@ -1,4 +1,4 @@
-// Expressions of users, and what samples of a function show.
+// Expressions of users, and connected components in samples of a function.
 #include "errors.h"
 #include "expression.h"
 #include "inequalities.h"
@@ -25,7 +25,7 @@ double value(const std::string& text, double x = 0, double y = 0, double z = 0) 
   return *expression(text).at({x, y, z});
 }
 
-// The message, one line.
+// Returns the error message, which is one line.
 std::string refusal(const std::string& text) {
   try {
     expression(text);
@@ -193,14 +193,14 @@ TEST(Label_components, are_counted_by_samples) {
   EXPECT_EQ(balls.at(1).least, 2u);
   EXPECT_EQ(balls.at(1).most, 2u);
   EXPECT_EQ(balls.at(0).most, 1u);
-  // A checkerboard hangs together by edges and corners.
+  // The cubes of a checkerboard are connected by edges and corners.
   const auto board = dsc::count_components(
       cube, std::array<std::size_t, 3>{4, 4, 4}, [](const std::array<double, 3>& p) {
         return (int(p[0] * 2 + 2) + int(p[1] * 2 + 2) + int(p[2] * 2 + 2)) % 2;
       });
   EXPECT_EQ(board.at(1).least, 1u);
   EXPECT_EQ(board.at(1).most, 32u);
-  // A shell has an inside; a comb is one, although its teeth are met first.
+  // A shell has an inside. A comb is one component, although its teeth are found first.
   const auto shell = dsc::count_components(cube, std::array<std::size_t, 3>{31, 31, 31},
                                            [](const std::array<double, 3>& p) {
                                              const double r = std::hypot(p[0], p[1], p[2]);

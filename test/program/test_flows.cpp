@@ -1,4 +1,4 @@
-// The commands that move surfaces by flows, against what is known of these.
+// The commands that move surfaces by flows, compared with exact properties of the flows.
 #include "program.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 double volume(const Json& step, int label = 1) { return label_of(step, label).at("volume"); }
 
-// The volume of the sphere that most of these flows start from.
+// The volume of the sphere that is the initial surface of most flows.
 const double volume_of_ball = 4 * std::acos(-1) / 3 * std::pow(.15, 3);
 
 class Flows : public program::Program_test
@@ -36,7 +36,7 @@ protected:
   }
 };
 
-// Away from the centre of the box: lengths grow by exp(t).
+// Moves away from the center of the box: lengths grow by exp(t).
 const std::string expand = "advect box.off --velocity 'x-105,y-105,z-105' ";
 
 TEST_F(Flows, refuse_wrong_usage) {
@@ -60,7 +60,7 @@ TEST_F(Flows, refuse_wrong_usage) {
 
 TEST_F(Flows, refuse_bad_input) {
   for (const std::string& arguments : std::vector<std::string>{
-           "enright box.off", // not in the unit cube
+           "enright box.off", // outside the unit cube
            "vortex missing.off", "advect box.off --velocity '1/(x-x),0,0'",
            "advect box.off --velocity 'ln(-1),0,0'", "mean-curvature box.off --domain 0,0,0,1,1,1"})
     expect_error(arguments, 1);
@@ -93,8 +93,8 @@ TEST_F(Flows, are_back_after_a_period) {
     EXPECT_GE(distance.at("maximum").get<double>(), distance.at("mean").get<double>());
   }
   const Json half = steps(expand + "--period 0.4 --dt 0.4 --steps 1 --scheme euler");
-  // Farther by 0.4 of the distance from the centre, on an edge of the box at least 5, against edges
-  // of 10 and diagonals.
+  // Farther by 0.4 of the distance from the center, which is at least 5 on an edge of the box. The
+  // edges have length 10, or are diagonals.
   const double mean_edge = 10 * (2 + std::sqrt(2.)) / 3;
   const double at_corners = .4 * 5 * std::sqrt(3.);
   EXPECT_NEAR(half[1].at("distance_to_start").at("maximum").get<double>(), at_corners / mean_edge,
@@ -126,7 +126,7 @@ TEST_F(Flows, of_the_vortex_stay_in_their_planes) {
 TEST_F(Flows, keep_the_steps_before_one_that_is_refused) {
   const std::string flow = "advect box.off --velocity '5*sqrt(0.25-t)*(x-105),0,0' --dt 0.1 "
                            "--scheme euler --triangles 100 --improve-interface --every 5 ";
-  // By velocities that are no numbers in the third step, for which the mesh was made ready.
+  // The velocities are NaN in the third step, before which the mesh was adapted.
   expect_error(flow + "--steps 5 --output out --report report.json", 1);
   EXPECT_EQ(report("report.json").at("steps").size(), 3u);
   expect_success(flow + "--steps 2 --output two");
@@ -134,7 +134,7 @@ TEST_F(Flows, keep_the_steps_before_one_that_is_refused) {
     EXPECT_TRUE(contents(path("out") / name) == contents(path("two") / name)) << name;
 }
 
-// The step is that of the input, whatever the box around it.
+// The time step is in the units of the input, for any enclosing box.
 TEST_F(Flows, of_mean_curvature_shrink_a_ball) {
   const double radius = 10;
   expect_success("enright --triangles 1280 --dt 1e-9 --steps 1 --output ball");
@@ -168,7 +168,7 @@ TEST_F(Flows, of_mean_curvature_end_with_nothing) {
   const Json& last = steps_.back();
   EXPECT_EQ(last.at("interface_triangles"), 0);
   EXPECT_EQ(last.at("labels").size(), 1u);
-  // By default a step has the time of the square of an edge.
+  // The default time step is proportional to the square of the edge length.
   const double time = steps_[1].at("time");
   EXPECT_GT(time, 2);
   EXPECT_LT(time, 9);
@@ -205,7 +205,7 @@ TEST_F(Flows, stop_at_the_boundary_or_let_it_grow) {
   expect_error("offset 'x<1' --distance 1 --domain grow", 2);
 }
 
-// What is gone is nowhere: not back, either.
+// A vanished surface has no distance to the start.
 TEST_F(Flows, tell_no_distance_of_nothing) {
   const Json steps_ = steps("advect box.off --velocity '105-x,105-y,105-z' --scheme euler "
                             "--period 1 --dt 1 --steps 1");
@@ -230,7 +230,7 @@ TEST_F(Flows, are_resumed) {
   EXPECT_GE(of_box, 0);
   EXPECT_LT(of_box, 1e-2);
 
-  // Without its input, a run goes on, but does not know how far it went.
+  // Without its input, a run resumes without the distances to the start.
   expect_success(flow + "box.off --fit --steps 2 --output out");
   fs::remove(path("box.off"));
   const Json last = steps(flow + "--resume out/checkpoint.dsc --steps 2").back();

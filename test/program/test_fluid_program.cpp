@@ -1,4 +1,4 @@
-// Fluids, by the program.
+// Fluids by the program.
 #include "program.h"
 
 #include <gtest/gtest.h>
@@ -82,7 +82,7 @@ TEST_F(Fluids, droplet_falls_onto_a_floor) {
     EXPECT_TRUE(step.at("probes").at("mode").is_number());
     EXPECT_GT(step.at("probes").at("top").get<double>(), 0);
   }
-  // In free fall for one step, then held by the floor.
+  // Free fall for one step, then stopped by the floor.
   EXPECT_NEAR(steps[1].at("momentum")[2].get<double>(), -1.05 * mass, 1e-9 * mass);
   EXPECT_GT(steps[8].at("contacts").get<int>(), 0);
   EXPECT_LT(steps[8].at("forces_on_solids")[0][2].get<double>(), 0);
@@ -105,7 +105,7 @@ TEST_F(Fluids, run_is_resumed_to_the_same_bits) {
   EXPECT_EQ(contents(path("parts/checkpoint.dsc")), contents(path("whole/checkpoint.dsc")));
   EXPECT_EQ(contents(path("parts/volume_000008.vtu")), contents(path("whole/volume_000008.vtu")));
   EXPECT_TRUE(fs::exists(path("parts/interface.pvd")));
-  // Nothing is written over another run.
+  // Files of another run are not overwritten.
   EXPECT_NE(run("fluid " + file + " --output " + path("whole").string()).exit_code, 0);
 }
 
@@ -199,7 +199,8 @@ TEST_F(Fluids, pool_fills_its_part_of_the_domain) {
   EXPECT_NEAR(steps[3].at("volume").get<double>(), steps[0].at("volume").get<double>(), 1e-12);
 }
 
-// Coarse drops that land on a plane: they run to the end, or tell the step and keep the one before.
+// Coarse drops that land on a plane: the run reaches the end, or reports the failed step and keeps
+// the previous one.
 TEST_F(Fluids, drop_that_lands_survives_or_leaves_a_checkpoint) {
   Json json = scene();
   json["surface_tension"] = 2;
@@ -386,7 +387,7 @@ TEST_F(Fluids, what_has_no_effect_is_refused) {
   expect_refusal(json, "'label'");
 }
 
-// Beside a pool, shapes are cut out of tetrahedra.
+// Next to a pool, shapes are cut out of tetrahedra.
 TEST_F(Fluids, liquids_that_others_cover_are_refused) {
   Json json = Json::parse(R"json({
     "domain": [0, 0, 0, 1, 1, 1], "edge": 0.2,

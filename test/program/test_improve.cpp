@@ -1,4 +1,4 @@
-// Tetrahedra from elsewhere that are improved.
+// Improvement of tetrahedral meshes of other programs.
 #include "program.h"
 
 #include <gtest/gtest.h>
@@ -31,9 +31,9 @@ struct Mesh
   std::vector<int> labels;
 };
 
-// Cubes of edge length 1 in a grid of (nx, ny, nz), each of six tetrahedra around a diagonal. The
-// cubes for which there is no label are left out. Points are bent but not flattened in the x
-// direction where there is only one label.
+// A grid of (nx, ny, nz) cubes of edge length 1, each of six tetrahedra around a diagonal. Cubes
+// without a label are left out. If there is only one label, points are displaced in the x
+// direction.
 template <class Label> Mesh cubes(int nx, int ny, int nz, Label label, double bend = 0) {
   Mesh mesh;
   const auto index = [=](const std::array<int, 3>& p) {
@@ -44,7 +44,7 @@ template <class Label> Mesh cubes(int nx, int ny, int nz, Label label, double be
       for (int x = 0; x <= nx; ++x) {
         const bool is_inside = 0 < x && x < nx && 0 < y && y < ny && 0 < z && z < nz;
         const bool may_move =
-            is_inside && label(x, y, z) == label(x - 1, y - 1, z - 1); // interfaces are level
+            is_inside && label(x, y, z) == label(x - 1, y - 1, z - 1); // interfaces are planar
         mesh.points.push_back(
             {x + (may_move ? x % 2 == 0 ? -bend : bend : 0), double(y), double(z)});
       }
@@ -71,8 +71,8 @@ template <class Label> Mesh cubes(int nx, int ny, int nz, Label label, double be
   return mesh;
 }
 
-// Two layers of labels 5 and 2 in a box of 4 x 4 x 4, with cells a tenth as thick as they should
-// be.
+// Two layers of labels 5 and 2 in a box of 4 x 4 x 4. The cells have a tenth of the thickness of
+// regular cells.
 Mesh layers() {
   return cubes(
       4, 4, 4, [](int, int, int z) { return z < 2 ? 5 : 2; }, 0.45);
@@ -100,7 +100,7 @@ std::string medit(const Mesh& mesh) {
   return text.str();
 }
 
-// `attributes` of the root, as programs write them.
+// `attributes` of the root element, as other programs write them.
 std::string vtu(const Mesh& mesh, const std::string& name_of_labels,
                 const std::string& attributes = "") {
   const auto array = [](const std::string& type, const std::string& name, int components,
@@ -136,7 +136,7 @@ std::string vtu(const Mesh& mesh, const std::string& name_of_labels,
          "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
-// The triangles of the interface in a mesh that the program wrote: coordinates as text, sorted.
+// Returns the interface triangles in a mesh that the program wrote: coordinates as text, sorted.
 std::set<std::set<std::string>> interface_triangles(const std::string& mesh) {
   std::istringstream in(mesh);
   std::vector<std::string> points;
@@ -169,7 +169,7 @@ protected:
     write("layers.vtu", vtu(layers(), "label"));
   }
 
-  // Fails with one line, and neither writes nor changes a mesh.
+  // Expects an error of one line, and that no mesh is written or changed.
   void expect_refusal(const std::string& input, const std::string& text) const {
     SCOPED_TRACE(input);
     write(input, text);
@@ -183,7 +183,8 @@ protected:
     EXPECT_TRUE(contents(path(input)) == text);
   }
 
-  // The input is not replaced by a file that lacks something. `arguments` begin with its name.
+  // Expects that the input is not replaced by a file with less content. `arguments` begin with the
+  // name of the input.
   void expect_loss_is_refused(const std::string& arguments, const std::string& what) const {
     const std::string input = arguments.substr(0, arguments.find(' '));
     const std::string before = contents(path(input));
@@ -339,7 +340,7 @@ TEST_F(Improve, formats_agree) {
     EXPECT_EQ(info("from_mesh.vtu", key), info("from_mesh.mesh", key));
 }
 
-// Points without tetrahedra, any orientation, line ends of another system
+// Points without tetrahedra, any orientation, line ends of other systems
 TEST_F(Improve, takes_meshes_as_other_programs_write_them) {
   expect_success("improve layers.mesh -o expected.mesh");
   Mesh foreign = layers();
@@ -364,7 +365,7 @@ TEST_F(Improve, takes_meshes_as_other_programs_write_them) {
   }
 }
 
-// Numbers of an array that the program wrote, as `double`.
+// Returns the numbers of an array that the program wrote, as `double`.
 std::vector<double> array_of(const std::string& file, const std::string& name) {
   std::vector<double> result;
   const std::size_t element = file.find("Name=\"" + name + '"');
@@ -394,7 +395,7 @@ std::vector<double> array_of(const std::string& file, const std::string& name) {
   return result;
 }
 
-// Volumes of the tetrahedra of a grid.
+// Returns the volumes of the tetrahedra of a grid.
 std::vector<double> volumes(const std::string& file) {
   const std::vector<double> p = array_of(file, "points"), corners = array_of(file, "connectivity");
   std::vector<double> result;
@@ -422,7 +423,7 @@ std::string text_array(const std::string& type, const std::string& name,
   return text.str() + "</DataArray>\n";
 }
 
-// The layers with arrays: x at points, a density and a part of each layer at cells.
+// The layers with arrays: x at points; a density and the fraction of each layer at cells.
 std::string grid_with_fields(const std::string& more_of_cells = "") {
   const Mesh mesh = layers();
   std::vector<double> x, density;
@@ -459,7 +460,7 @@ TEST_F(Improve, does_not_guess_labels) {
   EXPECT_EQ(run("improve material.vtu -o one.mesh --labels none").err,
             "dsc: material.vtu: not used: 1 array on cells (material)\n");
   EXPECT_EQ(info("one.mesh", "interface triangles"), 0);
-  // The array keeps its name, so that the file can be improved again, and used as before.
+  // The array keeps its name, so that the file can be improved again and used as before.
   expect_success("improve material.vtu -o material.vtu --labels material");
   const std::string improved = contents(path("material.vtu"));
   EXPECT_FALSE(array_of(improved, "material").empty());
@@ -476,7 +477,7 @@ TEST_F(Improve, carries_arrays) {
   const std::string file = contents(path("fields.vtu"));
   const std::vector<double> points = array_of(file, "points"), heat = array_of(file, "heat");
   ASSERT_EQ(points.size(), 3 * heat.size());
-  for (std::size_t i = 0; i < heat.size(); ++i) // a linear function stays
+  for (std::size_t i = 0; i < heat.size(); ++i) // linear functions are preserved
     EXPECT_NEAR(heat[i], 2 * points[3 * i] + 1, 1e-9);
 
   const auto integral = [](const std::vector<double>& volume, const std::vector<double>& density) {
@@ -485,7 +486,7 @@ TEST_F(Improve, carries_arrays) {
       sum += volume[i] * density.at(i);
     return sum;
   };
-  // Volumes of the input by the program itself, which changes nothing here.
+  // Returns the volumes of the input as written by the program, which changes nothing here.
   write("before.vtu", grid_with_fields());
   expect_success("improve before.vtu -o before.vtu --labels material --threshold 1e-9");
   const std::string same = contents(path("before.vtu"));
@@ -497,7 +498,7 @@ TEST_F(Improve, carries_arrays) {
     EXPECT_TRUE(parts[i] == 70 || parts[i] == 30) << parts[i];
     first += parts[i] == 70 ? volume[i] : 0;
   }
-  EXPECT_NEAR(first, 32, 1e-9); // integers stay where they are
+  EXPECT_NEAR(first, 32, 1e-9); // integers keep their positions
   EXPECT_EQ(array_of(file, "material"), array_of(file, "label"));
 }
 
@@ -512,7 +513,7 @@ TEST_F(Improve, replaces_no_input_by_less) {
   EXPECT_EQ(outcome.err,
             "dsc: ids.vtu: not used: 1 array that numbers cells, which change ('id')\n");
   EXPECT_FALSE(array_of(contents(path("out.vtu")), "heat").empty());
-  // MEDIT files have no place for arrays.
+  // MEDIT files cannot contain arrays.
   write("fields.vtu", grid_with_fields());
   EXPECT_NE(
       run("improve fields.vtu -o out.mesh --labels material").err.find("array on points (heat)"),
@@ -521,7 +522,7 @@ TEST_F(Improve, replaces_no_input_by_less) {
   expect_loss_is_refused("layers.mesh", "layers.sol");
 }
 
-// Simplices of a section with their references, by the coordinates of their vertices.
+// Returns the simplices of a section with their references, by the coordinates of their vertices.
 std::multiset<std::pair<std::set<std::string>, int>>
 simplices(const std::string& mesh, const std::string& section, std::size_t corners) {
   std::istringstream in(mesh);
@@ -550,7 +551,7 @@ simplices(const std::string& mesh, const std::string& section, std::size_t corne
   return result;
 }
 
-// Facets and edges of tetrahedra here and there, inside, on the interface and on the boundary.
+// Facets and edges of tetrahedra inside, on the interface and on the boundary.
 std::string mesh_with_entities(const Mesh& mesh) {
   std::ostringstream triangles, edges, vertices;
   int number_of_triangles = 0, number_of_edges = 0, number_of_vertices = 0;
@@ -601,13 +602,13 @@ TEST_F(Improve, keeps_entities) {
             std::string::npos);
 }
 
-// An inner surface between cells of one label, as of a crack or a membrane.
+// An inner surface between cells of one label, like a crack or a membrane.
 TEST_F(Improve, keeps_inner_surfaces) {
   Mesh mesh = layers();
   std::fill(mesh.labels.begin(), mesh.labels.end(), 1);
   std::string one = medit(mesh);
   one.erase(one.find("End\n"));
-  // The triangles between the layers, as the program lists them.
+  // Returns the triangles between the layers, in the order of the program.
   expect_success("improve layers.mesh -o same.mesh --threshold 1e-9");
   const auto surface = simplices(contents(path("same.mesh")), "Triangles", 3);
   std::ostringstream triangles;
@@ -622,7 +623,7 @@ TEST_F(Improve, keeps_inner_surfaces) {
         one + "Triangles\n" + std::to_string(surface.size()) + '\n' + triangles.str() + "End\n");
   expect_success("improve one.mesh -o one.mesh");
   EXPECT_EQ(simplices(contents(path("one.mesh")), "Triangles", 3), surface);
-  // As good as with two labels: nothing else is held.
+  // As good as with two labels: nothing else is constrained.
   expect_success("improve layers.mesh -o two.mesh");
   EXPECT_EQ(info("one.mesh", "tetrahedra"), info("two.mesh", "tetrahedra"));
 }

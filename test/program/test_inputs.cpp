@@ -1,4 +1,4 @@
-// Every kind of INPUT that moves, by the program.
+// All kinds of INPUT of the moving commands, by the program.
 #include "program.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using program::Outcome;
 class Inputs : public program::Program_test
 {
 protected:
-  // The labels and their volumes after a turn, which changes none.
+  // Returns the labels and their volumes after a rotation, which preserves the volumes.
   std::map<int, double> volumes(const std::string& input) {
     const std::string report = path("report.json").string();
     const Outcome outcome =
@@ -42,7 +42,7 @@ protected:
   }
 };
 
-// A Kuhn cube of label 2 in MEDIT's format.
+// A Kuhn cube of label 2 in MEDIT format.
 const char* const cube = R"(MeshVersionFormatted 2
 Dimension 3
 Vertices 8
@@ -64,7 +64,7 @@ Tetrahedra 6
 End
 )";
 
-// A header of INR, 256 bytes long, and one byte for each voxel.
+// A header of an INR file, 256 bytes long, and one byte for each voxel.
 std::string inr(int n, const std::string& voxels) {
   std::ostringstream header;
   header << "#INRIMAGE-4#{\nXDIM=" << n << "\nYDIM=" << n << "\nZDIM=" << n
@@ -103,7 +103,7 @@ TEST_F(Inputs, may_be_images_of_voxels) {
   EXPECT_NEAR(result.at(4), 54, 1e-6);
 }
 
-// A box with one triangle twice, and some of its corners apart from the others.
+// A box with one duplicated triangle and some corners apart from the others.
 TEST_F(Inputs, may_be_surfaces_to_be_repaired) {
   const std::string text = program::box(0, 0, 0, 1, 1, 1);
   write("box.off", text);
@@ -128,7 +128,7 @@ TEST_F(Inputs, may_be_surfaces_to_be_repaired) {
   expect_refusal("'x<1' --repair --domain -2,-2,-2,2,2,2", 2, "--repair");
 }
 
-// The triangles of several OFF files in one.
+// Concatenates the triangles of several OFF files.
 std::string join(const std::vector<std::string>& files) {
   std::ostringstream points, triangles;
   std::size_t offset = 0, number = 0;
@@ -166,7 +166,8 @@ TEST_F(Inputs, may_be_parts_that_cross) {
 }
 
 TEST_F(Inputs, may_have_t_junctions) {
-  // The edge from vertex 0 to vertex 1 has a vertex more below than in front.
+  // The edge from vertex 0 to vertex 1 has an additional vertex on the bottom, but not on the
+  // front.
   const std::string text = program::box(0, 0, 0, 1, 1, 1);
   std::istringstream in(text);
   std::string line, file;
@@ -184,7 +185,7 @@ TEST_F(Inputs, may_have_t_junctions) {
   EXPECT_EQ(Json::parse(contents(path("report.json")))["repairs"][0]["split_edges"], 1);
 }
 
-// Two octahedra, the tips of which are so near that TetGen fails.
+// Two octahedra whose tips are so close that TetGen fails.
 TEST_F(Inputs, may_have_vertices_that_nearly_coincide) {
   std::ostringstream off;
   off << "OFF\n12 16 0\n";
@@ -305,7 +306,7 @@ TEST_F(Inputs, have_no_options_without_effect) {
     EXPECT_EQ(outcome.exit_code, 2) << arguments;
     EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
   }
-  // A resumed run that improves its interface does not look at the tolerance, either.
+  // A resumed run that improves its interface ignores the tolerance, too.
   const std::string vortex = "vortex --triangles 80 --dt 0.001 --steps 1 --output out ";
   ASSERT_EQ(run(vortex + "--improve-interface").exit_code, 0);
   const Outcome outcome = run("vortex --resume out/checkpoint.dsc --tolerance 0.1");
@@ -313,7 +314,8 @@ TEST_F(Inputs, have_no_options_without_effect) {
   EXPECT_NE(outcome.err.find("--tolerance"), std::string::npos) << outcome.err;
 }
 
-// Either all that inequalities say is in the mesh, or it is told what is not.
+// The mesh contains everything that inequalities describe, or the program reports the missing
+// parts.
 TEST_F(Inputs, of_inequalities_are_resolved) {
   const std::string box = " --domain=-1,-1,-1,1,1,1 --edge ";
   const std::string balls = "'(x-.5)^2+y^2+z^2<.1||(x+.5)^2+y^2+z^2<.1'";
@@ -323,7 +325,8 @@ TEST_F(Inputs, of_inequalities_are_resolved) {
                  "(x-.01)^2+y^2+z^2<.0001");
   expect_refusal("'x^2+y^2+z^2<.1' 'x^2+y^2+z^2<.5'" + box + ".2", 1, "covered");
   expect_refusal("'.2<x<.23&&y^2+z^2<.5' 'x<-.5'" + box + ".2", 1, "choose shorter ones");
-  // Sharp rims leave no crumbs, and what touches in a point may be one or two.
+  // Sharp rims leave no small fragments. Components that touch at a point may be counted as one or
+  // two.
   EXPECT_GT(volumes("'(x-.4)^2+y^2+z^2<.5&&(x+.4)^2+y^2+z^2<.5'" + box + ".1").at(1), 0);
   EXPECT_GT(volumes("'x^2+y^2<z^2<.25'" + box + ".1").at(1), 0);
   EXPECT_GT(volumes("'abs(x+.3*y)<.5&&abs(y-.3*x+.1*z)<.5&&abs(z)<.4'" + box + ".1").at(1), 0);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-// What the program does in the plane, seen from outside.
+// Planar commands of the program from outside.
 
 namespace {
 

@@ -1,4 +1,4 @@
-// Surfaces that move, and what all commands have in common.
+// Surfaces in motion, and features that all commands share.
 #include "program.h"
 
 #include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
@@ -28,7 +28,7 @@ const char* const octahedron = "OFF\n6 8 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\
                                "3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n"
                                "3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n";
 
-// Every test has the inputs in its folder.
+// All tests have the inputs in their folder.
 class Program : public program::Program_test
 {
 protected:
@@ -246,7 +246,7 @@ TEST_F(Program, reports_each_step) {
   EXPECT_FALSE(fs::exists(path("report.partial.json")));
 }
 
-// Whatever the names of files that exist only for a moment are.
+// Temporary files may have any name.
 TEST_F(Program, keeps_files_that_are_not_its_own) {
   for (const char* name : {"report.json.probe", "report.partial.json"})
     std::ofstream(path(name)) << "precious";
@@ -275,10 +275,10 @@ TEST_F(Program, offsets_in_units_of_the_input) {
   };
   const auto [before, outwards] = volumes("0.1");
   EXPECT_NEAR(before, 1000, 1e-6);
-  EXPECT_GT(outwards, 1000 + 0.7 * 60); // area times distance, less what the edges lose
+  EXPECT_GT(outwards, 1000 + 0.7 * 60); // area times distance, minus the loss at the edges
   EXPECT_LT(outwards, 1000 + 1.2 * 60);
   EXPECT_LT(volumes("-0.1").second, 1000 - 0.7 * 60);
-  // 300 triangles on an area of 600: edges of somewhat more than 2
+  // 300 triangles on an area of 600: edges are slightly longer than 2
   EXPECT_GT(volumes("0.1e").second, 1000 + 0.7 * 0.1 * 1.8 * 600);
 }
 
@@ -296,7 +296,7 @@ TEST_F(Program, resamples) {
 }
 
 TEST_F(Program, tracks_and_resamples_parts_that_touch) {
-  // Two tetrahedra at an edge; a bipyramid around another one, with the same three edges.
+  // Two tetrahedra at an edge; a bipyramid around another edge, with the same three edges.
   write("parts.off", "OFF\n6 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n0 0 -1\n"
                      "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"
                      "3 0 4 1\n3 0 1 5\n3 1 4 5\n3 0 5 4\n");
@@ -395,13 +395,13 @@ TEST_F(Program, goes_on_as_before_where_it_is_not_told_otherwise) {
   EXPECT_EQ(parameters.at("angle"), 2);
   EXPECT_EQ(parameters.at("improve_interface"), false);
 
-  expect_error("offset" + go_on, 2); // by which distance?
+  expect_error("offset" + go_on, 2); // the distance is missing
   const Outcome other_motion = run("offset" + go_on + "--distance 0.1e");
   EXPECT_NE(other_motion.out.find("step 5 with offset instead of rotate\n"), std::string::npos)
       << other_motion.out;
 }
 
-// A complex alone is none, whoever wrote it.
+// A complex alone is not a run, even in a checkpoint of the program.
 TEST_F(Program, resumes_only_runs) {
   expect_success("rotate octahedron.off --axis 0,0,1 --angle 5 --steps 1 --output out");
   const auto checkpoint = CGAL::IO::read_checkpoint(path("out/checkpoint.dsc").string());

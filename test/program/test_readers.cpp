@@ -1,5 +1,5 @@
-// Files as other programs write them, damage them or rename them: what is in them is used, named as
-// not used, or refused with its cause.
+// Files as other programs write, damage or rename them. Their content is used, reported as unused,
+// or rejected with a reason.
 #include "program.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ std::string stl() {
   return text.str();
 }
 
-// The same tetrahedron with a header that begins as text does.
+// The same tetrahedron with a binary header that looks like text.
 std::string binary_stl(std::uint32_t announced, std::uint16_t attribute = 0) {
   const float points[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const int facets[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
@@ -230,7 +230,7 @@ TEST_F(Readers, tell_why_images_of_voxels_cannot_be_read) {
 }
 
 TEST_F(Readers, take_points_as_other_programs_write_them) {
-  // A box of points, so that something is reconstructed: here only the messages matter.
+  // Points of a box, so that there is a reconstruction; only the messages are tested.
   expect_cause("reconstruct -o b.off", "a.xyz", "5\n0 0 0\n1 0 0\n", "announces 5 points, but 2");
   expect_cause("reconstruct -o b.off", "a.xyz", "0 0 nan\n", "line 1: a coordinate of point 0");
   expect_cause("reconstruct -o b.off", "a.xyz", "0,0,1\n", "line 1: '0,0,1' has a comma");

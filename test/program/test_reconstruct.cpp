@@ -1,4 +1,4 @@
-// Solids from points, by the program.
+// Reconstruction of solids from points, by the program.
 #include "program.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST_F(Reconstruction, writes_surface_report_and_steps) {
   EXPECT_TRUE(fs::exists(path(last)));
   const Outcome info = run("info " + path("sphere.off").string());
   EXPECT_NE(info.out.find("Euler characteristic  2"), std::string::npos) << info.out;
-  // Steps of another run are not replaced.
+  // Steps of another run are not overwritten.
   EXPECT_EQ(run(command).exit_code, 1);
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-// Nothing is lost: whatever takes long stops when asked, results appear whole or not at all, and
-// what cannot be written is told.
+// No data are lost: long operations stop on request, results are written completely or not at all,
+// and failed writing is reported.
 namespace {
 
 using program::contents;
@@ -25,7 +25,7 @@ protected:
     return result;
   }
 
-  // Runs what takes long, asks it to stop, and expects that it wrote nothing.
+  // Starts a long command, interrupts it, and expects that it wrote nothing.
   void expect_stops(const std::string& arguments, const std::string& signal,
                     const std::string& seconds = "0.7") const {
     SCOPED_TRACE(arguments + ", " + signal);
@@ -102,7 +102,7 @@ TEST_F(Stopping, other_commands_stop) {
 
 TEST_F(Stopping, a_reconstruction_keeps_the_previous_result) {
   std::ostringstream points;
-  for (int i = 0; i < 40000; ++i) { // on a sphere, along a spiral
+  for (int i = 0; i < 40000; ++i) { // points of a spiral on a sphere
     const double z = 1 - (2 * i + 1) / 40000., r = std::sqrt(1 - z * z), a = 2.399963 * i;
     points << r * std::cos(a) << ' ' << r * std::sin(a) << ' ' << z << '\n';
   }
@@ -140,7 +140,7 @@ TEST_F(Stopping, standard_output_that_fails_is_told) {
   }
 }
 
-// The outputs of a command replace neither its inputs nor each other.
+// The outputs of a command replace neither its inputs nor other outputs.
 TEST_F(Stopping, outputs_have_places_of_their_own) {
   write("sphere.off", sphere(4));
   write("scene.json", run("fluid --print droplet").out);

@@ -1,5 +1,5 @@
-// The same input in another unit gives the same result in that unit, for every reader and command.
-// Powers of two change exponents only; powers of ten change what rounding changes.
+// The same input in another unit gives the same result in this unit, for all readers and commands.
+// Powers of two change exponents only; powers of ten change rounding.
 #include "program.h"
 #include "scaled_inputs.h"
 #include "units.h"
@@ -35,7 +35,7 @@ protected:
 
   const std::string moving = " --steps 2 --output o --report r.json --quiet --threads 1";
 
-  // The inputs are the files that arguments name. A run's checkpoint becomes the output.
+  // The inputs are the files among the arguments. The checkpoint of the run becomes the output.
   Result result_in(double unit, const Arguments& arguments, const std::string& output) const {
     using namespace scaled_inputs;
     static const std::map<std::string, std::string (*)(double)> inputs = {
@@ -97,7 +97,7 @@ std::string domain(double unit, const std::vector<double>& box) {
   return " --domain=" + list(box, unit);
 }
 
-// Velocities that are no linear function of the place.
+// Velocities that are not a linear function of the position.
 std::string velocity(double u, int dimension) {
   const std::string l = digits(u);
   return " --dt .05 --velocity '" + l + "*sin(3*y/" + l + ")," + l + "*cos(2*x/" + l + ')' +
@@ -217,10 +217,10 @@ TEST_F(Any_unit, points) {
                                  {"facets_without_points", {1, 0, 0}}};
   expect_same_in_any_unit(
       [](double) { return "reconstruct a.xyz -o c.off --report r.json --quiet"; }, "c.off",
-      dimensions + in_space, 1e-2); // other triangles, by rounding
+      dimensions + in_space, 1e-2); // other triangles, because of rounding
 }
 
-// Of lengths on the surface, and of the coordinates of its chart.
+// Scales the lengths on the surface, and the coordinates of its chart.
 TEST_F(Any_unit, surfaces_with_charts) {
   const auto torus = [](double unit, double chart) {
     const std::string l = digits(unit), c = digits(chart);

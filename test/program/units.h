@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-// Results in one unit, compared with those in another one.
+// Comparison of results in different units.
 namespace units {
 
 using Json = nlohmann::json;
@@ -26,8 +26,8 @@ struct Units
   double length = 1, time = 1, mass = 1;
 };
 
-// Exponents of length, time and mass, by the names of fields. What is within a field has its
-// dimension, unless it has one itself.
+// Exponents of length, time and mass, by the names of fields. Nested fields have the dimension of
+// the enclosing field, unless they have their own dimension.
 using Dimensions = std::map<std::string, std::array<int, 3>>;
 
 inline const Dimensions in_space = {{"volume", {3, 0, 0}},
@@ -36,14 +36,14 @@ inline const Dimensions in_space = {{"volume", {3, 0, 0}},
                                     {"distance_from_input", {1, 0, 0}},
                                     {"distance_to_input", {1, 0, 0}}};
 inline const Dimensions in_the_plane = {{"area", {2, 0, 0}}, {"length", {1, 0, 0}}};
-inline const Dimensions squared_time = {{"time", {2, 0, 0}}}; // of flows by curvature
+inline const Dimensions squared_time = {{"time", {2, 0, 0}}}; // for flows by curvature
 
 inline Dimensions operator+(Dimensions a, const Dimensions& b) {
   a.insert(b.begin(), b.end());
   return a;
 }
 
-// What was written in the units 1, in other units.
+// Returns a result in units 1 that was written in other units.
 inline Json scaled(const Json& json, const Units& units, const Dimensions& dimensions,
                    double factor = 1) {
   if (json.is_number())
@@ -62,7 +62,7 @@ inline Json scaled(const Json& json, const Units& units, const Dimensions& dimen
   return result;
 }
 
-// Without what no unit of length changes, but another run does.
+// Removes fields that depend on the run and not on units, for example times and parameters.
 inline Json of_any_run(Json report) {
   static const std::set<std::string> of_this_run = {
       "seconds",         "sweeps", "sweep_seconds", "seconds_of_solver",
@@ -84,7 +84,7 @@ inline void expect_equal(const Json& expected, const Json& result) {
       << expected.value(Json::json_pointer(differences[0]["path"].get<std::string>()), Json());
 }
 
-// Whether regions are the same, up to a part of their measures.
+// Returns whether regions are equal, up to a relative tolerance of their measures.
 inline void expect_near(const Json& expected, const Json& result, double part) {
   ASSERT_EQ(expected.size(), result.size());
   for (auto i = expected.begin(); i != expected.end(); ++i) {
@@ -109,7 +109,7 @@ inline void expect_near(const Json& expected, const Json& result, double part) {
   }
 }
 
-// Whether all words are the same but for coordinates, which are multiplied by the unit.
+// Returns whether all words are equal, except coordinates, which are multiplied by the unit.
 inline void expect_scaled(const std::string& expected, const std::string& result, double unit) {
   const auto words_of = [](std::string text) {
     const std::string separators = "(),\"<>=";
@@ -121,7 +121,7 @@ inline void expect_scaled(const std::string& expected, const std::string& result
   };
   const auto before = words_of(expected), after = words_of(result);
   ASSERT_EQ(before.size(), after.size());
-  std::size_t directions = 0; // numbers to come that have no unit: normals in STL
+  std::size_t directions = 0; // number of following values without unit: normals in STL
   for (std::size_t i = 0; i < before.size(); ++i) {
     static constexpr std::size_t version = 3; // characters: 1.0
     const std::string &was = before[i], &is = after[i];

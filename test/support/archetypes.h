@@ -18,8 +18,8 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// Models that offer what the concepts of the package require, and nothing else: whatever compiles
-// with them needs no more.
+// Models that provide only the requirements of the concepts of the package. Code that compiles with
+// them needs no further requirements.
 namespace archetypes {
 
 // DeformableSimplicialComplexTraits_3
@@ -30,7 +30,7 @@ public:
   using Approximate_point_3 = CGAL::Simple_cartesian<double>::Point_3;
   using Approximate_vector_3 = CGAL::Simple_cartesian<double>::Vector_3;
 
-  // can be copied, assigned and compared; its coordinates are nobody's business
+  // copyable, assignable and comparable; its coordinates are private
   class Point_3
   {
   public:
@@ -44,7 +44,7 @@ public:
     Approximate_point_3 m_point;
   };
 
-  // what Triangulation_3 names and never uses here
+  // names that Triangulation_3 mentions but does not use here
   class Segment_3;
   class Triangle_3;
   class Tetrahedron_3;
@@ -195,7 +195,7 @@ public:
   }
 };
 
-// DeformationVisitor; it is passed by reference, and thus need not be copied
+// DeformationVisitor; it is passed by reference, so it is not copyable
 
 template <class Complex> class Visitor
 {
@@ -222,7 +222,7 @@ public:
 };
 
 // The destination of a vertex, InterfaceFlowMap, VelocityField, InterfaceVelocity, and
-// InterfaceStep: all move everything by the same small vector.
+// InterfaceStep: all displace by the same small vector.
 
 inline Traits::Approximate_vector_3 small_vector() { return {.03, .02, .01}; }
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-// Betti numbers of labels and interfaces, counted from scratch.
+// Betti numbers of labels and interfaces, computed from scratch.
 namespace betti_numbers {
 
 struct Betti_numbers
@@ -26,11 +26,11 @@ struct Betti_numbers
   }
 };
 
-// Sets of numbers that are joined one by one. Numbers may be large: time stamps are.
+// Union-find for sets of numbers. Numbers may be large, for example time stamps.
 class Joined_sets
 {
 public:
-  // The number that stands for the set of i, which is a set of its own the first time.
+  // Returns the representative of i. The first call makes a new set.
   std::size_t find(std::size_t i) {
     std::size_t& parent = m_parents.try_emplace(i, i).first->second;
     if (parent != i)
@@ -50,7 +50,7 @@ private:
   std::unordered_map<std::size_t, std::size_t> m_parents;
 };
 
-// Numbers of distinct simplices of a set of simplices and all their faces.
+// Returns the numbers of distinct simplices of a set of simplices and of all their faces.
 class Simplex_count
 {
 public:
@@ -81,14 +81,14 @@ public:
   long components() const { return m_sets.number_of_sets(); }
 
 private:
-  using Simplex = std::array<std::size_t, 4>; // vertices, increasing, then zeros
+  using Simplex = std::array<std::size_t, 4>; // vertices in increasing order, then zeros
 
   std::array<std::vector<Simplex>, 4> m_simplices; // by dimension
   Joined_sets m_sets;
 };
 
-// Components, through facets, of the cells for which a condition holds, the outside being one cell
-// for which it holds. Facets for which `is_wall` holds are not passed.
+// Components, connected by facets, of the cells that satisfy a condition; the outside is one such
+// cell. Facets with `is_wall` separate cells.
 template <class Complex, class Condition, class Wall>
 long parts_with_outside(const Complex& dsc, const Condition& condition, const Wall& is_wall) {
   static constexpr std::size_t outside = 0;
@@ -116,7 +116,7 @@ inline Betti_numbers from(Simplex_count& count, long parts_of_complement) {
   return result;
 }
 
-// Of the union of the closed cells for which a condition holds.
+// Returns the Betti numbers of the union of the closed cells that satisfy a condition.
 template <class Complex, class Condition>
 Betti_numbers of_cells(const Complex& dsc, const Condition& condition) {
   Simplex_count count;
@@ -142,10 +142,10 @@ template <class Complex> Betti_numbers of_interface(const Complex& dsc) {
                   [&](auto c, auto n) { return !dsc.is_infinite(n) && c->label() != n->label(); }));
 }
 
-// Of everything that a deformation with topology control keeps.
+// The Betti numbers that a deformation with topology control preserves.
 struct Topology
 {
-  // of each label, and of what it leaves, which tells of its interior
+  // of each label and of its complement, which describes its interior
   std::map<int, std::pair<Betti_numbers, Betti_numbers>> labels;
   Betti_numbers surface; // the interface
 
@@ -168,7 +168,7 @@ template <class Complex> Topology of_complex(const Complex& dsc) {
   return result;
 }
 
-// Whether nothing differs but the topology of some labels, and with it that of the interface.
+// Returns whether only the topology of some labels, and of the interface, differs.
 inline bool differ_only_in(const std::set<int>& labels, Topology a, Topology b) {
   for (int label : labels) {
     a.labels.erase(label);

@@ -17,11 +17,11 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// What several tests do to complexes and look at. Templates, as complexes of other kernels and of
-// archetypes take part.
+// Functions that several tests use for complexes. They are templates because of other kernels and
+// archetypes.
 namespace mesh_helpers {
 
-// The same numbers with every standard library.
+// Random numbers that are equal with all standard libraries.
 class Random
 {
 public:
@@ -48,14 +48,14 @@ typename Complex::Point_3 exact_point(const Complex& dsc,
   return dsc.geom_traits().construct_exact_point_3_object()(p);
 }
 
-// Moves every vertex by a random vector, as far as its star allows.
+// Moves each vertex by a random vector, as far as its star permits.
 template <class Complex> void jitter(Complex& dsc, double bound, unsigned seed) {
   Random random(seed);
   for (auto v : dsc.vertices())
     dsc.move_vertex(v, exact_point(dsc, dsc.position(v) + random.vector<Complex>(bound)));
 }
 
-// A grid with n^3 cubes whose vertices are jittered by up to a part of the side of a cube.
+// A grid of n^3 cubes whose vertices are displaced randomly by up to a fraction of the side length.
 template <class Label>
 small_meshes::Complex jittered_grid(std::size_t n, Label label, double part, unsigned seed) {
   auto dsc = small_meshes::make_complex(small_meshes::grid(n, label));
@@ -63,8 +63,8 @@ small_meshes::Complex jittered_grid(std::size_t n, Label label, double part, uns
   return dsc;
 }
 
-// A sphere of radius r about the origin, made of the cube of side 1 in a grid with n^3 cubes; n
-// must be a multiple of 4 and r about .6. It has 3 n^2 triangles.
+// A sphere of radius r about the origin, deformed from the cube of side length 1 in a grid of n^3
+// cubes. n must be a multiple of 4, and r about .6. The sphere has 3 n^2 triangles.
 inline small_meshes::Complex sphere(std::size_t n, double r) {
   auto dsc = small_meshes::make_complex(small_meshes::grid(n, small_meshes::cube));
   DSC::deform_interface(dsc, [&](small_meshes::Complex::Vertex_handle v) {
@@ -89,7 +89,7 @@ Coordinates coordinates(const Complex& dsc, typename Complex::Vertex_handle v) {
   return {p.x(), p.y(), p.z()};
 }
 
-// The interface as a set of triangles, bit for bit: corners and the two labels, sorted.
+// Returns the interface as a sorted set of triangles, bitwise: corners and the two labels.
 using Interface_triangle = std::pair<std::array<Coordinates, 3>, std::array<int, 2>>;
 
 template <class Complex> std::vector<Interface_triangle> interface_triangles(const Complex& dsc) {
@@ -107,7 +107,7 @@ template <class Complex> std::vector<Interface_triangle> interface_triangles(con
   return result;
 }
 
-// The qualities that finite cells have with vertices at points.
+// Returns the qualities of finite cells with vertices at given points.
 template <class Complex>
 std::vector<double> qualities_with(const Complex& dsc,
                                    const std::vector<typename Complex::Cell_handle>& cells,
@@ -124,7 +124,8 @@ std::vector<double> qualities_with(const Complex& dsc,
   return result;
 }
 
-// Whether all finite cells around v would be positive with v at q, by other means than the complex.
+// Returns whether all finite cells at v were positive with v at q, computed independently of the
+// complex.
 template <class Complex>
 bool is_positive_with(const Complex& dsc, typename Complex::Vertex_handle v,
                       const typename Complex::Point_3& q) {

@@ -8,13 +8,13 @@
 #include <random>
 #include <string>
 
-// Damages files: the same seed, the same damage on all machines.
+// Damages files: the same seed gives the same damage on all machines.
 class Mutator
 {
 public:
   explicit Mutator(std::uint64_t seed) : m_random(seed) {}
 
-  // The bytes after a few changes.
+  // Returns the bytes after a few changes.
   std::string operator()(std::string bytes) {
     for (std::size_t n = 1 + below(4); n > 0 && !bytes.empty(); --n)
       change(bytes);
@@ -41,7 +41,7 @@ private:
     return {begin, (std::min)(bytes.find('\n', begin), bytes.size() - 1) + 1 - begin};
   }
 
-  // A sequence of digits; any range if there are none.
+  // Returns the range of a sequence of digits, or any range if there are no digits.
   Range any_number(const std::string& bytes) {
     constexpr char digits[] = "0123456789";
     const std::size_t begin = bytes.find_first_of(digits, below(bytes.size()));
@@ -71,9 +71,9 @@ private:
                                             0x7fffffff,
                                             0x80000000,
                                             0xffffffff,
-                                            0x7f800000,         // infinity of 32 bits
-                                            0x7fc00000,         // no number of 32 bits
-                                            0x7ff0000000000000, // the same of 64 bits
+                                            0x7f800000,         // infinity in single precision
+                                            0x7fc00000,         // NaN in single precision
+                                            0x7ff0000000000000, // the same in double precision
                                             0x7ff8000000000000,
                                             0x7fffffffffffffff,
                                             0xffffffffffffffff};
@@ -86,7 +86,7 @@ private:
     return bytes;
   }
 
-  // pre: there are bytes
+  // Precondition: the sequence is not empty.
   void change(std::string& bytes) {
     const std::size_t place = below(bytes.size());
     const Range range = any_range(bytes), line = any_line(bytes), number = any_number(bytes);
@@ -122,7 +122,7 @@ private:
     case 8:
       bytes.insert(any_line(bytes).begin, text_of_line);
       break;
-    case 9: // to another place
+    case 9: // to another position
       bytes.erase(line.begin, line.size);
       bytes.insert(bytes.empty() ? 0 : any_line(bytes).begin, text_of_line);
       break;

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-// What the tests of mesh operations have in common.
+// Functions that the tests of mesh operations share.
 namespace operation_helpers {
 
 using mesh_helpers::Random;
@@ -36,8 +36,8 @@ inline double quality(const Complex& dsc, Vertex_handle p, Vertex_handle q, Vert
   return dsc.quality_measure()(dsc.position(p), dsc.position(q), dsc.position(r), dsc.position(s));
 }
 
-// The ends of an upright edge inside a ring of n more points, counterclockwise. The edge is not in
-// the middle, so that some of the tetrahedra around it are thin.
+// Returns the ends of a vertical edge inside a ring of n more points, counterclockwise. The edge is
+// not in the center, so that some of the incident tetrahedra are thin.
 inline std::vector<Point> apices_and_ring(std::size_t n, double disorder, double height,
                                           Random& random) {
   std::vector<Point> points;
@@ -62,8 +62,8 @@ inline bool is_positive(const Labelled_mesh& mesh) {
   });
 }
 
-// A random ring of n tetrahedra around the edge from point 0 up to point 1; the points of the ring
-// follow counterclockwise. Two arcs of it have different labels if `first_arc` is not zero.
+// A random ring of n tetrahedra around the edge from point 0 up to point 1. The points of the ring
+// follow counterclockwise. If `first_arc` is not zero, two arcs of the ring have different labels.
 inline Labelled_mesh random_ring(std::size_t n, std::size_t first_arc, Random& random) {
   Labelled_mesh mesh;
   do {
@@ -77,7 +77,7 @@ inline Labelled_mesh random_ring(std::size_t n, std::size_t first_arc, Random& r
   return mesh;
 }
 
-// The worst quality of the best of all triangulations of the ring polygon from p to q, with
+// Returns the worst quality of the best triangulation of the ring polygon from p to q, with
 // tetrahedra to a below and b above.
 inline double best_triangulation(const Complex& dsc, Vertex_handle a, Vertex_handle b,
                                  const std::vector<Vertex_handle>& ring, std::size_t p,
@@ -95,7 +95,7 @@ inline double best_triangulation(const Complex& dsc, Vertex_handle a, Vertex_han
 
 using Triangle = std::array<std::size_t, 3>;
 
-// A random triangulation of the polygon of points p, ..., q.
+// Returns a random triangulation of the polygon of points p, ..., q.
 inline void triangulate(std::size_t p, std::size_t q, Random& random,
                         std::vector<Triangle>& triangles) {
   if (q - p < 2)
@@ -106,7 +106,7 @@ inline void triangulate(std::size_t p, std::size_t q, Random& random,
   triangulate(k, q, random, triangles);
 }
 
-// m triangles between point 0 below and point 1 above them, each with one tetrahedron to either.
+// m triangles between point 0 below and point 1 above, each with one tetrahedron to either point.
 struct Sandwich
 {
   explicit Sandwich(std::size_t m, Random& random) {
@@ -124,8 +124,8 @@ struct Sandwich
     } while (!is_positive(mesh));
   }
 
-  // The edges of a set of triangles that no other triangle of the set has, counterclockwise. Their
-  // number tells whether the set is connected.
+  // Returns the boundary edges of a set of triangles, counterclockwise. Their number shows whether
+  // the set is connected.
   std::vector<std::array<std::size_t, 2>> boundary(unsigned set) const {
     std::vector<std::array<std::size_t, 2>> edges, result;
     for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -168,7 +168,7 @@ inline double volume_of_domain(const Complex& dsc) {
   return sum;
 }
 
-// Commits a proposal and looks at what comes out; `volume` is that of the domain.
+// Commits a proposal and checks the result; `volume` is the volume of the domain.
 inline void expect_valid_commit(Complex& dsc, Cavity& cavity, double volume) {
   dsc.replace(cavity);
   EXPECT_TRUE(dsc.is_valid());
@@ -180,8 +180,8 @@ inline void expect_valid_commit(Complex& dsc, Cavity& cavity, double volume) {
   EXPECT_EQ(cavity.created().size(), cavity.tetrahedra().size());
 }
 
-// Commits the proposals for all cells, one after the other, and looks at what comes out each time.
-// Returns how many there were. propose(cell, cavity) returns whether there is a proposal.
+// Commits the proposals for all cells one after the other and checks each result. Returns the
+// number of proposals. propose(cell, cavity) returns whether there is a proposal.
 template <class Propose> int expect_improvement(Complex& dsc, const Propose& propose) {
   const auto interface_before = mesh_helpers::interface_triangles(dsc);
   const double volume = volume_of_domain(dsc);
@@ -214,7 +214,7 @@ template <class Propose> int expect_improvement(Complex& dsc, const Propose& pro
   return committed;
 }
 
-// The cell of a copy that stands for a cell of the original.
+// Returns the cell of a copy that corresponds to a cell of the original.
 inline Cell_handle in_copy(const Complex& copy, Cell_handle c) {
   for (Cell_handle d : copy.triangulation().finite_cell_handles())
     if (d->time_stamp() == c->time_stamp())

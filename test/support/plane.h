@@ -23,8 +23,8 @@ struct Disk
   int label;
 };
 
-// Disks with n vertices each on their circles in the square [-size, size]^2, triangulated by CGAL
-// with a grid of points around.
+// Disks with n vertices on each circle in the square [-size, size]^2, triangulated by CGAL with a
+// grid of surrounding points.
 inline Complex disks_in_a_square(const std::vector<Disk>& disks, int n, double size, int grid) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;

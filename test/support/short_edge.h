@@ -13,7 +13,7 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// A mesh with an edge that is too short, and what the tests of drivers that remove it look at.
+// A mesh with an edge that is too short, for tests of functions that remove short edges.
 namespace short_edge {
 
 using namespace operation_helpers;
@@ -29,8 +29,8 @@ inline Vertex_handle vertex_at(const Complex& dsc, const Approximate_point& p) {
   return Vertex_handle();
 }
 
-// A grid with sides of length 1/2, in which the vertices at the origin and at (0, 1/2, 0) are next
-// to each other.
+// A grid of side length 1/2 in which the vertices at the origin and at (0, 1/2, 0) are close to
+// each other.
 struct Grid_with_short_edge
 {
   template <class Label>
@@ -48,7 +48,7 @@ inline std::size_t number_of_changes(const DSC::Improvement_report& r) {
   return r.split + r.collapsed + r.flipped + r.smoothed + r.inserted;
 }
 
-// The call must be refused and leave the complex as it is.
+// Expects that the call throws an exception and leaves the complex unchanged.
 template <class Call> void expect_error(const Complex& dsc, const Call& call) {
   Complex copy = dsc;
   const auto state = copy.state();

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-// Small labelled meshes whose measures are known, and complexes made of them.
+// Small labelled meshes whose measures are known, and complexes of these meshes.
 namespace small_meshes {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
@@ -23,8 +23,8 @@ struct Labelled_mesh
   std::vector<int> labels;
 };
 
-// Labels, by the barycenter of a tetrahedron. The interfaces of those that are bounded by planes
-// lie on facets of `grid(n)` if the planes are among the grid planes 2i/n - 1.
+// Labels by the barycenter of a tetrahedron. Planar interfaces lie on facets of `grid(n)` if their
+// planes are grid planes 2i/n - 1.
 
 // one label everywhere: no interface
 inline int uniform(const Point&) { return 0; }
@@ -55,8 +55,9 @@ inline int two_balls(const Point& p) {
   return x * x + p.y() * p.y() + p.z() * p.z() < 0.09;
 }
 
-// The box [-1,1]^3 split into n^3 cubes of six tetrahedra each, one per way to walk from the lowest
-// to the highest corner along the axes (Kuhn): conforming and positively oriented.
+// The box [-1,1]^3 split into n^3 cubes of six tetrahedra each. Each tetrahedron follows one path
+// along the axes from the lowest to the highest corner (Kuhn). The tetrahedra are conforming and
+// positively oriented.
 template <class Label> Labelled_mesh grid(std::size_t n, Label label) {
   Labelled_mesh mesh;
   const auto coordinate = [n](std::size_t i) { return 2. * double(i) / double(n) - 1.; };

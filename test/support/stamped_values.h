@@ -9,7 +9,7 @@
 // Values on vertices or cells, and property maps that refer to them.
 namespace stamped_values {
 
-// Values by time stamp: those of simplices that are gone are in nobody's way.
+// Values by time stamp; the values of removed simplices may remain.
 template <class Handle, class Value> struct Stamped_map
 {
   using key_type = Handle;
@@ -25,7 +25,7 @@ template <class Handle, class Value> struct Stamped_map
   std::unordered_map<std::size_t, Value>* values;
 };
 
-// A map, and what it refers to.
+// A map and the values that it refers to.
 template <class Handle, class Value = double> struct Values
 {
   using Map = Stamped_map<Handle, Value>;

@@ -9,12 +9,12 @@
 #include <map>
 #include <utility>
 
-// What tests of files and of extraction look at.
+// Functions for the tests of files and of extraction.
 namespace surface_measures {
 
 using small_meshes::Complex;
 
-// Coordinates that show where digits get lost.
+// Coordinates that reveal a loss of digits.
 inline void set_awkward_normalization(Complex& dsc) {
   dsc.set_normalization({Complex::Approximate_vector_3(0.1, -100, 1e-7), 1. / 3});
 }
@@ -22,7 +22,7 @@ inline void set_awkward_normalization(Complex& dsc) {
 struct Measures
 {
   double area = 0;
-  double volume = 0; // behind the triangles, if they are closed
+  double volume = 0; // the volume behind the triangles if they are closed
   long euler_characteristic = 0;
 };
 

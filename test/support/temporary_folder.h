@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-// A folder that goes away at the end of the scope; no other test or program has it.
+// A unique folder that is removed at the end of the scope.
 class Temporary_folder
 {
 public:

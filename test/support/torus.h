@@ -16,7 +16,7 @@ using Complex =
                                           CGAL::Default, Domain>;
 using Point = Complex::Point_2;
 
-// n times n squares, each of two triangles, with the label of their barycenters.
+// n times n squares of two triangles each, with the labels of their barycenters.
 template <class Label>
 Complex grid(std::size_t n, const Label& label, const std::array<double, 2>& periods = {1, 1}) {
   std::vector<Point> points;

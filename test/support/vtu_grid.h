@@ -31,12 +31,12 @@ inline std::string base64(const std::string& bytes) {
   return text;
 }
 
-// How numbers are written into a grid.
+// The encoding of numbers in a grid.
 struct Encoding
 {
-  std::string format = "ascii"; // or binary, raw, base64: the last two are appended
+  std::string format = "ascii"; // or binary, raw, base64; raw and base64 are appended data
   std::string header_type = "UInt32";
-  bool separates_header = false; // in base64, from what it is the size of
+  bool separates_header = false; // in base64: header and data are encoded separately
   std::string line_end = "\n";
 };
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-// Small files of all formats that are read, with what each format may have besides.
+// Small files of all input formats, with optional content of each format.
 namespace whole_files {
 
 using CGAL::Deformable_simplicial_complexes::internal::append_little_endian;
@@ -40,7 +40,7 @@ template <class Number> std::string encoded(Encoding encoding, Number number) {
   return bytes;
 }
 
-// With this in front of OFF, and these numbers behind the coordinates of each point.
+// With this prefix of OFF, and these numbers after the coordinates of each point.
 inline std::string off(const std::string& prefix, std::size_t numbers_behind, bool is_binary) {
   const Encoding encoding = is_binary ? Encoding::big_endian : Encoding::text;
   const std::string line_end = is_binary ? "" : "\n";

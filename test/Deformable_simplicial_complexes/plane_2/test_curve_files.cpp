@@ -74,7 +74,7 @@ TEST(Poly, without_regions_has_label_1_but_in_holes) {
   const Complex ring = make(read_poly(squares + "1\n1 2 2\n"));
   EXPECT_NEAR(ring.area(1), 12, 1e-12);
   EXPECT_EQ(ring.euler_characteristic(1), 0);
-  const Complex outside = make(read_poly(squares + "1\n1 9 9\n")); // the hole point removes no enclosed region
+  const Complex outside = make(read_poly(squares + "1\n1 9 9\n")); // the point (9, 9) is outside
   EXPECT_NEAR(outside.area(1), 16, 1e-12);
 }
 

@@ -227,7 +227,7 @@ TEST(Svg, refuses_windows_that_are_none) {
   EXPECT_THROW(CGAL::IO::write_SVG(folder / "a.svg", dsc, options), Error);
   options.width = 100;
   options.window = CGAL::Bbox_2(.5, .4, .5 + 1e-100, .4 + 1e-100);
-  EXPECT_THROW(CGAL::IO::write_SVG(folder / "a.svg", dsc, options), Error); // the window is empty after rounding
+  EXPECT_THROW(CGAL::IO::write_SVG(folder / "a.svg", dsc, options), Error); // empty by rounding
 }
 
 TEST(Polygons_2, have_the_holes_of_the_regions) {

@@ -195,7 +195,7 @@ TEST(Surface_repair, measures_borders_beside_the_part_that_has_them) {
 
 TEST(Surface_repair, removes_walls_inside_solids) {
   Surface surface = cube();
-  add(surface, Point(0, 0, 0), Point(.5, .5, .5), Point(0, 0, .25)); // on an edge that two other triangles share
+  add(surface, Point(0, 0, 0), Point(.5, .5, .5), Point(0, 0, .25)); // on an edge of two others
   add(surface, Point(0, 0, 0), Point(.5, .5, .5), Point(.25, 0, 0));
   add(surface, Point(0, 0, .25), Point(.5, .5, .5), Point(.25, 0, 0));
   const auto report = DSC::repair_surface_3(surface);

@@ -274,7 +274,7 @@ TEST(Surfaces, a_projective_plane) {
 
 TEST(Surfaces, intersections_agree_with_polygon_mesh_processing) {
   std::mt19937 random(1);
-  std::uniform_int_distribution<int> coordinate(-3, 3); // a small range gives many degenerate positions
+  std::uniform_int_distribution<int> coordinate(-3, 3); // many degenerate positions
   int refused = 0, accepted = 0;
   for (int i = 0; i < 1000; ++i) {
     Surface s = octahedron();

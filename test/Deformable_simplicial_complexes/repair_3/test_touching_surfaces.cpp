@@ -39,7 +39,7 @@ Surface tetrahedron(const std::vector<Point>& corners) {
   return {corners, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}, 1};
 }
 
-// The corner of a cube that is cut off has three such triangles.
+// A tetrahedron with three mutually orthogonal edges at the origin.
 Surface corner(double x, double y, double z) {
   return tetrahedron({{0, 0, 0}, {x, 0, 0}, {0, y, 0}, {0, 0, z}});
 }

@@ -1,4 +1,4 @@
-// Interfaces at the boundary of the domain, and domains that grow.
+// Interfaces at the domain boundary, and growing domains, in the plane.
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
@@ -30,7 +30,7 @@ namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 const double pi = std::acos(-1.);
 
-// A disk of radius 1 about the origin, of label 1.
+// A disk of radius 1 about the origin with label 1.
 Complex disk(const CGAL::Bbox_2& box) {
   constexpr int n = 40;
   std::vector<Point> points;
@@ -64,7 +64,7 @@ TEST(Domain_boundary_2, lets_nothing_stop_inside) {
   EXPECT_EQ(DSC::advect_interface(dsc, DSC::Normal_offset{.1}, 0, 1).stopped_at_boundary, 0u);
 }
 
-// A layer of label 1 on the lower side, below label 0.
+// A layer of label 1 at the lower side, below label 0.
 TEST(Domain_boundary_2, takes_a_phase_that_is_pressed_onto_it) {
   Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
       CGAL::Bbox_2(0, 0, 4, 4), .5, [](const auto& p) { return p.y() < .6 ? 1 : 0; });

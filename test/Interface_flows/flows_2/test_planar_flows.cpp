@@ -1,4 +1,4 @@
-// Curves, the complexes made of them, and how these move.
+// Curves, complexes of curves, and their flows.
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complexes/control_detail.h>
@@ -40,7 +40,7 @@ Curve polygon(const std::vector<Point>& points, int label = 1) {
   return result;
 }
 
-// r(angle) about a center
+// Returns a curve r(angle) about a center.
 template <class Radius>
 Curve round_curve(double x, double y, std::size_t n, const Radius& radius, int label = 1) {
   std::vector<Point> points;
@@ -95,7 +95,8 @@ Invalid_surface_error refusal(const Curves& curves) {
   return {Reason::empty, "", 0};
 }
 
-// Turns about the origin in steps of so many degrees and expects that nothing changes but places.
+// Rotates by 360 degrees about the origin in steps of `degrees`, and checks that the complex
+// returns to its initial state.
 void expect_turn(Complex& dsc, int degrees, double tolerance) {
   const auto before = positions(dsc);
   const auto labels = dsc.labels();
@@ -125,7 +126,7 @@ TEST(Make_2, of_nested_curves) {
   EXPECT_GT(smallest_quality(dsc), .3);
 }
 
-// A curve within itself bounds a hole; parts may touch in a point.
+// A curve inside itself bounds a hole; components may touch at a point.
 TEST(Make_2, of_holes_and_touching_parts) {
   Curve c = polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
   c.add_polyline(std::vector<Point>{{0, 0}, {1, 3}, {3, 1}});
@@ -156,7 +157,7 @@ TEST(Make_2, refuses_what_bounds_nothing) {
                  CGAL::Deformable_simplicial_complexes::Error);
 }
 
-// Points of space keep off long segments beside short ones.
+// Free vertices keep their distance from long segments next to short segments.
 TEST(Make_2, of_long_segments_beside_short_ones) {
   const Curve curve = polygon(
       {{.25, .5625}, {3.25, .5625}, {3.25, .7625}, {3.45, .7625}, {3.45, 3.5625}, {.25, 3.5625}});
@@ -184,7 +185,7 @@ TEST(Make_2, of_polygons_with_holes_in_a_flat_box) {
   EXPECT_LT(dsc.number_of_vertices(), 3000u);
 }
 
-// What limits are measured by follows splits and collapses of the interface, and nothing else.
+// The reference length of limits changes with splits and collapses of the interface only.
 TEST(Spacing, follows_refinement_and_not_motion) {
   Complex dsc = make({circle(0, 0, 1, 24)});
   const double edge = 2 * std::sin(pi / 24);
@@ -196,7 +197,7 @@ TEST(Spacing, follows_refinement_and_not_motion) {
   for (int step = 0; step < 10; ++step)
     DSC::advect_interface(dsc, DSC::Normal_offset{.1}, step, 1.);
   EXPECT_EQ(dsc.interface_vertices().size(), 24u);
-  expect_edge(); // of edges that are twice as long now
+  expect_edge(); // for edges that are twice as long now
   DSC::control_detail(dsc, parameters::change_interface(true).sizing_field(
                                [=](const Position&) { return edge / 2; }));
   EXPECT_GT(dsc.interface_vertices().size(), 60u);
@@ -223,7 +224,7 @@ TEST(Make_2, refuses_crossings_with_their_segments) {
   EXPECT_EQ(e.surface(), 0u);
   EXPECT_EQ(e.other_surface(), 1u);
   EXPECT_FALSE(e.facets().empty());
-  // along a part of a segment
+  // overlapping along a part of a segment
   EXPECT_EQ(
       refusal({polygon({{0, 0}, {4, 0}, {2, 2}}), polygon({{1, 0}, {3, 0}, {2, -2}})}).reason(),
       Reason::crossing_surfaces);
@@ -239,7 +240,7 @@ TEST(Planar_flows, nested_figure_turns_and_is_back) {
   expect_turn(dsc, 6, 1e-12);
 }
 
-// Two disks of radius 1/2 grow by .2 each, which brings them together.
+// Two disks of radius 1/2 grow by .2 each and merge.
 TEST(Planar_flows, disks_grow_together) {
   Complex dsc = make({circle(-.6, 0, .5, 160), circle(.6, 0, .5, 160)});
   EXPECT_EQ(dsc.number_of_components(1), 2u);
@@ -260,7 +261,7 @@ TEST(Planar_flows, disks_grow_together) {
   EXPECT_EQ(dsc.euler_characteristic(0), 0);
 }
 
-// They do not where that is forbidden.
+// They do not merge if topology changes are forbidden.
 TEST(Planar_flows, disks_stay_apart_if_they_must) {
   Complex dsc = make({circle(-.6, 0, .5, 80), circle(.6, 0, .5, 80)});
   for (int step = 0; step < 20; ++step) {
@@ -275,7 +276,7 @@ TEST(Planar_flows, disks_stay_apart_if_they_must) {
   EXPECT_EQ(dsc.euler_characteristic(0), -1);
 }
 
-// A ring closes, and its hole is gone, unless that is forbidden.
+// A ring closes its hole, unless topology changes are forbidden.
 TEST(Planar_flows, hole_of_a_ring_closes) {
   Curve ring = circle(0, 0, 1, 320);
   const Curve hole = circle(0, 0, .2, 64);
@@ -300,7 +301,8 @@ TEST(Planar_flows, hole_of_a_ring_closes) {
   }
 }
 
-// A disk is drawn out to almost twice its circumference and comes back; detail follows it.
+// A disk is stretched to almost twice its circumference and back; detail control adapts the
+// interface.
 TEST(Planar_flows, vortex_there_and_back) {
   const double radius = .15, edge = 2 * pi * radius / 80;
   Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
@@ -333,7 +335,7 @@ TEST(Planar_flows, vortex_there_and_back) {
     EXPECT_NEAR(std::hypot(p.x() - .5, p.y() - .75), radius, .1 * edge);
 }
 
-// Whatever the field, the complex stays valid, and space is filled.
+// For any field, the complex stays valid and the cells fill the domain.
 TEST(Planar_flows, random_fields_never_break_it) {
   std::mt19937 random(7);
   const auto any = [&](double bound) { return bound * (double(random()) / 2147483648. - 1); };

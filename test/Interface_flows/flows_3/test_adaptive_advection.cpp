@@ -23,9 +23,8 @@ namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 const double pi = std::acos(-1.);
 constexpr double radius = .3;
 
-// Presses a ball about the origin to an ellipsoid, and brings it back after a time of 1: at t, x
-// has grown by the factor exp(strength * sin(pi t)), and y and z have shrunk by its square root, or
-// the other way round.
+// Deforms a ball about the origin to an ellipsoid and back within the time 1. At time t, x is
+// scaled by exp(strength * sin(pi t)), and y and z are scaled by the inverse of its square root.
 struct Saddle
 {
   double strength;
@@ -102,7 +101,7 @@ TEST(Adaptive_advection, changes_nothing_where_it_need_not) {
   EXPECT_NEAR(dsc.volume(1), volume, 1e-6 * volume);
 }
 
-// Even of an interface that is too coarse for its curvature.
+// A rigid rotation does not change the interface, even if it is too coarse for its curvature.
 TEST(Adaptive_advection, leaves_what_turns_rigidly) {
   Complex dsc = ball(4), stretched = ball(4);
   flow(stretched, mild, parameters::default_values());
@@ -119,8 +118,8 @@ TEST(Adaptive_advection, leaves_what_turns_rigidly) {
   EXPECT_NEAR(dsc.volume(1), volume, 1e-6 * volume);
 }
 
-// A ball becomes a lens of a third of its thickness, whose rim bends eight times as much, and a
-// ball again.
+// A ball becomes a lens with one third of its thickness and eight times the curvature at the rim,
+// and then a ball again.
 TEST(Adaptive_advection, refines_what_is_bent_and_brings_it_back) {
   Complex dsc = ball(16), unchanged = ball(16);
   const double volume = dsc.volume(1), edge = dsc.mean_interface_edge();

@@ -30,7 +30,7 @@ using Vector = Complex::Approximate_vector_3;
 using Vertex_handle = Complex::Vertex_handle;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
-// Turns about the z axis with the angular velocity 1 + t and shrinks with the rate 1/2.
+// Rotates about the z axis with the angular velocity 1 + t and shrinks with the rate 1/2.
 Vector spiral(const Position& p, double t) {
   return Vector(-(1 + t) * p.y() - p.x() / 2, (1 + t) * p.x() - p.y() / 2, -p.z() / 2);
 }
@@ -41,7 +41,7 @@ Position after_spiral(const Position& p, double t) {
           scale * (std::sin(angle) * p.x() + std::cos(angle) * p.y()), scale * p.z()};
 }
 
-// How far the vertices of a cube end from where they should be.
+// Returns the largest distance of the vertices of a cube from their exact positions.
 double error(Integration_scheme scheme, int steps) {
   static constexpr double end = .4;
   Complex dsc = make_complex(grid(4, small_meshes::cube));
@@ -71,7 +71,7 @@ TEST(Advection, midpoint_rule_is_of_second_order) { expect_order(Integration_sch
 
 TEST(Advection, runge_kutta_is_of_fourth_order) { expect_order(Integration_scheme::rk4, 4); }
 
-// In steps as short as a tolerance asks for, whatever the steps of the caller.
+// The tolerance determines the substeps, for any time step of the caller.
 TEST(Advection, adaptive_steps_keep_a_tolerance) {
   for (double tolerance : {1e-3, 1e-6}) {
     Complex dsc = make_complex(grid(4, small_meshes::cube));
@@ -107,8 +107,8 @@ TEST(Advection, refuses_tolerances_that_cannot_be_kept) {
   EXPECT_TRUE(dsc.state() == before);
 }
 
-// Beside a large time, a step vanishes: all of it, or those that the tolerance asks for, which
-// would go on for ever.
+// Relative to a large time, a step is below the precision of `double`: the whole step, or the
+// substeps that the tolerance requires. Without an exception, the integration would not terminate.
 TEST(Advection, refuses_steps_in_which_time_stands_still) {
   Complex dsc = make_complex(grid(4, small_meshes::cube));
   const auto before = dsc.state();
@@ -128,7 +128,7 @@ TEST(Advection, refuses_steps_in_which_time_stands_still) {
   EXPECT_TRUE(DSC::advect_interface(dsc, uniform, 1e16, 0, adaptive).complete);
 }
 
-// Steps that are too long lead out of the domain of the field, the path itself does not.
+// Stages of long substeps leave the domain of the field, although the path does not.
 TEST(Advection, adaptive_steps_stay_where_the_field_is) {
   static constexpr double k = 5;
   const auto decay = [](const Position& p, double) {
@@ -146,7 +146,7 @@ TEST(Advection, adaptive_steps_stay_where_the_field_is) {
                CGAL::Deformable_simplicial_complexes::Invalid_destination_error);
 }
 
-// Asked once, whatever the scheme.
+// Called once, for any scheme.
 TEST(Advection, steps_of_the_whole_interface) {
   Complex dsc = make_complex(grid(4, small_meshes::cube));
   const auto vertices = dsc.interface_vertices();
@@ -211,7 +211,7 @@ TEST(Advection, flow_maps_are_taken_as_they_are) {
     EXPECT_EQ(dsc.position(vertices[i]), expected[i]);
 }
 
-// The whole interface is asked once for each evaluation.
+// Called once for the whole interface in each evaluation.
 TEST(Advection, velocities_of_the_whole_interface) {
   Complex dsc = make_complex(grid(4, small_meshes::cube));
   std::vector<double> times;
@@ -300,7 +300,7 @@ TEST(Advection, refuses_velocities_of_another_number_of_vertices) {
 
 // Small angles
 
-// The smallest of the angles and of their supplements, degrees, by the smallest sine.
+// Returns the smallest dihedral angle, or supplement of a dihedral angle, in degrees.
 double extreme_angle(const Complex& dsc) {
   static constexpr double of_regular = 0.94280904158206337;
   double smallest = 1;
@@ -316,14 +316,14 @@ Vector folding(const Position& p) {
   return Vector(.5 * std::sin(4 * p.y()), .5 * std::sin(4 * p.z()), .5 * std::sin(4 * p.x()));
 }
 
-// The same, known on the interface only, so that the space around is not taken along.
+// The same field, defined on the interface only, so that free vertices do not follow it.
 void fold(const DSC::Interface_snapshot<Complex>&, const std::vector<Position>& positions, double,
           std::vector<Vector>& velocities) {
   for (const Position& p : positions)
     velocities.push_back(folding(p));
 }
 
-// The facets of the interface, by the time stamps of their vertices.
+// Returns the facets of the interface as time stamps of their vertices.
 std::set<std::set<std::size_t>> triangles(const Complex& dsc) {
   std::set<std::set<std::size_t>> result;
   for (const auto& f : dsc.interface_facets()) {
@@ -349,11 +349,11 @@ TEST(Small_angles, are_removed_in_the_end) {
   EXPECT_GT(changes, 0u);
   EXPECT_EQ(with.number_of_components(1), 1u);
   EXPECT_EQ(with.euler_characteristic(1), 2);
-  // The flow keeps the volume, but the ball meets the box.
+  // The flow preserves the volume, but the ball reaches the box.
   EXPECT_NEAR(with.volume(1), volume, .03 * volume);
 }
 
-// A ball with flat cells rotates: it keeps its facets.
+// A ball with degenerate cells rotates and keeps its facets.
 TEST(Small_angles, of_what_moves_as_a_whole_stay) {
   Complex dsc = make_complex(grid(6, small_meshes::ball));
   for (Vertex_handle v : dsc.interface_vertices()) {
@@ -374,8 +374,8 @@ TEST(Small_angles, of_what_moves_as_a_whole_stay) {
   EXPECT_NEAR(rotating.volume(1), dsc.volume(1), 1e-13);
 }
 
-// Half of a ball folds. The vertices of the other half have nowhere to go: they do not move,
-// whatever becomes of the cells between the halves.
+// Half of a ball folds. The vertices of the other half have zero displacement and must not move,
+// even if cells between the halves become degenerate.
 TEST(Small_angles, do_not_move_what_stays) {
   Complex dsc = make_complex(grid(8, small_meshes::ball));
   const auto is_still = [](const Position& p) { return p.x() >= -.05; };
@@ -416,7 +416,7 @@ TEST(Small_angles, refuses_bounds_out_of_range) {
   EXPECT_TRUE(dsc.state() == state);
 }
 
-// A flow that ends at the sides of the domain: a harmonic function could not follow it.
+// A flow that vanishes at the sides of the domain. The harmonic extension cannot reproduce it.
 Vector eddy(const Position& p, double) {
   const auto bump = [](double x) { return (1 - x * x) * (1 - x * x); };
   const double f = 3 * bump(p.x()) * bump(p.y()) * bump(p.z());
@@ -436,7 +436,7 @@ struct Invertible_eddy_map : Eddy_map
   using Is_invertible = CGAL::Tag_true;
 };
 
-// The part of the free vertices that go with the eddy.
+// Returns the fraction of the free vertices that follow the eddy.
 template <class Velocity, class NamedParameters>
 double part_that_follows(const Velocity& velocity, const NamedParameters& np) {
   static constexpr double dt = .05, same = 1e-6;
@@ -460,8 +460,8 @@ double part_that_follows(const Velocity& velocity, const NamedParameters& np) {
 TEST(Advection, takes_the_space_around_along) {
   const auto rk4 = parameters::scheme(Integration_scheme::rk4);
   EXPECT_GT(part_that_follows(eddy, rk4), .95);
-  EXPECT_GT(part_that_follows(eddy, rk4.verbose(false)), .95); // a parameter of CGAL behind
-  // what is not known there, or makes no sense, is no obstacle
+  EXPECT_GT(part_that_follows(eddy, rk4.verbose(false)), .95); // followed by a parameter of CGAL
+  // velocities that are undefined or huge have no effect
   for (double bad : {std::nan(""), 1e300}) {
     const auto inside = [&](const Position& p, double t) {
       EXPECT_TRUE(std::isfinite(p.x()));
@@ -471,14 +471,14 @@ TEST(Advection, takes_the_space_around_along) {
     EXPECT_GT(part, .05);
     EXPECT_LT(part, .9);
   }
-  // a flow map may collapse space, unless it says that it does not
+  // a flow map may collapse the domain, unless it is declared invertible
   EXPECT_LT(part_that_follows(Eddy_map(), rk4), .1);
   EXPECT_GT(part_that_follows(Invertible_eddy_map(), rk4), .95);
-  // the user knows better
+  // the user's flow has priority
   EXPECT_LT(part_that_follows(eddy, rk4.flow([](const Position& p) { return p; })), .1);
 }
 
-// A rotation would turn the box, too: it fades from half-way between interface and box on outwards.
+// A rotation would rotate the box, too. So it fades out between the interface and the box.
 TEST(Advection, flows_fade_towards_a_boundary_that_they_would_move) {
   Complex dsc = mesh_helpers::sphere(8, .6);
   const DSC::Rigid_rotation_3 rotation({0, 0, 0}, {0, 0, 1}, 1);

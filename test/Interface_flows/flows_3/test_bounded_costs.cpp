@@ -23,8 +23,8 @@
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-// What must not become slow where vertices have many neighbors or there are many labels: against
-// slow definitions, to the bit.
+// Algorithms that must stay fast for vertices of high degree and for many labels, compared bitwise
+// with slow reference implementations.
 
 namespace test_bounded_costs {
 
@@ -36,8 +36,8 @@ using small_meshes::make_complex;
 using Position = Complex::Approximate_point_3;
 using Vector = Complex::Approximate_vector_3;
 
-// A regular ring of n tetrahedra around an edge next to one of its vertices: without that edge, it
-// has no tetrahedron as thin as those there.
+// A regular ring of n tetrahedra around an edge, next to one vertex of the edge. Without the edge,
+// the ring has no tetrahedron as thin as the tetrahedra at the edge.
 Labelled_mesh thin_ring(std::size_t n) {
   Labelled_mesh mesh = {{Point(.999, 0, -1), Point(.999, 0, 1)}, {}, {}};
   for (std::size_t k = 0; k < n; ++k) {
@@ -49,7 +49,7 @@ Labelled_mesh thin_ring(std::size_t n) {
   return mesh;
 }
 
-// Labels by chance, some of them negative. Cells are small near the middle.
+// Random labels, some of them negative. Cells are small near the middle.
 Complex motley_complex(std::size_t n, std::size_t number_of_labels, unsigned seed) {
   Random random(seed);
   Labelled_mesh mesh =
@@ -91,7 +91,7 @@ std::vector<Filled> filled_cells(const Complex& dsc, Random& random) {
   return result;
 }
 
-// What internal::pour() does, for every pair of a source and a target.
+// Reference implementation of internal::pour() for all pairs of a source and a target.
 void pour_slowly(const std::vector<const Filled*>& sources, const std::vector<Filled*>& targets) {
   std::vector<double> gaps, overlaps(targets.size());
   double volume = 0, excess = 0, left = 0, gap = 0;
@@ -184,7 +184,7 @@ TEST(Curvature_sizing_field, is_what_relaxation_over_all_edges_ends_with) {
     EXPECT_EQ(graded(positions[v]), lengths[v]);
 }
 
-// The infinite vertex is the largest hub.
+// The infinite vertex has the largest degree.
 TEST(Labelled_star, knows_the_neighbors_of_cells) {
   const Complex dsc = jittered_grid(3, small_meshes::four_phases, .3, 3);
   auto vertices = dsc.vertices();
@@ -218,8 +218,8 @@ TEST(Components, are_counted_for_each_label) {
   expect_right_numbers();
 }
 
-// Numbers and volumes of components are kept up with relabelings one by one; is_valid() compares
-// them with a flood.
+// Relabelings update the numbers and volumes of components one by one; is_valid() compares them
+// with a flood fill.
 TEST(Components, are_known_after_relabelings_that_keep_them) {
   Complex dsc = jittered_grid(4, small_meshes::two_boxes, .3, 1);
   Random random(3);
@@ -253,7 +253,7 @@ TEST(Components, are_known_after_relabelings_that_keep_them) {
   EXPECT_GT(changed, 5u);
 }
 
-// What relabelings part may be gone, or together again, when one looks.
+// Components that relabelings separate may vanish or merge again before the next query.
 TEST(Components, are_known_after_many_relabelings) {
   Complex dsc = jittered_grid(4, small_meshes::two_boxes, .3, 2);
   Random random(4);
@@ -279,7 +279,7 @@ TEST(Components, are_known_after_many_relabelings) {
     EXPECT_TRUE(dsc.is_valid());
     ++(events.empty() ? known : changed);
     using Kind = DSC::Component_event::Kind;
-    for (const auto& event : events) // what merges and splits at once is told of twice
+    for (const auto& event : events) // a simultaneous merge and split is reported twice
       expected[event.label] += (event.kind == Kind::merged ? 1 : event.after.size()) -
                                (event.kind == Kind::split ? 1 : event.before.size());
     for (const auto& [label, number] : expected)
@@ -300,7 +300,7 @@ TEST(Redistribute_contents, adds_what_all_pairs_would) {
   std::vector<Filled*> targets, slow_targets;
   for (std::size_t i = 0; i < from.size(); i += 2)
     sources.push_back(&from[i]);
-  for (std::size_t i = 0; i < to.size() / 2; ++i) { // so that something is left
+  for (std::size_t i = 0; i < to.size() / 2; ++i) { // so that some content remains
     targets.push_back(&to[i]);
     slow_targets.push_back(&slow[i]);
   }
@@ -339,7 +339,7 @@ TEST(Volume_changer, does_not_need_directions_that_are_zero) {
   EXPECT_NEAR(changer.changes(start, positions)[1], .01, 1e-14);
 }
 
-// One after the other, nothing is remembered.
+// One cell after the other, without reuse of results.
 TEST(Trapped_cells, small_components_are_found_from_all_of_their_cells) {
   for (bool manifold : {false, true})
     for (std::size_t number_of_labels : {2, 5}) {

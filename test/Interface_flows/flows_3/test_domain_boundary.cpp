@@ -1,4 +1,4 @@
-// Interfaces at the boundary of the domain, and domains that grow, in space.
+// Interfaces at the domain boundary, and growing domains, in space.
 #include "mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complexes/grow_domain.h>

@@ -65,7 +65,7 @@ double maximum_norm(const Position& p) {
   return (std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
 }
 
-// The forces are the gradient of the area: compared with differences, triple lines included.
+// The forces are the gradient of the area; compared with finite differences, also on triple lines.
 TEST(Mean_curvature, velocities_are_the_gradient_of_the_area) {
   const Complex dsc = mesh_helpers::jittered_grid(4, small_meshes::two_boxes, .2, 1);
   const Snapshot snapshot(dsc);
@@ -101,7 +101,7 @@ TEST(Mean_curvature, spheres_shrink_as_they_should) {
     EXPECT_TRUE(dsc.is_valid());
     EXPECT_NEAR(mean_radius(Snapshot(dsc).positions(dsc)) / std::sqrt(r * r - 4 * i * dt), 1, .01);
   }
-  // Step by explicit step, of a size that is stable
+  // Explicit steps of a stable size
   Complex by_velocity = mesh_helpers::sphere(8, r);
   for (int i = 1; i <= 20; ++i)
     EXPECT_TRUE(
@@ -110,7 +110,7 @@ TEST(Mean_curvature, spheres_shrink_as_they_should) {
               .01);
 }
 
-// The difference of a step and two half ones falls with the third power.
+// The difference between one step and two half steps is of third order.
 TEST(Mean_curvature, steps_are_of_second_order) {
   const Complex dsc = mesh_helpers::sphere(4, .6);
   const DSC::Mean_curvature_flow flow;
@@ -124,7 +124,7 @@ TEST(Mean_curvature, steps_are_of_second_order) {
   EXPECT_NEAR(std::log2(error(.002) / error(.001)), 3, .4);
 }
 
-// Long steps are no danger: everything shrinks, in the end to a point.
+// Long steps are stable: everything shrinks, finally to a point.
 TEST(Mean_curvature, steps_of_any_length_are_stable) {
   const Complex dsc = mesh_helpers::sphere(4, .6);
   for (const Position& p : destinations(dsc, DSC::Mean_curvature_flow(), 1.))
@@ -133,7 +133,7 @@ TEST(Mean_curvature, steps_of_any_length_are_stable) {
     EXPECT_LT(length(p - CGAL::ORIGIN), 1e-3);
 }
 
-// Flat films between the sides of the domain have no reason to move, however long the step.
+// Planar films between the sides of the domain do not move, for any time step.
 TEST(Mean_curvature, flat_films_stay) {
   const Complex dsc = make_complex(grid(8, small_meshes::four_phases));
   const std::vector<Position> before = Snapshot(dsc).positions(dsc);
@@ -159,8 +159,8 @@ TEST(Mean_curvature, keeps_the_volumes_of_all_labels) {
   }
 }
 
-// What is in equilibrium does not depend on the time step: long ones leave it where short ones took
-// it.
+// Equilibria do not depend on the time step: long steps preserve the equilibrium that short steps
+// reached.
 TEST(Mean_curvature, bubbles_at_rest_stay) {
   const auto bubbles = [](const small_meshes::Point& p) {
     return small_meshes::ball(p) == 0 ? 0 : p.x() < 0 ? 1 : 2;
@@ -205,7 +205,7 @@ TEST(Volume_changer, reaches_amounts_exactly) {
   }
 }
 
-// Vertices of flat parts between two labels go equally far, however irregular the mesh.
+// Vertices of planar parts between two labels move by equal distances, also on irregular meshes.
 TEST(Volume_changer, keeps_flat_parts_flat) {
   const auto half = [](const small_meshes::Point& p) { return p.z() > 0 ? 1 : 0; };
   Complex dsc = make_complex(grid(4, half));
@@ -223,7 +223,7 @@ TEST(Volume_changer, keeps_flat_parts_flat) {
     EXPECT_NEAR(p.z(), .1, 1e-12); // the area is 4
 }
 
-// What runs away from a convex edge becomes round: vertices keep the distance of the offset.
+// A convex edge that moves outwards becomes round: its vertices move by exactly the offset.
 TEST(Face_offset, rounds_what_is_convex) {
   static constexpr double d = .1;
   const Complex dsc = make_complex(grid(8, small_meshes::cube));
@@ -231,7 +231,7 @@ TEST(Face_offset, rounds_what_is_convex) {
   const std::vector<Position> after = destinations(dsc, DSC::Face_offset_3(1), d);
   for (std::size_t i = 0; i < before.size(); ++i) {
     EXPECT_NEAR(length(after[i] - before[i]), d, 1e-12);
-    Vector expected(0, 0, 0); // towards the means of the sides that the vertex is on
+    Vector expected(0, 0, 0); // towards the means of the sides that contain the vertex
     for (int k = 0; k < 3; ++k)
       if (std::abs(before[i][k]) == .5)
         expected = expected + Vector(k == 0, k == 1, k == 2) * (before[i][k] > 0 ? 1 : -1);
@@ -239,8 +239,8 @@ TEST(Face_offset, rounds_what_is_convex) {
   }
 }
 
-// However its sides are cut into triangles: the split edges leave an edge of the cube on one side
-// only.
+// The triangulation of the sides has no effect; the split edges end at an edge of the cube on one
+// side only.
 TEST(Face_offset, does_not_depend_on_the_triangles_of_a_side) {
   static constexpr double d = .01;
   Complex dsc = make_complex(grid(4, small_meshes::cube));
@@ -269,7 +269,7 @@ TEST(Face_offset, keeps_what_is_concave_sharp) {
     EXPECT_NEAR(maximum_norm(p), .5 - d, 1e-12);
 }
 
-// At the rim of a thin wedge, where the facets cancel each other, it goes outwards.
+// The rim of a thin wedge, where the facet normals almost cancel, moves outwards.
 TEST(Face_offset, goes_outwards_at_a_thin_rim) {
   const auto wedge = [](const small_meshes::Point& p) {
     return small_meshes::cube(p) == 1 && p.z() > 0 && p.x() > p.z() ? 1 : 0;
@@ -291,7 +291,7 @@ TEST(Face_offset, goes_outwards_at_a_thin_rim) {
   EXPECT_TRUE(is_rim_there);
 }
 
-// The interface ends on sides of the domain, which hold it as walls do.
+// The interface ends on sides of the domain, which constrain it.
 TEST(Face_offset, stays_on_the_sides_of_the_domain) {
   const auto slope = [](const small_meshes::Point& p) { return p.x() > p.y() ? 1 : 0; };
   const Complex dsc = make_complex(grid(4, slope));
@@ -322,7 +322,7 @@ TEST(Face_offset, keeps_walls_between_labels_in_their_planes) {
   }
 }
 
-// Where the facets meet at angles below the threshold, vertices go exactly that far.
+// If the angles between facets are below the threshold, vertices move by exactly the offset.
 TEST(Face_offset, spheres_grow_and_shrink_by_the_offset) {
   for (double speed : {-1., 1.}) {
     Complex dsc = mesh_helpers::sphere(8, .6);
@@ -335,7 +335,7 @@ TEST(Face_offset, spheres_grow_and_shrink_by_the_offset) {
   }
 }
 
-// The shape moves as the field says, and vertices do not slide in the sides.
+// The shape follows the field, and vertices do not slide within the sides.
 TEST(Advective_face_offset, moves_across_the_interface_only) {
   const Vector velocity(.3, .2, .1);
   const auto field = [&](const Position&, double) { return velocity; };
@@ -348,7 +348,7 @@ TEST(Advective_face_offset, moves_across_the_interface_only) {
                   1e-12);
 }
 
-// A plane that meets a side of the domain obliquely goes as far there as elsewhere.
+// A plane that meets a side of the domain obliquely moves there as far as elsewhere.
 TEST(Advective_face_offset, slides_along_the_sides_of_the_domain) {
   const auto slope = [](const small_meshes::Point& p) { return p.x() > p.z() - 1 ? 1 : 0; };
   const auto field = [](const Position&, double) { return Vector(1, 0, 0); };

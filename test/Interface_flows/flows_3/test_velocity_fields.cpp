@@ -33,7 +33,7 @@ template <class Field> void expect_no_divergence(const Field& field) {
                 1e-5);
 }
 
-// In the unit cube nothing leaves, and what has happened by T - t is what will be undone.
+// Nothing leaves the unit cube, and the flow after half of the period reverses the flow before.
 template <class Field> void expect_closed_and_reversed(const Field& field, double period) {
   mesh_helpers::Random random(2);
   for (int i = 0; i < 20; ++i) {
@@ -91,7 +91,7 @@ TEST(Velocity_fields, in_user_coordinates) {
   dsc.set_normalization({{1, 2, 3}, 4});
   const auto field = [](const Position& p, double t) { return t * (p - CGAL::ORIGIN); };
   const DSC::Velocity_in_user_coordinates_3<Complex, decltype(field)> scaled(dsc, field);
-  // (1, 1, 1) is (5, 6, 7) to the user.
+  // the position (1, 1, 1) is (5, 6, 7) in user coordinates
   EXPECT_EQ(scaled({1, 1, 1}, 2), Vector(2.5, 3, 3.5));
 }
 

@@ -1,4 +1,5 @@
-// Solids from points: clouds whose solid is known, and those that bound none.
+// Reconstruction of solids: point clouds of known solids, and point clouds that do not bound a
+// solid.
 
 #include "temporary_folder.h"
 
@@ -54,8 +55,8 @@ std::vector<Point> sphere(std::size_t n) {
   return points;
 }
 
-// A box of the sides 2, 2 and 1 about the origin, with a hole along the z axis, or without, if its
-// radius is 0.
+// A box of side lengths 2, 2 and 1 about the origin, with a hole along the z axis. If the radius is
+// 0, there is no hole.
 std::vector<Point> box(std::size_t n, double hole) {
   CGAL::Random random(11);
   const double top = 4 - CGAL_PI * hole * hole, wall = 2 * CGAL_PI * hole;
@@ -113,7 +114,7 @@ TEST(Reconstruction, opens_a_tunnel_and_keeps_creases) {
   const double volume = 4 - CGAL_PI * .16;
   EXPECT_NEAR(tunnel.complex.volume(1), volume, .003 * volume);
   EXPECT_LT(tunnel.report.root_mean_square, .05 * tunnel.report.spacing);
-  // The corners of the box, from which random points are far.
+  // The corners of the box, which are far from random points.
   double farthest = 0;
   for (double x : {-1., 1.})
     for (double y : {-1., 1.})
@@ -158,7 +159,7 @@ TEST(Reconstruction, leaves_outliers_and_duplicates_out) {
   points.insert(points.end(), points.begin(), points.begin() + 100);
   points.emplace_back(1e6, 0, 0);
   points.emplace_back(0, 0, .1);
-  points.emplace_back(0, 0, 1.15); // three spacings off
+  points.emplace_back(0, 0, 1.15); // at a distance of three spacings
   points.emplace_back(0, -.85, 0);
   const Result ball(points);
   EXPECT_EQ(ball.euler_characteristic(), 2);
@@ -253,7 +254,7 @@ TEST(Reconstruction, takes_maps_and_point_sets) {
   CGAL::Point_set_3<Point> set;
   set.add_normal_map();
   for (const Point& p : points) {
-    const Vector inwards = 3 * (CGAL::ORIGIN - p); // any length and sign will do
+    const Vector inwards = 3 * (CGAL::ORIGIN - p); // any length and orientation is accepted
     pairs.emplace_back(p, inwards);
     set.insert(p, inwards);
   }
@@ -319,7 +320,7 @@ TEST(Reconstruction, refuses_what_bounds_no_solid) {
                Error);
 }
 
-// Points, keys, maps and observers that offer what is required, and nothing else.
+// Points, keys, maps and observers that provide only the requirements.
 namespace archetypes {
 
 struct Coordinates
@@ -356,7 +357,7 @@ struct Point_map
   friend Coordinates get(const Point_map& map, const Key& key) { return map.at(key); }
 };
 
-// What a range-based loop needs.
+// The requirements of a range-based for loop.
 class Keys
 {
 public:
@@ -374,7 +375,7 @@ private:
 class Observer
 {
 public:
-  Observer(const Observer&) = delete; // held by reference
+  Observer(const Observer&) = delete; // passed by reference
   Observer& operator=(const Observer&) = delete;
   explicit Observer(std::size_t& steps) : m_steps(steps) {}
   bool operator()(const Complex&, std::size_t step) {
@@ -404,7 +405,8 @@ TEST(Reconstruction, needs_no_more_than_concepts_require) {
   EXPECT_GT(report.changes.smoothed, 0);
 }
 
-// Few points, points on a lattice and on common spheres: a closed surface or a refusal.
+// Few points, points on a lattice and on common spheres: the result is a closed surface, or an
+// exception is thrown.
 TEST(Reconstruction, survives_degenerate_clouds) {
   CGAL::Random random(3);
   for (int n = 4; n < 40; n += 3)

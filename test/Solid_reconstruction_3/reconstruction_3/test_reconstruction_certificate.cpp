@@ -1,5 +1,5 @@
-// What a reconstruction is compared with: empty balls whose sides are known, and handles that are
-// too small to be true.
+// Certificates of a reconstruction: empty balls whose sides are known, and handles that are too
+// small to be real.
 
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Sampled_surface_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Misplaced_balls_3.h>
@@ -30,7 +30,7 @@ std::vector<Point> sphere(int n) {
   return points;
 }
 
-// An octahedron about a point, whose corners are at a distance.
+// An octahedron about a point, with its corners at a given distance.
 Triangles octahedron(const Point& center, double radius) {
   Triangles result;
   for (const double x : {-radius, radius})
@@ -46,7 +46,8 @@ struct Facet
   std::array<std::size_t, 3> vertices;
 };
 
-// A torus about the z axis of n by n vertices: its tube has its middle at a distance of 1 from it.
+// A torus about the z axis with n by n vertices. The center line of its tube is at distance 1 from
+// the axis.
 struct Torus
 {
   std::vector<Point> positions;
@@ -74,11 +75,11 @@ TEST(Reconstruction_certificate, finds_balls_on_the_wrong_side) {
   const internal::Sampled_surface_3 surface(sphere(1000), {}, false, 1);
   EXPECT_GT(surface.known_balls().size(), 100);
   EXPECT_TRUE(internal::misplaced_balls(surface, octahedron(Point(0, 0, 0), 1.2)).empty());
-  // A solid elsewhere: the ball is lost.
+  // A solid at another position does not contain the ball.
   const auto lost = internal::misplaced_balls(surface, octahedron(Point(0, 0, 30), 1));
   ASSERT_FALSE(lost.empty());
   EXPECT_LT(std::sqrt((lost.front() - Point(0, 0, 0)).squared_length()), .1);
-  // A solid with a void where the points have none.
+  // A solid with a void that the points do not have.
   Triangles with_void = octahedron(Point(0, 0, 0), 1.2);
   for (const auto& t : octahedron(Point(0, 0, 0), .3))
     with_void.push_back(t);
@@ -104,7 +105,7 @@ TEST(Reconstruction_certificate, finds_small_handles) {
   const Torus torus(12, .4);
   EXPECT_EQ(torus.number_of_handles(.3), 0);  // disks
   EXPECT_EQ(torus.number_of_handles(1.), 0);  // pieces of the tube
-  EXPECT_EQ(torus.number_of_handles(2.9), 1); // all of it
+  EXPECT_EQ(torus.number_of_handles(2.9), 1); // the whole torus
   EXPECT_EQ(torus.number_of_handles(0), 0);
 }
 

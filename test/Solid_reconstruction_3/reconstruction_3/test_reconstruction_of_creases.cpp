@@ -1,4 +1,4 @@
-// Solids with sharp edges from points: no nicks and no cut corners.
+// Reconstruction of solids with sharp edges, without notches and without cut corners.
 
 #include "../../../benchmark/gear.h"
 
@@ -43,8 +43,8 @@ std::vector<Kernel::Triangle_3> triangles_of(const Complex& complex) {
 
 TEST(Reconstruction_of_creases, makes_a_gear_without_nicks) {
   static constexpr unsigned teeth = 6;
-  static constexpr double side = .045; // of cells with one point
-  static constexpr int n = 4;          // places along an edge
+  static constexpr double side = .045; // for cells with one point
+  static constexpr int n = 4;          // samples along an edge
   const Gear gear(teeth);
   CGAL::Random random(5);
   const std::vector<Point> points = gear.sample(side, [&] { return random.get_double(); });
@@ -76,7 +76,7 @@ TEST(Reconstruction_of_creases, finds_concave_corners) {
   using Place = internal::Sampled_surface_3::Point;
   using Vector = internal::Sampled_surface_3::Vector;
   CGAL::Random random(3);
-  std::vector<Place> bracket; // a cube without its quarter of x > .5, y > .5
+  std::vector<Place> bracket; // a cube without its quarter x > .5, y > .5
   for (std::size_t k = 0; k < 8000; ++k) {
     double x[3] = {random.get_double(), random.get_double(), random.get_double()};
     const std::size_t face = k % 8;
@@ -92,7 +92,7 @@ TEST(Reconstruction_of_creases, finds_concave_corners) {
   const internal::Sampled_surface_3 surface(bracket, {}, false, 1);
   const internal::Crease_planes_3 planes(surface);
   const double a = .4 * surface.cloud().spacing();
-  // In the plane of the top, but beyond both inner walls.
+  // In the plane of the top, but outside both inner walls.
   const Place beside(.5 + a, .5 + a, 1);
   EXPECT_LT(std::sqrt((beside + planes.to_crease(beside) - Place(.5, .5, 1)).squared_length()),
             .1 * surface.cloud().spacing());

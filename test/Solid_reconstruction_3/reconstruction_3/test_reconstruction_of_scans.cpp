@@ -1,4 +1,4 @@
-// Points of scans: open, in any unit, and stopped at any moment.
+// Reconstruction of scans: open scans, any unit of length, and interruption at any moment.
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
@@ -28,7 +28,8 @@ using CGAL::Deformable_simplicial_complexes::Invalid_points_error;
 using CGAL::Deformable_simplicial_complexes::Progress_scope;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
-// The walls of a house without a roof, and the ground around and below it, whose points are denser.
+// The walls of a house without a roof, and the ground around and below it. The points of the ground
+// are denser.
 std::vector<Point> house(std::size_t n) {
   CGAL::Random random(3);
   std::vector<Point> points;
@@ -56,8 +57,8 @@ std::vector<Point> ball(int n, double scale) {
   return points;
 }
 
-// Of an open scan, the sizes of cells that the points ask for differ much between neighbors. If the
-// first cells were flat, nearly all time would go into improving them.
+// In an open scan, the target cell size differs much between neighbors. If the initial cells were
+// degenerate, their improvement would take most of the time.
 TEST(Reconstruction_of_scans, begins_with_cells_of_good_shape) {
   static constexpr double flat = .05;
   Complex complex;
@@ -123,7 +124,7 @@ TEST(Reconstruction_of_scans, stops_at_any_moment) {
     try {
       DSC::reconstruct_point_set_3<Complex>(points, parameters::report(std::ref(report)));
     } catch (const Interrupted_error&) {
-      EXPECT_EQ(report.number_of_points, 17); // it stays what it was
+      EXPECT_EQ(report.number_of_points, 17); // the previous content
       return false;
     }
     return true;

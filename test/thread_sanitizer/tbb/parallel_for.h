@@ -3,8 +3,8 @@
 
 #include <thread>
 
-// In place of TBB, whose library is not built with the sanitizer: how its threads wait for each
-// other cannot be seen, so that every loop looks like a race. These can be seen.
+// Replacement of TBB for the thread sanitizer. The library of TBB is not built with the sanitizer,
+// so the sanitizer does not see its synchronization and reports races in all loops.
 namespace tbb {
 
 template <class Range, class Body> void parallel_for(const Range& range, const Body& body) {

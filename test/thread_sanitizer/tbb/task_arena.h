@@ -1,7 +1,7 @@
 #ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_THREAD_SANITIZER_TBB_TASK_ARENA_H
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_THREAD_SANITIZER_TBB_TASK_ARENA_H
 
-// In place of TBB, see parallel_for.h: there are always two threads.
+// Replacement of TBB, see parallel_for.h; there are always two threads.
 namespace tbb {
 
 class task_arena
