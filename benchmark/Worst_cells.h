@@ -18,9 +18,10 @@
 
 namespace dsc_benchmark {
 
-/// The quality of a cell from the coordinates of its corners: its volume over the cube of the root
-/// mean square of its edges, in the plane its area over their mean square, 1 for the regular one.
-/// Written once more, as a check of the measures of the complexes.
+/// The quality of a cell from the coordinates of its corners, 1 for the regular cell. In space, it
+/// is the volume divided by the cube of the root mean square edge length. In the plane, it is the
+/// area divided by the mean square edge length. An independent implementation that verifies the
+/// measures of the complexes.
 template <class Complex>
 double volume_length_ratio(const Complex& complex, typename Complex::Cell_handle c) {
   constexpr int d = Complex::dimension;
@@ -45,16 +46,17 @@ double volume_length_ratio(const Complex& complex, typename Complex::Cell_handle
            CGAL::determinant(edges[0][0], edges[0][1], edges[1][0], edges[1][1]) / mean;
 }
 
-/// The worst cells of a complex after each step, and a check that reports name them.
+/// The worst cells of a complex after each step, with a verification of reports.
 struct Worst_cells
 {
-  std::size_t steps = 0;      ///< that were looked at
-  std::size_t flat_steps = 0; ///< those after which a cell was below the floor
-  std::size_t most = 0;       ///< the largest number of such cells after a step
-  double quality = 1;         ///< the worst after any step
+  std::size_t steps = 0;      ///< that were examined
+  std::size_t flat_steps = 0; ///< after which a cell was below the floor
+  std::size_t most = 0;       ///< the largest number of these cells after a step
+  double quality = 1;         ///< the worst quality after any step
 
-  /// Adds a step. \throws std::runtime_error unless `report.flat` names exactly the cells below the
-  /// floor, and their qualities.
+  /// Adds a step.
+  /// \throws std::runtime_error unless `report.flat` contains exactly the cells below the floor,
+  /// with their qualities.
   template <class Complex, class Report> void add(const Complex& complex, const Report& report) {
     std::map<typename Complex::Cell_handle, double> named;
     for (const auto& item : report.flat)
@@ -67,7 +69,7 @@ struct Worst_cells
         continue;
       ++count;
       const auto item = named.find(c);
-      static constexpr double rounding = 1e-9; // of two formulas for numbers below the floor
+      static constexpr double rounding = 1e-9; // of two formulas, relative to the floor
       if (item == named.end() || !(std::abs(item->second - q) <= rounding))
         fail("a cell below the floor is not reported as it is", q);
     }
@@ -86,7 +88,8 @@ private:
   }
 };
 
-/// The cells of a table: worst quality, steps with cells below the floor, the most after a step.
+/// The cells of a table: worst quality, steps with cells below the floor, largest number of such
+/// cells.
 inline std::ostream& operator<<(std::ostream& out, const Worst_cells& worst) {
   return out << worst.quality << " | " << worst.flat_steps << " | " << worst.most;
 }

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Tries whether surfaces can be tracked: builds a complex of each and turns it a little, or says
-// why not. Prints one row of a table per file, without its head.
+// Builds a complex from a surface and rotates it slightly, or prints the reason why this fails.
+// Prints a row of a table for each file, without the table head.
 
 #include "inputs.h"
 #include "measures.h"
@@ -63,7 +63,7 @@ const char* name(Invalid_surface_error::Reason reason) {
   return "unknown";
 }
 
-// What an exception says, fit for a table.
+// Returns the message of an exception in a form that fits into a table.
 std::string refusal(const std::string& reason, std::string text) {
   for (char& c : text)
     c = c == '|' || c == '\n' ? ' ' : c;
@@ -76,7 +76,7 @@ public:
   explicit Row(const std::string& path)
       : m_path(path), m_file(std::filesystem::path(path).filename().string()) {}
 
-  // Returns whether the surface rotates or is refused for a reason.
+  // Returns whether the surface rotates or is rejected with a reason.
   bool fill() {
     try {
       rotate();
@@ -114,7 +114,7 @@ private:
         parameters::normalize(true));
     m_tetrahedra = std::to_string(complex.number_of_cells());
 
-    // The box is centred at the origin.
+    // The box is centered at the origin.
     const DSC::Rigid_rotation_3 rotation(Point(0, 0, 0), Vector(0, 0, 1), 2 * degree);
     int incomplete_steps = 0, invalid_steps = 0;
     double seconds = processor_seconds() - start;

@@ -2,9 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Offsets a surface inwards and back, again and again, with detail control before each step as in
-// Algorithm 1 of the paper, and measures what becomes of the mesh.
-// Prints a row of a table, without its head.
+// Offsets a surface inwards and back repeatedly, with detail control before each step (Algorithm 1
+// of the paper), and measures the mesh. Prints a row of a table, without the table head.
 
 #include "inputs.h"
 #include "measures.h"
@@ -52,7 +51,7 @@ int breathe(const std::string& input, std::size_t triangles, int number_of_steps
   for (int breath = 0; breath < breaths; ++breath) {
     for (double speed : {-distance, distance})
       for (int i = 0; i < number_of_steps; ++i, ++steps) {
-        // Half as fine inside the labels as on the interface.
+        // Edges inside the labels are twice as long as on the interface.
         DSC::control_detail(complex, parameters::collapse_length(2.));
         const auto report =
             DSC::advect_interface(complex, DSC::Normal_offset{speed}, double(steps), 1.);

@@ -20,23 +20,23 @@
 #include <utility>
 #include <vector>
 
-/// Points of known surfaces, in the kernel of surfaces.
+/// Points of known surfaces; their kernel is the kernel of surfaces.
 namespace dsc_benchmark::clouds {
 
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 
-/// Points and what is known of their surface.
+/// Points, and known properties of their surface.
 struct Cloud
 {
   std::vector<Point> points;
-  std::function<double(const Point&)> distance; ///< from the surface; none if that is not known
-  std::vector<Point> creases = {};              ///< points on them
+  std::function<double(const Point&)> distance; ///< distance from the surface, or empty
+  std::vector<Point> creases = {};              ///< points on sharp edges
   double volume = 0;                            ///< 0 if not known
-  std::vector<Point> outliers = {};             ///< given among the points, but not of the surface
+  std::vector<Point> outliers = {};             ///< points that are not on the surface
 };
 
-/// Uniform numbers, and those of a normal distribution.
+/// Uniform and normally distributed random numbers.
 class Numbers
 {
 public:
@@ -48,7 +48,7 @@ public:
     return std::sqrt(-2 * std::log(u)) * std::cos(2 * CGAL_PI * v);
   }
   Vector vector() {
-    const double x = normal(), y = normal(), z = normal(); // in this order with all compilers
+    const double x = normal(), y = normal(), z = normal(); // evaluated in this order
     return {x, y, z};
   }
   Vector direction() {
@@ -60,7 +60,7 @@ private:
   CGAL::Random m_random;
 };
 
-/// A rotation about the origin, each as likely as any other.
+/// Returns a uniformly distributed rotation about the origin.
 class Turn
 {
 public:
@@ -84,16 +84,17 @@ private:
   std::array<Vector, 3> m_axes;
 };
 
-/// The mean distance of uniform random points from their six nearest ones on a plane; each has an
-/// area for itself.
+/// Returns the mean distance of uniform random points in a plane from their six nearest neighbors.
+/// `area` is the area per point.
 inline double spacing_on_plane(double area) {
-  // The mean for the k-th one is Gamma(k + 1/2) / Gamma(k) / sqrt(pi) of the root of the area.
+  // The mean distance to the k-th neighbor is Gamma(k + 1/2) / Gamma(k) / sqrt(pi) times the root
+  // of the area.
   static constexpr double factor = .9775;
   return factor * std::sqrt(area);
 }
 
-/// A box of two equal sides about the origin with a hole along the z axis, or without if its radius
-/// is 0.
+/// A box with a square base about the origin, with a hole along the z axis. If the radius is 0,
+/// there is no hole.
 class Drilled_box
 {
 public:
@@ -136,7 +137,7 @@ public:
   }
 
   std::vector<Point> creases() const {
-    static constexpr int n = 400; // points on each
+    static constexpr int n = 400; // points on each edge
     std::vector<Point> result;
     for (int i = 0; i < n; ++i) {
       const double t = 2 * (i + .5) / n - 1, a = CGAL_PI * t;
@@ -156,7 +157,7 @@ public:
   }
 
 private:
-  // Areas.
+  // Areas
   double cover() const { return 4 * m_half * m_half - CGAL_PI * m_hole * m_hole; }
   double side() const { return 4 * m_half * m_top; }
   double wall() const { return 4 * CGAL_PI * m_hole * m_top; }
@@ -164,8 +165,8 @@ private:
   double m_half, m_top, m_hole;
 };
 
-/// Points of a box, turned, with noise of a standard deviation along each axis. None within half
-/// a gap from the middle of a side.
+/// Points of a rotated box with normally distributed noise along each axis. There are no points
+/// within half a gap of the middle of a side.
 inline Cloud drilled_box(const Drilled_box& box, std::size_t n, unsigned seed, double noise = 0,
                          double gap = 0) {
   Numbers numbers(seed);
@@ -183,8 +184,8 @@ inline Cloud drilled_box(const Drilled_box& box, std::size_t n, unsigned seed, d
   return cloud;
 }
 
-/// Points of a gear with 12 teeth, turned, one in each cell of that side, with noise of a standard
-/// deviation along each axis.
+/// Points of a rotated gear with 12 teeth, one in each grid cell of the given side length, with
+/// normally distributed noise along each axis.
 inline Cloud gear(double side, unsigned seed, double noise = 0) {
   static constexpr unsigned teeth = 12;
   Numbers numbers(seed);
@@ -199,7 +200,7 @@ inline Cloud gear(double side, unsigned seed, double noise = 0) {
   return cloud;
 }
 
-/// Points in a box around a cloud, added to it.
+/// Adds random points in a box around a cloud.
 inline void add_outliers(Cloud& cloud, double part, unsigned seed) {
   Numbers numbers(seed);
   CGAL::Bbox_3 box;
@@ -216,10 +217,10 @@ inline void add_outliers(Cloud& cloud, double part, unsigned seed) {
 struct Sphere
 {
   std::size_t points;
-  double x, radius; ///< inner ones, which are voids, have less than 1
+  double x, radius; ///< inner spheres, which are voids, have a radius less than 1
 };
 
-/// Points of spheres about (x, 0, 0), turned.
+/// Points of spheres about (x, 0, 0), rotated.
 inline Cloud spheres(const std::vector<Sphere>& spheres, unsigned seed) {
   Numbers numbers(seed);
   const Turn turn(numbers);
@@ -239,7 +240,8 @@ inline Cloud spheres(const std::vector<Sphere>& spheres, unsigned seed) {
   return cloud;
 }
 
-/// Uniform on a closed surface, turned; `distances` gives the distance from triangles.
+/// Returns uniform points on a closed surface, rotated; `distances` gives the distance from
+/// triangles.
 template <class Distances> Cloud of_surface(const Surface& surface, std::size_t n, unsigned seed) {
   Numbers numbers(seed);
   const Turn turn(numbers);

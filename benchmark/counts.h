@@ -16,7 +16,8 @@
 
 namespace dsc_benchmark {
 
-/// The time stamps of the vertices of a facet, sorted: no two vertices ever have the same.
+/// The sorted time stamps of the vertices of a facet. No two vertices ever have the same time
+/// stamp.
 inline std::array<std::size_t, 3> time_stamps(const Complex& complex, const Complex::Facet& f) {
   const auto v = complex.facet_vertices(f);
   std::array<std::size_t, 3> result = {v[0]->time_stamp(), v[1]->time_stamp(), v[2]->time_stamp()};
@@ -24,7 +25,8 @@ inline std::array<std::size_t, 3> time_stamps(const Complex& complex, const Comp
   return result;
 }
 
-/// Components of a label, from scratch: the complex keeps track of them as they change.
+/// Returns the number of components of a label, counted from scratch; the complex updates its
+/// numbers incrementally.
 inline long components(const Complex& complex, int label) {
   betti_numbers::Joined_sets sets;
   std::vector<std::size_t> cells;
@@ -40,7 +42,7 @@ inline long components(const Complex& complex, int label) {
                        [&](std::size_t i) { return sets.find(i) == i; });
 }
 
-/// V - E + F of the whole interface, from scratch.
+/// Returns V - E + F of the whole interface, counted from scratch.
 inline long euler_characteristic(const Complex& complex) {
   betti_numbers::Simplex_count count;
   for (const Complex::Facet& f : complex.interface_facets())

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Offsets the unit cube by face offsetting: outwards its edges and corners become round, inwards it
-// stays a cube. Prints a row of a table.
+// Offsets the unit cube by face offsetting. Outwards, its edges and corners become round; inwards,
+// it stays a cube. Prints a row of a table.
 
 #include "inputs.h"
 #include "measures.h"
@@ -83,7 +83,7 @@ double distance_from_cube(const Point& p, double half_side) {
   return squares > 0 ? std::sqrt(squares) : -inside;
 }
 
-// What happened until the end of an offset.
+// The results of an offset.
 struct Outcome
 {
   std::size_t steps = 0, incomplete = 0;
@@ -97,13 +97,13 @@ void step(Complex& complex, double speed, double r, double dr, Outcome& outcome)
   ++outcome.steps;
 }
 
-// Where a face meets a round edge, only vertices nearby tell that it does: the first step is short,
-// and later ones grow with the radius and with the length of edges on it.
+// The boundary between a face and a round edge is visible only from vertices nearby. So the first
+// step is short, and later steps grow with the radius and with the edge length on the round edge.
 Outcome offset_outwards(Complex& complex, double end, double tolerance) {
   Outcome outcome;
   const double longest = complex.mean_interface_edge(), begin = processor_seconds();
   for (double r = 0; r < end;) {
-    const double length = std::sqrt(8 * tolerance * r); // of edges around the round ones
+    const double length = std::sqrt(8 * tolerance * r); // edge length around the round edges
     const double dr = (std::min)(end - r, r == 0 ? .001 : (std::min)(.25 * r, .25 * length));
     if (r > 0) {
       const DSC::Curvature_sizing_field<3> size(complex, tolerance,
@@ -143,7 +143,7 @@ int measure(bool outwards, std::size_t n, double distance, double tolerance) {
       outwards ? offset_outwards(complex, distance, tolerance) : offset_inwards(complex, distance);
   const double side = 1 - 2 * distance;
   const double exact = outwards ? rounded_cube(distance) : side * side * side;
-  double farthest = 0; // vertex from the exact surface
+  double farthest = 0; // distance of a vertex from the exact surface
   for (const auto v : complex.interface_vertices()) {
     const Point p = complex.position(v);
     farthest = (std::max)(farthest, outwards ? std::abs(distance_from_cube(p, .5) - distance)

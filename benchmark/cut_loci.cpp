@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Finds the cut loci of points of tori, ellipsoids, surfaces with bumps and a height field, and
-// compares distances at their points with those of a fan of geodesics. Prints a table.
+// Computes cut loci on tori, ellipsoids, bumpy surfaces and a height field, and compares distances
+// at their points with the distances of a fan of geodesics. Prints a table.
 
 #include "geodesic_fan.h"
 
@@ -37,10 +37,10 @@ using Point = CGAL::Simple_cartesian<double>::Point_2;
 using geodesic_fan::Vector;
 using Triple = std::array<double, 3>;
 
-// Each surface is given twice: as an image of a chart or of the unit sphere, for the library, and
-// as the zeros of a function of space, for the fan of geodesics.
+// Each surface is given twice: for the library as the image of a chart or of the unit sphere, and
+// for the fan of geodesics as the zeros of a function in space.
 
-// Of revolution, but that the small radius changes by a part of it along the torus.
+// A torus whose small radius varies along the large circle.
 struct Torus
 {
   double large, small, part = 0;
@@ -109,12 +109,12 @@ struct Bumps
   Triple periods() const { return {0, 0, 0}; }
 };
 
-// Cut loci of one surface in one point, with that in space.
+// Cut loci of one point on one surface, and the position of the point in space.
 struct Found
 {
   DSC::Cut_locus_2 locus;
   std::vector<Vector> positions; // of vertices
-  double seconds;                // of processor time
+  double seconds;                // processor time
 };
 
 // Returns the length of the vector from a point to the parabola through three points.
@@ -127,7 +127,7 @@ double distance_from_parabola(const Fan& fan, const Vector& p,
   const double a = before.norm(), b = after.norm();
   if (!(a > 0 && b > 0))
     return to.norm();
-  // t (first + t second), by lengths of chords
+  // t (first + t second), by chord lengths
   const Vector second = (after / b + before / a) / (a + b), first = after / b - b * second;
   double t = 0;
   for (int i = 0; i < iterations; ++i) {
@@ -138,8 +138,8 @@ double distance_from_parabola(const Fan& fan, const Vector& p,
   return (to - t * (first + t * second)).norm();
 }
 
-// Returns the largest distance of the mirror image of the graph from the graph: of ends and
-// junctions from their like, of other vertices from parabolas through three.
+// Returns the largest distance of the reflected graph from the graph. Ends and junctions are
+// compared with each other, other vertices with parabolas through three vertices.
 template <class Fan>
 double asymmetry(const Fan& fan, const Found& found,
                  const std::function<Vector(const Vector&)>& mirror) {
@@ -166,12 +166,12 @@ double asymmetry(const Fan& fan, const Found& found,
   return worst;
 }
 
-// A surface and a point, by name.
+// A named surface with a point.
 struct Case
 {
   std::string name;
   Vector source;               // in space
-  std::vector<Vector> mirrors; // normals of planes of symmetry, through the origin and the source
+  std::vector<Vector> mirrors; // normals of planes of symmetry through origin and source
 };
 
 class Table
@@ -187,7 +187,7 @@ public:
 
   bool wants(const std::string& name) const { return name.find(m_only) != std::string::npos; }
 
-  // Finds the cut locus by the library, and compares it with a fan.
+  // Computes the cut locus with the library, and compares it with a fan of geodesics.
   template <class Implicit, class Find, class Image>
   void add(const Case& c, const Implicit& implicit, const Find& find, const Image& image) {
     if (!wants(c.name))
@@ -253,7 +253,7 @@ private:
 
   int m_rays, m_number = 0, m_complete = 0;
   std::string m_only;
-  double m_worst = 0; // error of those that are complete
+  double m_worst = 0; // error of the complete cut loci
 };
 
 Vector vector(const Triple& p) { return Vector(p[0], p[1], p[2]); }
@@ -277,7 +277,7 @@ void add_of_chart(Table& table, const std::string& name, const Surface& surface,
       [&](const Point& q) { return vector(surface(q.x(), q.y())); });
 }
 
-// The image of a sphere.
+// A surface that is an image of the sphere.
 template <class Embedding>
 void add_of_sphere(Table& table, const std::string& name, const Embedding& embedding,
                    const Triple& source, const std::vector<Vector>& mirrors) {

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Takes a surface through the Enright flow and back, and measures what is left of it.
-// Prints a row of a table, without its head.
+// Advects a surface in the Enright flow and back, and measures the difference from its initial
+// state. Prints a row of a table, without the table head.
 
 #include "inputs.h"
 #include "interface_at_start.h"
@@ -45,17 +45,17 @@ const Point center(.35, .35, .35);
 struct Run
 {
   std::string input;
-  std::size_t triangles = 0;    // to which other inputs are decimated; 0: as they are
+  std::size_t triangles = 0;    // triangles after decimation of other inputs; 0: no decimation
   std::size_t subdivision = 16; // of the sphere
   double period = 1;
   double end = 2;
   double dt = .01;
-  double tolerance = Defaults::interface_tolerance;  // in mean edges; 0: stays as it is
+  double tolerance = Defaults::interface_tolerance;  // in mean edges; 0: no adaptation
   unsigned interval = Defaults::adaptation_interval; // steps
   bool restores_volume = false;
 };
 
-// The ball of `radius` about `center` that encloses any other input.
+// Returns the input. The ball of `radius` about `center` encloses any input other than `sphere`.
 Surface read_surface(const Run& run) {
   Surface surface = run.input == "sphere" ? sphere(radius, run.subdivision)
                                           : read_input(run.input, run.triangles);
@@ -71,8 +71,8 @@ Surface read_surface(const Run& run) {
   return surface;
 }
 
-// The volume between the interface and the exact sphere: over each triangle, cut into smaller ones,
-// the solid angle times the difference of the cubes of the radii.
+// Returns the volume between the interface and the exact sphere. Each triangle is subdivided; the
+// volume is the solid angle times the difference of the cubes of the radii.
 double volume_between_interface_and_sphere(const Complex& complex) {
   static constexpr int parts = 4;
   double sum = 0;

@@ -24,7 +24,7 @@ public:
   using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 
   explicit Gear(unsigned teeth) {
-    static constexpr double half_tip = .153, root = .248; // of the angle of a tooth
+    static constexpr double half_tip = .153, root = .248; // fraction of the angle of a tooth
     const double angle = 2 * CGAL_PI / teeth;
     for (unsigned k = 0; k < teeth; ++k)
       for (const auto& [part, radius] :
@@ -39,7 +39,8 @@ public:
     return 2 * area_of_cover() + height * (length_of_outline() + 2 * CGAL_PI * hole);
   }
 
-  /// Points that are evenly spread: one at random in each cell of grids of about that side.
+  /// Returns evenly distributed points: one random point in each cell of grids with about this side
+  /// length.
   /// \param uniform returns random numbers between 0 and 1
   template <class Uniform> std::vector<Point> sample(double side, Uniform&& uniform) const {
     std::vector<Point> result;
@@ -60,7 +61,7 @@ public:
     return result;
   }
 
-  /// From the surface.
+  /// Returns the distance from the surface.
   double distance(const Point& p) const {
     const double across = signed_distance({{p.x(), p.y()}}),
                  along = std::abs(p.z() - height / 2) - height / 2;
@@ -68,9 +69,9 @@ public:
                                    : std::hypot((std::max)(0., across), (std::max)(0., along));
   }
 
-  /// Points on the sharp edges.
+  /// Returns points on the sharp edges.
   std::vector<Point> creases() const {
-    static constexpr int n = 20; // points on an edge of a tooth
+    static constexpr int n = 20; // number of points on an edge of a tooth
     std::vector<Point> result;
     for (std::size_t i = 0; i < m_outline.size(); ++i) {
       const Place &a = m_outline[i], &b = m_outline[(i + 1) % m_outline.size()];
@@ -129,7 +130,7 @@ private:
       }
   }
 
-  /// From the outline and the hole, in the plane; negative inside.
+  /// Returns the signed distance from the outline and the hole in the plane; negative inside.
   double signed_distance(const Place& p) const {
     double nearest = 2 * tip;
     bool is_inside = false;

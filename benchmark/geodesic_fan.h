@@ -17,14 +17,14 @@
 #include <map>
 #include <vector>
 
-/// Distances on implicit surfaces by brute force. Shares no code with the library: geodesics are
-/// integrated in space, without charts.
+/// Distances on implicit surfaces by brute force. The code is independent of the library: geodesics
+/// are integrated in space, without charts.
 namespace dsc_benchmark::geodesic_fan {
 
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
 
-/// A number with its first and second derivatives by the coordinates of space.
+/// A number with its first and second derivatives with respect to the coordinates in space.
 struct Number
 {
   double value;
@@ -64,7 +64,8 @@ struct Number
   }
 };
 
-/// Where a geodesic is: position, direction, distance of neighbors by angle, and its derivative.
+/// The state of a geodesic: position, direction, distance of neighbors per angle, and its
+/// derivative.
 using State = Eigen::Matrix<double, 8, 1>;
 
 /// The fan of geodesics from a point of the surface f = 0.
@@ -81,8 +82,8 @@ public:
     m_second = normal.cross(m_first);
   }
 
-  /// Returns the distances of points of the surface from the source: infinity where no geodesic of
-  /// a length comes near.
+  /// Returns the distances of points of the surface from the source, or infinity if no geodesic up
+  /// to a length comes near a point.
   std::vector<double> distances(const std::vector<Vector>& points, double farthest, int rays) {
     m_points = &points;
     m_distances.assign(points.size(), std::numeric_limits<double>::infinity());
@@ -98,7 +99,7 @@ public:
     return m_distances;
   }
 
-  /// Returns the vector from a point to another one, the nearest of those that are periods apart.
+  /// Returns the vector from a point to the nearest periodic image of another point.
   Vector difference(const Vector& from, const Vector& to) const {
     Vector d = to - from;
     for (int i = 0; i < 3; ++i)
@@ -114,18 +115,18 @@ public:
   }
 
 private:
-  static constexpr double longest_step = .02, widest = .01;            // of the largest distance
-  static constexpr double step_of_radius = .05, width_of_radius = .15; // of curvature
-  static constexpr double beyond = .75;   // of the width of a strip, where half is its own
-  static constexpr double steepest = .25; // of the surface, seen from its tangent plane
-  static constexpr double margin = 1e-6;  // of the largest distance: strips where geodesics meet
+  static constexpr double longest_step = .02, widest = .01;            // per largest distance
+  static constexpr double step_of_radius = .05, width_of_radius = .15; // per radius of curvature
+  static constexpr double beyond = .75;   // per width of a strip; half of it is its own
+  static constexpr double steepest = .25; // slope of the surface relative to its tangent plane
+  static constexpr double margin = 1e-6;  // per largest distance: strips where geodesics meet
 
-  // Returns the cell of space that a point is in, or another one some cells away.
+  // Returns the cell of space that contains a point, or a cell at an offset from it.
   std::array<int, 3> cell(const Vector& p, const std::array<int, 3>& shift) const {
     const double size = (std::max)(longest_step, widest) * m_farthest;
     std::array<int, 3> c;
     for (int i = 0; i < 3; ++i) {
-      const int number = (std::max)(3, int(m_periods[i] / size)); // at least: all shifts differ
+      const int number = (std::max)(3, int(m_periods[i] / size)); // minimum: all shifts differ
       if (m_periods[i] > 0) {
         const int index = int(std::floor(p[i] / m_periods[i] * number)) + shift[i];
         c[i] = (index % number + number) % number;
@@ -136,7 +137,7 @@ private:
     return c;
   }
 
-  // Follows the strip around a direction, and narrower ones where it is too wide.
+  // Follows the strip around a direction, and narrower strips if it is too wide.
   void follow(double angle, double width) {
     static constexpr int parts = 4;
     State s;
@@ -156,7 +157,7 @@ private:
     }
   }
 
-  // Takes account of a part of a strip, by the second order of distances in the distance from the
+  // Updates the distances of points in a part of a strip, to second order in the distance from the
   // geodesic.
   void visit(const State& s, const Vector& normal, double length, double step, double width) {
     const Vector here = s.head<3>(), direction = s.segment<3>(3);
@@ -176,7 +177,7 @@ private:
     }
   }
 
-  // x'' is normal to the surface; neighbors y obey y'' = -K y (Jacobi).
+  // x'' is normal to the surface; neighbors y satisfy y'' = -K y (Jacobi).
   State derivative(const State& s) const {
     const Vector v = s.segment<3>(3);
     const Number f = value(s.head<3>());
@@ -191,7 +192,7 @@ private:
     return d;
   }
 
-  // The classical method of Runge and Kutta.
+  // The classical Runge-Kutta method.
   State advanced(const State& s, double step) const {
     const State a = derivative(s), b = derivative(s + step / 2 * a),
                 c = derivative(s + step / 2 * b), d = derivative(s + step * c);

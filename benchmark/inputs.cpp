@@ -127,7 +127,7 @@ void append(Surface& surface, const Surface& other) {
 
 namespace {
 
-// Two unit spheres side by side, half a radius apart, with 3240 triangles in all.
+// Two adjacent unit spheres at a distance of half a radius, with 3240 triangles in total.
 Surface two_spheres() {
   Surface surface;
   for (double x : {-1.25, 1.25})
@@ -135,7 +135,7 @@ Surface two_spheres() {
   return surface;
 }
 
-// Collapses edges until `triangles` are left.
+// Collapses edges until at most `triangles` triangles are left.
 Surface decimated(Surface surface, std::size_t triangles) {
   namespace PMP = CGAL::Polygon_mesh_processing;
   namespace SMS = CGAL::Surface_mesh_simplification;

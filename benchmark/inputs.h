@@ -21,31 +21,33 @@ namespace dsc_benchmark {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = DSC::Labelled_surface_3<Kernel::Point_3>;
 
-/// Appends the unit sphere about `centre`: an icosahedron each face of which is cut into n^2
-/// triangles. Points that triangles share are equal: what is not zero is summed in the same order.
+/// Appends the unit sphere about `centre`: an icosahedron whose faces are subdivided into n^2
+/// triangles each. Common points of triangles are bitwise equal, because nonzero terms are summed
+/// in the same order.
 void append_sphere(Surface& surface, const Kernel::Vector_3& centre, std::size_t n);
 
-/// Appends what a polygon (x, r) becomes around the x axis: a surface of n equal parts, with
-/// corners on the axis where r is zero. Points that triangles share are equal.
+/// Appends the surface of revolution of a polygon (x, r) about the x axis, with n equal parts.
+/// Where r is zero, there is one vertex on the axis. Common points of triangles are bitwise equal.
 void append_revolved(Surface& surface, const std::vector<std::array<double, 2>>& polygon,
                      std::size_t n);
 
-/// A sphere about the origin, of 20 n^2 triangles.
+/// Returns a sphere about the origin of 20 n^2 triangles.
 Surface sphere(double radius, std::size_t n);
 
-/// A torus about the x axis, whose tube has its centre at a distance of 1 from it, of 30 n^2
-/// triangles.
+/// Returns a torus about the x axis of 30 n^2 triangles. The center line of its tube is at distance
+/// 1 from the axis.
 Surface torus(double tube_radius, std::size_t n);
 
-/// Balls of radius 0.5 about (-1, 0, 0) and (1, 0, 0) and a bar between them.
+/// Returns balls of radius 0.5 about (-1, 0, 0) and (1, 0, 0), connected by a bar.
 Surface dumbbell(std::size_t n);
 constexpr double dumbbell_bar_radius = .25;
 
 /// Appends the triangles of another surface.
 void append(Surface& surface, const Surface& other);
 
-/// `sphere`, of about so many triangles; or the surface in a file, or `two_spheres`, decimated if
-/// it has more than `triangles` triangles and these are not zero.
+/// Returns `sphere` with about this number of triangles, or `two_spheres`, or the surface in a
+/// file. The surface is decimated if it has more than `triangles` triangles and `triangles` is not
+/// zero.
 Surface read_input(const std::string& input, std::size_t triangles);
 
 } // namespace dsc_benchmark

@@ -19,7 +19,7 @@
 
 namespace dsc_benchmark {
 
-/// Distances from the triangles of an interface as it was.
+/// Distances from the triangles of the initial interface.
 class Interface_at_start
 {
 public:
@@ -33,7 +33,7 @@ public:
     m_tree.rebuild(m_triangles.begin(), m_triangles.end());
   }
 
-  /// Mean and maximum over the vertices of an interface.
+  /// Mean and maximum distance of the vertices of an interface.
   std::array<double, 2> distances(const Complex& complex) const {
     double sum = 0, maximum = 0;
     const auto vertices = complex.interface_vertices();

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Improves an interface again and again, and measures how far it went and what it gained: table I
-// of the paper. Prints a row of a table, without its head.
+// Improves an interface repeatedly, and measures its displacement and its quality (table I of the
+// paper). Prints a row of a table, without the table head.
 
 #include "inputs.h"
 #include "interface_at_start.h"
@@ -32,7 +32,8 @@ namespace {
 
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
-// The smallest angle of a triangle of the interface, and the mean of those of all, in degrees.
+// The smallest angle of an interface triangle, and the mean of the smallest angles of all
+// triangles, in degrees.
 std::array<double, 2> smallest_angles(const Complex& complex) {
   double minimum = 180, sum = 0;
   const auto facets = complex.interface_facets();
@@ -57,7 +58,7 @@ int improve(const std::string& input, double aggressiveness, unsigned iterations
   const double volume = complex.volume(1), edge = complex.mean_interface_edge();
   const auto before = smallest_angles(complex);
   const double begin = processor_seconds();
-  // Scanned surfaces have no sharp edges; where facets fold, that is noise.
+  // Scanned surfaces have no sharp edges; folds of their facets are noise.
   for (unsigned i = 0; i < iterations; ++i)
     DSC::improve_interface(complex, parameters::aggressiveness(aggressiveness).feature_angle(180.));
   const double seconds = processor_seconds() - begin;

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Lets surfaces move with their mean curvature, and compares with what is known of that.
-// Prints a row of a table, without its head.
+// Moves surfaces by mean curvature, and compares the results with exact solutions. Prints a row of
+// a table, without the table head.
 
 #include "inputs.h"
 #include "measures.h"
@@ -37,17 +37,17 @@ Complex make_complex(const Surface& surface, bool normalize = false) {
                                                             parameters::normalize(normalize));
 }
 
-// What is to be known of a flow when it is over.
+// The results of a flow.
 struct Flow
 {
   double time = 0;
   std::size_t steps = 0, incomplete = 0;
   double seconds = 0, sum_of_sweeps = 0, most_sweeps = 0;
   bool is_valid = true;
-  std::size_t components = 1; // of label 1, in the end
-  int characteristic = 2;     // of Euler, of its interface
+  std::size_t components = 1; // components of label 1 at the end
+  int characteristic = 2;     // Euler characteristic of its interface at the end
 
-  // One step, as users do it.
+  // One step with default parameters.
   void step(Complex& complex, double dt) {
     const double sweep = sweep_seconds(complex, complex.cells());
     const double begin = processor_seconds();
@@ -71,12 +71,13 @@ struct Flow
   }
 };
 
-// A sphere shrinks with r^2 = r0^2 - 4 t, here to three tenths.
+// A sphere shrinks with r^2 = r0^2 - 4 t, here to three tenths of its radius.
 Flow shrink_sphere(std::size_t n) {
   static constexpr double last_radius = .3;
   Complex complex = make_complex(sphere(1, n));
   const std::size_t triangles = complex.interface_facets().size();
-  // As accurate in time as in space: steps by the square of the length of an edge would be more.
+  // The time step is as accurate as the mesh; a step of the square of the edge length would be too
+  // long.
   const double dt = .02 * complex.mean_interface_edge();
   Flow flow;
   double error = 0;
@@ -94,7 +95,7 @@ Flow shrink_sphere(std::size_t n) {
   return flow;
 }
 
-// The radius of the hole of a torus about the x axis.
+// Returns the radius of the hole of a torus about the x axis.
 double hole(const Complex& complex) {
   double result = HUGE_VAL;
   for (const auto v : complex.interface_vertices()) {
@@ -104,10 +105,10 @@ double hole(const Complex& complex) {
   return result;
 }
 
-// Until the topology of label 1 is not what it was.
+// Runs a flow until the topology of label 1 changes.
 Flow run_until_change(const std::string& name, const Surface& surface, const std::string& what,
                       double exact, bool closes_hole = false) {
-  static constexpr double part = .02; // of the time that the thinnest part is left
+  static constexpr double part = .02; // fraction of the time until the thinnest part vanishes
   static constexpr double smallest_hole = .03;
   Complex complex = make_complex(surface);
   const std::size_t triangles = complex.interface_facets().size();

@@ -29,14 +29,14 @@ using Vector = Complex::Approximate_vector_3;
 
 constexpr double degree = CGAL_PI / 180;
 
-/// The processor time of the program so far: what others do meanwhile does not count.
+/// Returns the processor time of the program; it does not depend on other processes.
 inline double processor_seconds() {
   timespec time;
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
   return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
-/// Whether a complex is valid; says on `std::cerr` why it is not.
+/// Returns whether a complex is valid; prints the reasons to `std::cerr` if it is not.
 template <class Complex> bool check(const Complex& complex) {
   return complex.is_valid() || complex.is_valid(true);
 }
@@ -53,7 +53,7 @@ inline Point centre(const CGAL::Bbox_3& box) {
                         Point(box.xmax(), box.ymax(), box.zmax()));
 }
 
-/// The exact orientation and the volume-length ratio of each cell, summed up to have a result.
+/// Returns the sum of the exact orientations and the volume-length ratios of all cells.
 inline double sweep(const Complex& complex, const std::vector<Complex::Cell_handle>& cells) {
   const auto orientation = complex.geom_traits().orientation_3_object();
   const DSC::Volume_length_ratio_3 ratio;
@@ -67,13 +67,13 @@ inline double sweep(const Complex& complex, const std::vector<Complex::Cell_hand
   return sum;
 }
 
-/// Processor time of a sweep over all finite tetrahedra, the unit that motions are measured in: the
-/// median of several. To be taken of a complex whose storage is sorted, right before what is
-/// measured, as machines do not keep their speed.
+/// Returns the processor time of a sweep over all finite tetrahedra: the median of several sweeps.
+/// It is the unit of the costs of motions. Call it for a complex with sorted storage, immediately
+/// before the measurement, because the speed of machines varies.
 inline double sweep_seconds(const Complex& complex,
                             const std::vector<Complex::Cell_handle>& cells) {
   std::array<double, 5> seconds;
-  [[maybe_unused]] volatile double sum; // so that no sweep can be optimized away
+  [[maybe_unused]] volatile double sum; // prevents the optimization of sweeps
   for (double& s : seconds) {
     const double start = processor_seconds();
     sum = sweep(complex, cells);
@@ -83,7 +83,7 @@ inline double sweep_seconds(const Complex& complex,
   return seconds[seconds.size() / 2];
 }
 
-/// The six dihedral angles of a cell, in degrees.
+/// Returns the six dihedral angles of a cell, in degrees.
 template <class Complex>
 std::array<double, 6> dihedral_angles(const Complex& complex, typename Complex::Cell_handle c) {
   const auto p = [&](int i) { return complex.position(c->vertex(i)); };
@@ -118,7 +118,7 @@ struct Angles
   double fraction_outside_6_171() const { return double(outside_6_171) / double(number); }
 };
 
-/// Those of all finite cells.
+/// Returns the dihedral angles of all finite cells.
 template <class Complex> Angles dihedral_angles(const Complex& complex) {
   Angles angles;
   for (const auto c : complex.triangulation().finite_cell_handles())

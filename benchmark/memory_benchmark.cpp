@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Counts the bytes per tetrahedron of a complex as it is built: of its cells and vertices from the
-// capacity of their containers, of everything by what is given back when the complex is destroyed.
-// Prints a row of a table, without its head. Needs the GNU C library on Linux.
+// Measures the bytes per tetrahedron of a new complex. The bytes of cells and vertices are computed
+// from the capacities of their containers. The total is the memory that the destruction of the
+// complex releases. Prints a row of a table, without the table head. Needs the GNU C library on
+// Linux.
 
 #include "inputs.h"
 #include "measures.h"
@@ -36,7 +37,7 @@ namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 double heap_bytes() {
   const struct mallinfo2 info = mallinfo2();
-  return double(info.uordblks) + double(info.hblkhd); // in the heap and mapped one by one
+  return double(info.uordblks) + double(info.hblkhd); // in the heap and in separate mappings
 }
 
 double resident_bytes() {

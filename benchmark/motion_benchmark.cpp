@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Rotates a surface by a whole turn, offsets it out and back, or inwards, shrinks it by its mean
-// curvature, pushes a small part of it, or nothing, and measures what it costs and what becomes of
-// the surface. Prints a row of a table, without its head.
+// Rotates a surface by 360 degrees, offsets it outwards and back or inwards, shrinks it by mean
+// curvature, displaces a small part of it, or displaces nothing. Measures the costs and the changes
+// of the surface. Prints a row of a table, without the table head.
 
 #include "inputs.h"
 #include "measures.h"
@@ -41,7 +41,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
-/// The interface before a motion. Time stamps say what is left of it, as none is used twice.
+/// The interface before a motion. Time stamps identify remaining vertices, because none is used
+/// twice.
 class Initial_interface
 {
 public:
@@ -52,7 +53,7 @@ public:
 
   std::size_t number_of_vertices() const { return m_vertices.size(); }
 
-  /// How far each vertex that is still on the interface is from where it was.
+  /// Returns the distance of each remaining interface vertex from its initial position.
   std::vector<double> distances(const Complex& complex) const {
     std::vector<double> result;
     auto initial = m_vertices.begin();
@@ -65,7 +66,7 @@ public:
     return result;
   }
 
-  /// The fraction of the triangles that still have their vertices and are on the interface.
+  /// Returns the fraction of the triangles whose vertices remain and are on the interface.
   double unchanged_triangles(const Complex& complex) const {
     const std::vector<Triangle> now = triangles(complex);
     const auto is_left = [&](const Triangle& t) {
@@ -93,7 +94,7 @@ private:
   std::vector<Triangle> m_triangles;                     // sorted
 };
 
-/// Where the time of a step went.
+/// The costs of the parts of a step.
 Json parts(const DSC::Deformation_report<Complex>::Seconds& seconds) {
   return {{"extension", seconds.extension},
           {"motion", seconds.motion},
@@ -104,14 +105,14 @@ Json parts(const DSC::Deformation_report<Complex>::Seconds& seconds) {
           {"rest", seconds.rest}};
 }
 
-/// Numbers of all steps of a run, and what they amount to.
+/// The results of all steps of a run, and their sums.
 class Steps
 {
 public:
-  /// Before the first motion: the complex as it is built is what sweeps are taken of.
+  /// Called before the first motion; sweeps are measured on the initial complex.
   explicit Steps(const Complex& complex) : m_initial(complex), m_cells(m_initial.cells()) {}
 
-  /// Takes one step, of which only the motion is timed. More may be added to what is returned.
+  /// Takes one step and measures only the motion. The caller may add values to the result.
   template <class Flow> Json& take(Complex& complex, const Flow& flow, double dt = 1) {
     const double sweep = sweep_seconds(m_initial, m_cells);
     const double start = processor_seconds();
@@ -156,9 +157,9 @@ private:
   Json m_steps = Json::array();
 };
 
-/// Makes edges half as long: large surfaces take long to tetrahedralize.
+/// Halves the edge lengths; TetGen takes long for large surfaces.
 void refine(Complex& complex) {
-  static constexpr double longest = 4. / 3; // of the wanted length, half of what there is
+  static constexpr double longest = 4. / 3; // target length: half of the present length
   const double edge = complex.mean_interface_edge() / 2;
   DSC::improve_interface(complex, parameters::sizing_field([edge](const Point&) {
                                     return edge;
@@ -166,7 +167,7 @@ void refine(Complex& complex) {
   DSC::improve_mesh(complex);
 }
 
-/// Two degrees in each step, about the z axis through the centre of the box.
+/// Two degrees in each step, about the z axis through the center of the box.
 Json rotate(Complex& complex, Steps& steps, int number_of_steps) {
   const CGAL::Bbox_3 box = bounding_box(complex);
   const Initial_interface initial(complex);
@@ -184,7 +185,7 @@ Json rotate(Complex& complex, Steps& steps, int number_of_steps) {
           {"unchanged_triangles", initial.unchanged_triangles(complex)}};
 }
 
-/// Of all solids, in the units of the input.
+/// Returns the volume of all solids, in the units of the input.
 double volume(const Complex& complex) {
   double sum = 0;
   for (const int label : complex.labels())
@@ -192,7 +193,7 @@ double volume(const Complex& complex) {
   return sum * std::pow(complex.normalization().scale, 3);
 }
 
-/// Out and back, a quarter of a mean edge in each step.
+/// Outwards and back, a quarter of a mean edge in each step.
 Json offset(Complex& complex, Steps& steps, int number_of_steps) {
   const double distance = .25 * complex.mean_interface_edge();
   Json volumes = Json::array({volume(complex)});
@@ -216,7 +217,7 @@ Json offset(Complex& complex, Steps& steps, int number_of_steps) {
           {"components", components}};
 }
 
-/// A velocity that is not zero within a radius around a point only.
+/// A velocity that vanishes outside a ball around a point.
 struct Local_push
 {
   Point center;
@@ -229,7 +230,7 @@ struct Local_push
   }
 };
 
-/// Pushes a part of the interface out, by a quarter of its mean edge in each step, and back.
+/// Moves a part of the interface outwards by a quarter of its mean edge in each step, and back.
 Json push(Complex& complex, Steps& steps, int number_of_steps, double part) {
   const std::vector<Complex::Vertex_handle> vertices = complex.interface_vertices();
   const auto is_lower = [&](Complex::Vertex_handle v, Complex::Vertex_handle w) {
@@ -262,11 +263,11 @@ Json flow(Complex& complex, Steps& steps, int number_of_steps, const Flow& flow,
   return {{"valid", is_valid}, {"incomplete_steps", steps.count("incomplete")}};
 }
 
-/// What a mode does to the complex, in so many steps, or as many as it is known for if these are 0.
+/// Runs a mode for this number of steps, or for its default number if the number is 0.
 Json move(const std::string& mode, Complex& complex, Steps& steps, int number_of_steps) {
-  static constexpr double small_part = .004; // of the vertices of the interface
+  static constexpr double small_part = .004; // fraction of the interface vertices
   const auto number = [&](int usual) { return number_of_steps > 0 ? number_of_steps : usual; };
-  if (mode == "rotation") // a whole turn
+  if (mode == "rotation") // a full rotation
     return rotate(complex, steps, number(180));
   if (mode == "offset") // five mean edges
     return offset(complex, steps, number(20));

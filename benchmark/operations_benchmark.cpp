@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Times what motion and improvement are made of, on the complex of a surface. Proposals are made
-// for all cells or vertices in turn; `accepted` is the fraction that would be committed.
+// Measures the operations of motion and improvement on the complex of a surface. Proposals are made
+// for all cells or vertices in turn; `accepted` is the fraction of the proposals that can be
+// committed.
 // Usage: operations_benchmark MESH [options of Google Benchmark]
 
 #include "inputs.h"
@@ -41,7 +42,7 @@ using Star = std::vector<Cell_handle>;
 namespace internal = CGAL::Deformable_simplicial_complexes::internal;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
-// Times `operation(i)` for i = 0, ..., n - 1 in turn, and tells how often it returned true.
+// Measures `operation(i)` for i = 0, ..., n - 1 in turn, and counts how often it returned true.
 template <class Operation>
 void add_benchmark(const std::string& name, std::size_t n, Operation operation) {
   benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) mutable {
@@ -85,7 +86,7 @@ void add_proposals_for_cells(const Complex& complex) {
   add("propose_multi_face_removal", [&](Cell_handle c, std::size_t i, auto& cavity) {
     return DSC::propose_multi_face_removal(complex, c, int(i % 4), cavity);
   });
-  // A threshold of 1 lets no cell pass without being looked at.
+  // With a threshold of 1, each cell is examined.
   add("propose_relabeling", [&](Cell_handle c, std::size_t, auto&) {
     Complex::Label label = c->label();
     return DSC::propose_relabeling(complex, c, 1., label);

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Moves more than two phases: turns four that meet in a point by 360 degrees, grows a double
-// bubble, or relaxes one. Prints a row of a table; fails if the phases are not what they must be.
+// Moves more than two phases: rotates four phases that meet at a point by 360 degrees, grows a
+// double bubble, or relaxes a double bubble. Prints a row of a table. Fails if the phases are
+// wrong.
 
 #include "counts.h"
 #include "inputs.h"
@@ -45,8 +46,8 @@ namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 using Labels = std::set<int>;
 using Triangle = std::array<std::size_t, 3>;
 
-// The sectors of a ball in label 0: the upper half, and three sectors of the lower one. Any
-// two share a plane; the planes consist of facets of a grid.
+// Sectors of a ball in label 0: the upper half, and three sectors of the lower half. Any two
+// sectors share a plane; the planes consist of facets of a grid.
 int four_sectors(const small_meshes::Point& p) {
   static constexpr double radius = .5;
   if ((p - CGAL::ORIGIN).squared_length() > radius * radius)
@@ -58,13 +59,13 @@ int four_sectors(const small_meshes::Point& p) {
   return p.x() < p.y() ? 2 : 3;
 }
 
-// All that a rotation by 360 degrees must bring back. Vertices are named by their time stamps.
+// Data that a rotation by 360 degrees must restore. Vertices are identified by their time stamps.
 struct Phases
 {
   std::map<std::size_t, Point> vertices;                       // of the interface
   std::map<Triangle, Labels> facets;                           // of the interface
-  std::map<std::pair<std::size_t, std::size_t>, Labels> lines; // edges of three labels or more
-  std::map<std::size_t, Labels> points;                        // vertices of four or more
+  std::map<std::pair<std::size_t, std::size_t>, Labels> lines; // edges of at least three labels
+  std::map<std::size_t, Labels> points;                        // vertices of at least four labels
   std::map<int, double> volumes;
 
   explicit Phases(const Complex& complex) {
@@ -85,7 +86,7 @@ struct Phases
       volumes.emplace(label, complex.volume(label));
   }
 
-  // The largest distance of vertices from where others have them, infinite if one is missing.
+  // Returns the largest distance of corresponding vertices, or infinity if one is missing.
   double distance(const Phases& other) const {
     double result = vertices.size() == other.vertices.size() ? 0 : HUGE_VAL;
     for (const auto& [time_stamp, position] : vertices) {
@@ -97,7 +98,7 @@ struct Phases
     return result;
   }
 
-  // The largest change of a volume, relative to what others have.
+  // Returns the largest relative change of a volume.
   double change_of_volume(const Phases& other) const {
     double result = volumes.size() == other.volumes.size() ? 0 : HUGE_VAL;
     for (const auto& [label, volume] : volumes) {
@@ -115,7 +116,7 @@ private:
   }
 };
 
-// The point in which the phases meet turns too: the axis passes beside it.
+// The point where the phases meet rotates, too, because it does not lie on the axis.
 int measure_quadruple_point(std::size_t n) {
   static constexpr int number_of_steps = 180;
   static constexpr double tolerance = 1e-9;
@@ -154,8 +155,8 @@ int measure_quadruple_point(std::size_t n) {
   return is_right ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-// Two spheres of radius 0.5 cut by the plane x = 0 at 120 degrees, as soap films meet, the wall
-// between them, and a large sphere around.
+// Two spheres of radius 0.5 cut by the plane x = 0, which meet at 120 degrees like soap films, the
+// wall between them, and a large surrounding sphere.
 Surface double_bubble(std::size_t n) {
   static constexpr double radius = .5;
   const double rim = radius * std::sin(120 * degree);
@@ -178,8 +179,8 @@ Surface double_bubble(std::size_t n) {
   return surface;
 }
 
-// The triangles cut the tetrahedra into three regions: those with the middles of the bubbles have
-// the labels 1 and 2, the other one 0.
+// The triangles divide the tetrahedra into three regions. The regions that contain the centers of
+// the bubbles get the labels 1 and 2, the remaining region gets label 0.
 std::vector<int> labels_of_bubbles(const DSC::Tetrahedralization_3& mesh,
                                    const std::vector<Triangle>& triangles) {
   std::set<Triangle> walls;
@@ -216,7 +217,7 @@ std::vector<int> labels_of_bubbles(const DSC::Tetrahedralization_3& mesh,
   return labels;
 }
 
-// Stretched along its axis by a factor.
+// Stretches along the axis by a factor.
 Complex make_double_bubble(std::size_t n, double stretch = 1) {
   const Surface surface = double_bubble(n);
   std::vector<std::array<double, 3>> coordinates;
@@ -231,8 +232,8 @@ Complex make_double_bubble(std::size_t n, double stretch = 1) {
       points, mesh.tetrahedra, labels_of_bubbles(mesh, surface.triangles));
 }
 
-// Where the bubbles meet the outside, the mean normal of both leads outward in the plane of the
-// wall, which so grows; the vertices inside of it stay.
+// On the triple line, the mean normal of both bubbles points outwards within the plane of the wall,
+// so the wall grows. The inner vertices of the wall stay.
 int measure_double_bubble(std::size_t n) {
   static constexpr int number_of_steps = 10;
   Complex complex = make_double_bubble(n);
@@ -265,8 +266,9 @@ int measure_double_bubble(std::size_t n) {
   return is_right ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-// The angles of the labels 0, 1 and 2 along the line where they meet, each between the two facets
-// of an edge that bound the label: means weighted by length, and the one farthest from 120 degrees.
+// Returns the angles of the labels 0, 1 and 2 along the triple line: means weighted by length, and
+// the angle with the largest deviation from 120 degrees. Each angle is between the two facets of an
+// edge that bound the label.
 struct Triple_angles
 {
   std::array<double, 3> means = {};
@@ -281,7 +283,7 @@ struct Triple_angles
     struct Facet
     {
       int label, other_label;
-      Vector across; // away from the edge, perpendicular to it
+      Vector across; // away from the edge and perpendicular to it
     };
     std::map<Edge, std::vector<Facet>, decltype(less)> edges(less);
     for (const auto& facet : complex.interface_facets()) {
@@ -322,8 +324,9 @@ struct Triple_angles
   }
 };
 
-// Mean curvature flow that keeps volumes brings a stretched double bubble to the one of least area:
-// three spherical caps, here of one radius and a plane, that meet at 120 degrees.
+// Mean curvature flow with constant volumes transforms a stretched double bubble into the double
+// bubble of least area: three spherical caps that meet at 120 degrees. Here two caps have the same
+// radius and the third is planar.
 int measure_relaxed_bubble(std::size_t n) {
   static constexpr int number_of_steps = 60;
   Complex complex = make_double_bubble(n, 1.3);

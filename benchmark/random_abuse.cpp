@@ -2,11 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Deforms small complexes by displacement fields that no physics would come up with, under all
-// policies in turn, and checks that they stay valid, that nothing hangs, and that no topology
-// changes but where the policy grants it. What it prints and writes depends on nothing but the
-// number of fields and the seed: compare it between runs, with other threads, also with and without
-// address space randomization (`setarch -R`).
+// Deforms small complexes by random displacement fields under all policies in turn. Checks that the
+// complexes stay valid, that each deformation terminates, and that topology changes only as the
+// policy permits. The output and the files depend only on the number of fields and on the seed.
+// Compare them between runs, with other numbers of threads, and without address space randomization
+// (`setarch -R`).
 
 #include "Worst_cells.h"
 #include "betti_numbers.h"
@@ -54,8 +54,8 @@ using Report = DSC::Deformation_report<Complex>;
 using Topology_control = std::function<bool(const Complex&, Complex::Cell_handle, int)>;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
-constexpr unsigned seconds_per_field = 120; // what takes longer hangs
-std::string work;                           // what is being done, for messages
+constexpr unsigned seconds_per_field = 120; // time limit
+std::string work;                           // the present operation, for messages
 
 extern "C" void stop_hanging(int) {
   static constexpr char text[] = " hangs\n";
@@ -64,16 +64,16 @@ extern "C" void stop_hanging(int) {
   std::_Exit(is_told ? EXIT_FAILURE : 2);
 }
 
-// What a deformation is allowed to do and how.
+// Options of a deformation.
 struct Policy
 {
-  std::string name; // the cells of the table for the choices that change the topology
+  std::string name; // the columns of the table for the policies that change topology
   Topology_control topology_control;
   unsigned maximum_number_of_passes;
   bool manifold_interface, collision_order;
   unsigned number_of_threads;
 
-  // All combinations follow each other as the number increases. Each choice is a digit of it.
+  // All combinations in turn as the number increases; each option is a digit of the number.
   static Policy decode(std::size_t number, unsigned threads) {
     using namespace CGAL::Deformable_simplicial_complexes;
     static const std::pair<const char*, Topology_control> controls[] = {
@@ -100,7 +100,7 @@ struct Policy
   }
 };
 
-// The CRC-32 of what a checkpoint would hold, over all states so far.
+// The CRC-32 of all previous states, as a checkpoint would store them.
 class Checksum
 {
 public:
@@ -137,7 +137,7 @@ struct Counts
   }
 };
 
-// A complex that is deformed again and again, and all that must hold after each time.
+// A complex that is deformed repeatedly, and the properties that must hold after each deformation.
 class Victim
 {
 public:
@@ -150,7 +150,7 @@ public:
     m_topology = betti_numbers::of_complex(m_complex);
   }
 
-  // Whether a label or most of the interface is gone.
+  // Returns whether a label or most of the interface has vanished.
   bool is_worn() const {
     return 4 * m_complex.interface_vertices().size() < m_initial.interface_vertices().size() ||
            m_complex.labels() != m_initial.labels();

@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Deforms small complexes in the plane and on a flat torus, of 2 and of 5 labels, by random fields,
-// under all kinds of topology control, and checks after each that they are valid, that the domain
-// is filled, and that no topology has changed where that was forbidden.
+// Deforms small complexes in the plane and on a flat torus, of 2 and of 5 labels, by random fields
+// under all kinds of topology control. Checks after each deformation that the complex is valid,
+// that its cells fill the domain, and that forbidden changes of topology did not happen.
 
 #include "Worst_cells.h"
 
@@ -44,9 +44,9 @@ using Point = Planar::Approximate_point_2;
 using Vector = Planar::Approximate_vector_2;
 using Field = std::vector<Vector>; // displacements in the order of `interface_vertices()`
 
-constexpr double size = 2;                  // of the domains
-constexpr unsigned seconds_per_field = 120; // what takes longer hangs
-std::string work;                           // what is being done, for messages
+constexpr double size = 2;                  // side length of the domains
+constexpr unsigned seconds_per_field = 120; // time limit
+std::string work;                           // the present operation, for messages
 
 extern "C" void stop_hanging(int) {
   static constexpr char text[] = " hangs\n";
@@ -60,7 +60,7 @@ class Random
 public:
   explicit Random(std::uint64_t seed) : m_engine(seed) {}
 
-  // Not a distribution of the standard library, as these differ.
+  // The distributions of the standard library differ between implementations, so they are not used.
   double number(double minimum, double maximum) {
     return minimum + (maximum - minimum) * std::ldexp(double(m_engine() >> 11), -53);
   }
@@ -70,7 +70,7 @@ public:
     return {x, number(-bound, bound)};
   }
 
-  // Waves, noise, or a motion of everything in one direction.
+  // Waves, noise, or a translation of everything.
   template <class Complex> Field field(const Complex& complex) {
     const auto vertices = complex.interface_vertices();
     const double amplitude = 3 * complex.mean_interface_edge() * number(0, 1), kind = number(0, 1);
@@ -98,7 +98,7 @@ private:
   std::mt19937_64 m_engine;
 };
 
-// Components and Euler characteristic (vertices less edges plus triangles) of each label.
+// Returns the components and the Euler characteristic (V - E + F) of each label.
 using Topology = std::map<int, std::pair<std::size_t, int>>;
 
 template <class Complex> Topology topology(const Complex& complex) {
@@ -137,7 +137,7 @@ public:
   Victim(const Complex& initial, Random& random)
       : m_initial(initial), m_complex(initial), m_random(random) {}
 
-  // All combinations of choices follow each other as the number increases.
+  // All combinations of options in turn as the number increases.
   void deform(std::size_t number, Counts& counts) {
     const auto choose = [&](std::size_t choices) {
       const std::size_t digit = number % choices;
@@ -218,7 +218,8 @@ void abuse(const std::string& name, const Complex& initial, std::size_t number_o
   std::cout << " | " << c.worst_cells << " |\n";
 }
 
-// A ring with a disk in it; or three disks of their own labels between two rows of another.
+// A ring with a disk inside; or three disks of different labels between two layers of another
+// label.
 int two_labels(const Point& p) {
   const double r = std::hypot(p.x() - 1, p.y() - 1);
   return r < .25 || (r > .45 && r < .8) ? 1 : 0;

@@ -41,7 +41,7 @@ public:
     return field;
   }
 
-  // Makes a field that is to be refused, now and then. Returns whether it did.
+  // Sometimes makes an invalid field. Returns whether the field is invalid.
   bool spoil(Field& field) {
     if (number(0, 1) > .02)
       return false;
@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  // Not a distribution of the standard library, as these differ.
+  // The distributions of the standard library differ between implementations, so they are not used.
   double number(double minimum, double maximum) {
     return minimum + (maximum - minimum) * std::ldexp(double(m_engine() >> 11), -53);
   }
@@ -81,7 +81,7 @@ private:
     const Field directions = noise(number_of_waves, amplitude / number_of_waves);
     Field field(vertices.size(), Vector(0, 0, 0));
     for (const Vector& direction : directions) {
-      const Vector wave = vector(CGAL_PI); // the domain is 2 wide
+      const Vector wave = vector(CGAL_PI); // the domain has width 2
       const double phase = number(0, 2 * CGAL_PI);
       for (std::size_t i = 0; i < field.size(); ++i)
         field[i] =

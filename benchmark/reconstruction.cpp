@@ -1,5 +1,5 @@
-// Reconstructs solids from points that sample known surfaces, by this package and by two methods of
-// CGAL, and prints a row of a table for each.
+// Reconstructs solids from points of known surfaces by this package and by two methods of CGAL, and
+// prints a row of a table for each method.
 
 #include "Triangle_distances.h"
 #include "clouds.h"
@@ -51,7 +51,7 @@ namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 struct Reconstruction
 {
   Mesh mesh;
-  std::string told = {}; ///< by the report
+  std::string told = {}; ///< according to the report
 };
 
 using Method = std::function<Reconstruction(const std::vector<Point>&)>;
@@ -105,7 +105,7 @@ Reconstruction by_advancing_front(const std::vector<Point>& points) {
   return result;
 }
 
-/// Root of the mean square, and the largest value.
+/// Root mean square and maximum.
 struct Spread
 {
   double squares = 0, weights = 0, largest = 0;
@@ -123,9 +123,9 @@ struct Spread
   }
 };
 
-/// Of all of the surface from the truth, by points on each triangle.
+/// Returns the distances of the surface from the truth, sampled on each triangle.
 Spread of_surface_from_truth(const std::vector<Kernel::Triangle_3>& triangles, const Cloud& cloud) {
-  static constexpr int n = 4; // points along an edge
+  static constexpr int n = 4; // samples along an edge
   Spread result;
   for (const auto& t : triangles)
     for (int i = 0; i < n; ++i)
@@ -175,7 +175,7 @@ void measure(const std::string& name, const Cloud& cloud, const std::string& met
   if (mesh.number_of_faces() == 0) {
     std::cout << "0 | | | | | | | | | ";
   } else {
-    // CGAL counts a point among its own neighbors.
+    // The neighbors of CGAL include the point itself.
     const double spacing =
         CGAL::compute_average_spacing<CGAL::Sequential_tag>(cloud.points, 6) * 7 / 6;
     const std::vector<Kernel::Triangle_3> triangles = triangles_of(mesh);
@@ -210,13 +210,13 @@ struct Options
   std::string cloud;
   unsigned seed = 1, threads = 1;
   std::size_t points = 20000;
-  double width = 0; // spacings
+  double width = 0; // in spacings
   bool with_peers = false;
 };
 
 Cloud make_cloud(const Options& options) {
   static constexpr double width = 2, height = 1, hole = .4, noise = .005, outliers = .01,
-                          gear_side = .02; // of cells of a point: 34 000 points
+                          gear_side = .02; // side length of cells with one point: 34 000 points
   const std::size_t n = options.points;
   const unsigned seed = options.seed;
   const Drilled_box box(width, height, hole);

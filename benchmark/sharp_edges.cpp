@@ -1,5 +1,5 @@
-// Reconstructs solids with sharp edges from their points, and prints for each a row of a table: how
-// far the result is from the solid, and the solid from the result.
+// Reconstructs solids with sharp edges from points. Prints a row of a table for each solid, with
+// the distances of the result from the solid and of the solid from the result.
 
 #include "Triangle_distances.h"
 #include "clouds.h"
@@ -31,12 +31,12 @@ using clouds::Turn;
 using Point_3 = Kernel::Point_3;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
-/// A solid that is known exactly, before it is turned.
+/// A solid that is known exactly, before its rotation.
 struct Solid
 {
-  std::function<std::vector<Point_3>(std::size_t, Numbers&)> sample; ///< about so many points
+  std::function<std::vector<Point_3>(std::size_t, Numbers&)> sample; ///< of about this size
   std::function<double(const Point_3&)> distance;
-  std::vector<Point_3> creases; ///< points on them
+  std::vector<Point_3> creases; ///< points on sharp edges
 };
 
 Solid gear(unsigned teeth) {
@@ -71,7 +71,7 @@ Solid polyhedron(const Surface& surface) {
 }
 
 Solid make_solid(const std::string& name, unsigned teeth) {
-  static constexpr std::size_t round = 720; // sides, which are 1e-5 radii off a circle
+  static constexpr std::size_t round = 720; // sides, within 1e-5 radii of a circle
   const double half_diagonal = std::sqrt(.5);
   const solids::Outline square = solids::regular_polygon(4, half_diagonal),
                         circle = solids::regular_polygon(round, .5);
@@ -108,12 +108,12 @@ struct Options
   std::string solid;
   unsigned seed = 1, teeth = 12;
   std::size_t points = 20000;
-  double noise = 0; // spacings
+  double noise = 0; // in spacings
 };
 
 void measure(const Options& options) {
-  static constexpr std::size_t truth = 400000; // points of the solid
-  static constexpr int n = 8;                  // places along an edge of a triangle
+  static constexpr std::size_t truth = 400000; // samples of the solid
+  static constexpr int n = 8;                  // samples along an edge of a triangle
   Numbers numbers(options.seed);
   const Turn turn(numbers);
   const Solid solid = make_solid(options.solid, options.teeth);

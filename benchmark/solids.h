@@ -17,13 +17,13 @@
 #include <string>
 #include <vector>
 
-/// Solids with sharp edges, as triangles whose neighbors share their points.
+/// Solids with sharp edges, as triangles with shared points.
 namespace dsc_benchmark::solids {
 
 using Point = Kernel::Point_3;
-using Outline = std::vector<std::array<double, 2>>; ///< counterclockwise; its first corner sees all
+using Outline = std::vector<std::array<double, 2>>; ///< counterclockwise; star-shaped
 
-/// A regular polygon about the origin.
+/// Returns a regular polygon about the origin.
 inline Outline regular_polygon(std::size_t n, double radius) {
   Outline result;
   for (std::size_t i = 0; i < n; ++i) {
@@ -33,7 +33,7 @@ inline Outline regular_polygon(std::size_t n, double radius) {
   return result;
 }
 
-/// Appends the polygon at z = 0, which faces downwards, and returns its number of corners.
+/// Appends the polygon at z = 0 with downward orientation, and returns its number of corners.
 inline std::size_t append_base(const Outline& outline, Surface& surface) {
   const std::size_t n = outline.size();
   for (const auto& [x, y] : outline)
@@ -58,7 +58,7 @@ inline Surface prism(const Outline& outline, double height) {
   return result;
 }
 
-/// A pyramid whose apex is above the origin.
+/// Returns a pyramid whose apex is above the origin.
 inline Surface pyramid(const Outline& outline, double height) {
   Surface result;
   const std::size_t n = append_base(outline, result);
@@ -68,10 +68,10 @@ inline Surface pyramid(const Outline& outline, double height) {
   return result;
 }
 
-/// Points on the edges whose triangles enclose an angle of more than 30 degrees.
+/// Returns points on the edges whose triangles meet at an angle of more than 30 degrees.
 inline std::vector<Point> creases(const Surface& surface) {
   static constexpr int n = 100;         // points on an edge
-  static constexpr double smooth = .86; // cosine of that angle
+  static constexpr double smooth = .86; // cosine of this angle
   std::map<std::array<std::size_t, 2>, Kernel::Vector_3> normals;
   std::vector<Point> result;
   for (const auto& t : surface.triangles) {

@@ -1,5 +1,5 @@
-// Measures improve_mesh() on the tetrahedra that TetGen makes of a surface in a box, and prints a
-// row of a table.
+// Measures improve_mesh() on the tetrahedra that TetGen generates for a surface in a box, and
+// prints a row of a table.
 
 #include "inputs.h"
 #include "measures.h"
@@ -32,14 +32,14 @@ using Complex =
     CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
                                           CGAL::Default, DSC::Biased_minimum_sine_3>;
 
-// The dihedral angles of all cells, and of those that are free. The fixed interface dictates those
-// of cells that have two facets on it, or one whose smallest angle is below a bound; and around a
-// facet that is all but a segment there is no room.
+// The dihedral angles of all cells, and of the free cells. The fixed interface determines angles of
+// cells with two facets on it, and of cells with a facet whose smallest angle is below a bound. The
+// cells around a nearly degenerate facet cannot be improved either.
 struct Statistics
 {
   Angles all, free;
   std::size_t dictated = 0, cramped = 0;
-  std::size_t poor = 0; // free ones with an angle outside 25 to 145 degrees
+  std::size_t poor = 0; // free cells with an angle outside 25 to 145 degrees
 
   void add_free(const std::array<double, 6>& angles) {
     free.add(angles);
@@ -61,7 +61,7 @@ double smallest_angle(const Complex& complex, const Complex::Facet& f) {
   return smallest;
 }
 
-// The vertices of facets of the interface with an angle below a bound, degrees.
+// Returns the vertices of interface facets with an angle below a bound in degrees.
 std::set<Complex::Vertex_handle> corners_of_segments(const Complex& complex, double bound) {
   std::set<Complex::Vertex_handle> result;
   for (const auto& f : complex.interface_facets())
@@ -99,7 +99,7 @@ Statistics statistics(const Complex& complex, double sharp) {
 
 using Interface = std::vector<std::array<std::array<double, 3>, 3>>;
 
-// As coordinates, bit for bit.
+// As bitwise coordinates.
 Interface interface_of(const Complex& complex) {
   Interface result;
   for (const auto& f : complex.interface_facets()) {

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Does the same work with several numbers of threads, in turns, and prints a row of a table: the
-// seconds that each takes, and whether all come to the same bits.
+// Runs the same work with several numbers of threads in turn. Prints a row of a table: the
+// wall-clock times, and whether all results are bitwise equal.
 
 #include "inputs.h"
 #include "measures.h"
@@ -46,7 +46,7 @@ template <class Flow> Work steps_of(const Flow& flow, int number, double dt) {
   };
 }
 
-/// What is done to a complex, by its name.
+/// Operations on a complex by their names.
 std::map<std::string, Work> works(const Complex& complex) {
   static constexpr int number_of_steps = 10;
   const double edge = complex.mean_interface_edge();

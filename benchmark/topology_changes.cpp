@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Moves a surface by a flow that changes its topology, counts components and the Euler
-// characteristic from scratch after every step, and prints a row of a table: what came and when.
-// Fails if that is not what must come.
+// Moves a surface by a flow that changes its topology. Counts components and the Euler
+// characteristic from scratch after each step. Prints a row of a table with the changes and their
+// times. Fails if the changes are not the expected ones.
 
 #include "counts.h"
 #include "inputs.h"
@@ -55,25 +55,25 @@ struct Topology
 struct Stage
 {
   Topology topology;
-  double time; // when it begins
+  double time; // start of the stage
 };
 
-constexpr double any_time = std::numeric_limits<double>::quiet_NaN(); // no time is far from it
+constexpr double any_time = std::numeric_limits<double>::quiet_NaN(); // matches all times
 
-// Where a point at p at the time t is at t + dt. A map and not a velocity, as the flows stop things
-// at an axis or a plane, which a step of an integrator would cross.
+// Returns the position at t + dt of a point that is at p at time t. It is a map and not a velocity,
+// because the flows stop at an axis or a plane, which an integration step would cross.
 using Flow = std::function<Point(const Point& p, double t, double dt)>;
 
 struct Scenario
 {
   Surface surface;
-  Flow flow; // of at most unit speed: time is distance
+  Flow flow; // the speed is at most one, so times are distances
   std::vector<Stage> stages;
   std::vector<std::string> events;
-  double end; // by when all must have come
+  double end; // time limit for all stages
 };
 
-// Towards the x axis, with a speed that depends on x.
+// Moves towards the x axis with a speed that depends on x.
 Flow to_axis(const std::function<double(double)>& speed) {
   return [speed](const Point& p, double, double dt) {
     const double r = std::hypot(p.y(), p.z());
@@ -82,7 +82,7 @@ Flow to_axis(const std::function<double(double)>& speed) {
   };
 }
 
-// Its hole closes when the radius 0.4 of the hole has been covered.
+// The hole of radius 0.4 closes when the displacement reaches its radius.
 Scenario shrinking_torus(std::size_t n) {
   static constexpr double tube_radius = .6;
   return {torus(tube_radius, n),
@@ -105,8 +105,8 @@ Scenario pinched_dumbbell(std::size_t n) {
           .5};
 }
 
-// A hollow ball whose walls draw together around x = 0, first where y > 0 and z = 0, last on the
-// other side: the tear runs round both ways until two cups are left.
+// A hollow ball whose walls contract around x = 0, first where y > 0 and z = 0, last on the
+// opposite side. The tear runs around both ways until two cups are left.
 Scenario shell(std::size_t n) {
   static constexpr double inner_radius = .8, middle = (1 + inner_radius) / 2, half = 1 - middle;
   static constexpr double width = .3, decay = 1;
@@ -127,9 +127,9 @@ Scenario shell(std::size_t n) {
           half * std::exp(decay * CGAL_PI) + .3};
 }
 
-// A ball is pinched along the plane x = 0 until it falls in two; the halves move apart, and back by
-// the reversed flow until they meet again. Pinching and parting take turns: parting while pinching,
-// reversed, would open the tips of the halves to disks that meet everywhere at once.
+// A ball is pinched along the plane x = 0 until it splits. The halves move apart, and the reversed
+// flow moves them back until they merge. Pinching and separation alternate: a reversed simultaneous
+// motion would flatten the tips of the halves to disks that meet everywhere at once.
 Scenario split(std::size_t n) {
   static constexpr double pinched = 1.15, parted = 1.35;
   const Flow pinch = to_axis([](double x) { return std::exp(-4 * x * x); });
@@ -152,7 +152,7 @@ std::string to_string(const DSC::Component_event& event) {
          std::to_string(event.before.size()) + " → " + std::to_string(event.after.size());
 }
 
-// What the stages were, and whether all counts agreed with those of the complex.
+// Returns the stages, and whether all counts equal those of the complex.
 class Observer
 {
 public:
@@ -172,7 +172,7 @@ public:
 
   const std::vector<Stage>& stages() const { return m_stages; }
 
-  // Whether the stages are the expected ones, in time.
+  // Returns whether the stages are the expected ones and in time.
   bool is_right(const std::vector<Stage>& expected, double tolerance) const {
     const auto is_same = [tolerance](const Stage& a, const Stage& b) {
       return a.topology == b.topology && !(std::abs(a.time - b.time) > tolerance);
@@ -197,7 +197,8 @@ void print_list(const Range& range, const char* separator, const Print& print) {
   std::cout << " | ";
 }
 
-// In steps of a quarter of a mean edge, and four more when all has come: it must also stay.
+// Steps of a quarter of a mean edge, and four more steps after the last stage, which must not
+// change the topology.
 int run(const std::string& name, const Scenario& scenario, bool prints_steps) {
   Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       std::vector<Surface>{scenario.surface}, CGAL::Tetgen_tetrahedralizer_3());

@@ -1,5 +1,5 @@
-// Offsets two spheres into each other and prints rows of a table: the volume of what they become
-// against the exact volume of the union.
+// Offsets two spheres until they overlap, and prints rows of a table: the volume of the result and
+// the exact volume of the union.
 
 #include "inputs.h"
 #include "measures.h"
@@ -29,7 +29,7 @@ using CGAL::Deformable_simplicial_complexes::Forbid_topology_changes;
 
 constexpr double start_radius = .2, half_distance = .25;
 
-// Two spheres of this radius that overlap; algorithm of the two caps.
+// Returns the volume of two overlapping spheres of this radius, by the formula for two caps.
 double exact_volume(double r) {
   const double d = 2 * half_distance, spheres = 8 * CGAL_PI * r * r * r / 3;
   return r <= half_distance ? spheres
@@ -45,7 +45,7 @@ Surface spheres(std::size_t n) {
   return surface;
 }
 
-// In steps of a quarter of a mean edge, the last one before each radius shorter.
+// Steps of a quarter of a mean edge; the last step before each radius is shorter.
 int measure(std::size_t n, bool forbid, bool moves_faces) {
   Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       std::vector<Surface>{spheres(n)}, CGAL::Tetgen_tetrahedralizer_3());
