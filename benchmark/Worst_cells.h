@@ -69,7 +69,7 @@ struct Worst_cells
         continue;
       ++count;
       const auto item = named.find(c);
-      static constexpr double rounding = 1e-9; // of two formulas, relative to the floor
+      static constexpr double rounding = 1e-9; // relative difference of two formulas
       if (item == named.end() || !(std::abs(item->second - q) <= rounding))
         fail("a cell below the floor is not reported as it is", q);
     }

@@ -21,7 +21,7 @@
 namespace dsc_benchmark::solids {
 
 using Point = Kernel::Point_3;
-using Outline = std::vector<std::array<double, 2>>; ///< counterclockwise; star-shaped
+using Outline = std::vector<std::array<double, 2>>; ///< counterclockwise; star-shaped at corner 0
 
 /// Returns a regular polygon about the origin.
 inline Outline regular_polygon(std::size_t n, double radius) {

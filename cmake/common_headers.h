@@ -1,5 +1,5 @@
-// Headers that most programs of the repository include, precompiled. They declare the templates that the
-// component Compiled contains.
+// Headers that most programs of the repository include, precompiled. They declare the templates
+// that the component Compiled contains.
 #include <CGAL/Deformable_simplicial_complexes/Curvature_sizing_field.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/compiled_2.h>
