@@ -5,7 +5,6 @@
 #include <CGAL/Deformable_simplicial_complexes/compiled_2.h>
 #include <CGAL/Deformable_simplicial_complexes/compiled_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Incompressible_fluids_3/compiled_3.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/velocity_fields_3.h>
 #include <CGAL/Simple_cartesian.h>

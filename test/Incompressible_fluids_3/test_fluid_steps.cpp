@@ -2,6 +2,9 @@
 #include "mesh_helpers.h"
 
 #include <CGAL/Incompressible_fluid_3.h>
+#if __has_include(<CGAL/Incompressible_fluids_3/compiled_3.h>) // if the component Compiled is used
+#include <CGAL/Incompressible_fluids_3/compiled_3.h>
+#endif
 
 #include <gtest/gtest.h>
 

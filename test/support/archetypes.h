@@ -83,26 +83,10 @@ public:
     }
   };
 
-  class Link_intersection_3
-  {
-  public:
-    CGAL::Star_exit_3 operator()(const Point_3& p, const Point_3& q,
-                                 const std::vector<std::array<Point_3, 3>>& facets) const {
-      const auto exact = [](const Point_3& x) {
-        return Kernel::Point_3(x.m_point.x(), x.m_point.y(), x.m_point.z());
-      };
-      std::vector<std::array<Kernel::Point_3, 3>> link;
-      for (const auto& f : facets)
-        link.push_back({exact(f[0]), exact(f[1]), exact(f[2])});
-      return Model().link_intersection_3_object()(exact(p), exact(q), link);
-    }
-  };
-
   Orientation_3 orientation_3_object() const { return {}; }
   Construct_approximate_point_3 construct_approximate_point_3_object() const { return {}; }
   Construct_exact_point_3 construct_exact_point_3_object() const { return {}; }
   Compute_approximate_volume_3 compute_approximate_volume_3_object() const { return {}; }
-  Link_intersection_3 link_intersection_3_object() const { return {}; }
 
 private:
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;

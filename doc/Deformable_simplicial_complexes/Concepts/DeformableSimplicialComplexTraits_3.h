@@ -58,26 +58,6 @@ public:
   /// under even permutations of the points.
   typedef unspecified_type Orientation_3;
 
-  /*!
-  A function object that computes the facet through which a ray leaves the star of its source, with
-
-  `CGAL::Star_exit_3 operator()(const Point_3& p, const Point_3& q, const
-  std::vector<std::array<Point_3, 3>>& facets) const`
-
-  The point `p` is the source of the ray, and `q != p` is a point on the ray. The vector `facets` is the link of `p`:
-  triples of points `a`, `b`, `c` such that `(p, a, b, c)` is positively oriented. The star covers each direction
-  around `p` exactly once. If `p` lies on the boundary of the domain, some directions are not covered.
-
-  The result consists of
-  - `facet`, the index of the first facet that the ray meets, or the number of facets if it meets none. The decision
-    is exact.
-  - `dimension`, the dimension of the simplex whose interior contains the intersection: 2 for a facet, 1 for an
-    edge, 0 for a vertex. The decision is exact.
-  - `parameter`, the number `t` such that `p + t (q - p)` lies in the plane of this facet, up to rounding; 0 if there
-    is no such facet.
-  */
-  typedef unspecified_type Link_intersection_3;
-
   /// @}
   /// \name Constructions
   /// @{
@@ -103,9 +83,6 @@ public:
 
   /// Returns a function object.
   Orientation_3 orientation_3_object() const;
-
-  /// Returns a function object.
-  Link_intersection_3 link_intersection_3_object() const;
 
   /// Returns a function object.
   Construct_approximate_point_3 construct_approximate_point_3_object() const;

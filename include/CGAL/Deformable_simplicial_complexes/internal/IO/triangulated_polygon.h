@@ -9,7 +9,13 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_TRIANGULATED_POLYGON_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_TRIANGULATED_POLYGON_H
 
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_face_base_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/Triangulation_data_structure_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -41,13 +47,52 @@ triangulated_quadrilateral(const std::vector<Polygon_kernel::Vector_3>& p) {
 // Returns the constrained Delaunay triangulation of a polygon in the plane. All predicates are
 // exact. The result is empty if the polygon is self-intersecting. Intersection points are not
 // computed, because there may be millions.
-#ifdef CGAL_DSC_EXTERN // see the component Compiled
+template <class Kernel = Polygon_kernel>
 Places_of_triangles
-triangulated_simple_polygon(const std::vector<Polygon_kernel::Point_2>& corners);
-#else
-inline Places_of_triangles
-triangulated_simple_polygon(const std::vector<Polygon_kernel::Point_2>& corners);
-#endif
+triangulated_simple_polygon(const std::vector<typename Kernel::Point_2>& corners) {
+  using Vertex_base = Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
+  using Face_base = Constrained_triangulation_face_base_2<
+      // whether it is outside
+      Kernel, Triangulation_face_base_with_info_2<bool, Kernel>>;
+  using Triangulation =
+      Constrained_Delaunay_triangulation_2<Kernel,
+                                           Triangulation_data_structure_2<Vertex_base, Face_base>,
+                                           No_constraint_intersection_tag>;
+  if (!is_simple_2(corners.begin(), corners.end()))
+    return {};
+
+  Triangulation triangulation;
+  std::vector<typename Triangulation::Vertex_handle> vertices;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    vertices.push_back(triangulation.insert(corners[i]));
+    vertices[i]->info() = i;
+    if (i > 0)
+      triangulation.insert_constraint(vertices[i - 1], vertices[i]);
+  }
+  triangulation.insert_constraint(vertices.back(), vertices.front());
+  if (triangulation.dimension() != 2)
+    return {};
+
+  for (const auto face : triangulation.all_face_handles())
+    face->info() = false;
+  std::vector<typename Triangulation::Face_handle> outside = {triangulation.infinite_face()};
+  while (!outside.empty()) {
+    const auto face = outside.back();
+    outside.pop_back();
+    if (face->info())
+      continue;
+    face->info() = true;
+    for (int i = 0; i < 3; ++i)
+      if (!face->is_constrained(i))
+        outside.push_back(face->neighbor(i));
+  }
+  Places_of_triangles triangles;
+  for (const auto face : triangulation.finite_face_handles())
+    if (!face->info())
+      triangles.push_back(
+          {face->vertex(2)->info(), face->vertex(0)->info(), face->vertex(1)->info()});
+  return triangles;
+}
 
 // Returns the triangles of a polygon, as indices into `corners`. The result is empty if the polygon
 // cannot be triangulated. A polygon of more than four corners is projected along its normal, and
@@ -98,9 +143,5 @@ template <class Point> Places_of_triangles triangulated_polygon(const std::vecto
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
-
-#ifndef CGAL_DSC_EXTERN
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/triangulated_polygon_impl.h>
-#endif
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_TRIANGULATED_POLYGON_H

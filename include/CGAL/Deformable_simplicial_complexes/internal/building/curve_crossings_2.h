@@ -29,7 +29,7 @@ namespace internal {
 
 // Returns whether two segments intersect in more than a common end. Equal segments of different
 // curves are allowed.
-inline bool meet(const Curve_soup_2& soup, const Wall<2>& s, const Wall<2>& t) {
+template <class Kernel> bool meet(const Curve_soup_2& soup, const Wall<2>& s, const Wall<2>& t) {
   const auto point = [&](std::size_t i) { return soup.points[i]; };
   if (s.vertices == t.vertices)
     return s.surface == t.surface;
@@ -41,13 +41,14 @@ inline bool meet(const Curve_soup_2& soup, const Wall<2>& s, const Wall<2>& t) {
         return CGAL::collinear(p, a, b) &&
                !CGAL::collinear_are_strictly_ordered_along_line(a, p, b);
       }
-  return CGAL::do_intersect(Planar_kernel::Segment_2(point(s.vertices[0]), point(s.vertices[1])),
-                            Planar_kernel::Segment_2(point(t.vertices[0]), point(t.vertices[1])));
+  using Segment = typename Kernel::Segment_2;
+  return CGAL::do_intersect(Segment(point(s.vertices[0]), point(s.vertices[1])),
+                            Segment(point(t.vertices[0]), point(t.vertices[1])));
 }
 
 // Throws `Invalid_surface_error` if segments cross or overlap. Complexity: O(n log n) if few
 // bounding boxes of segments overlap.
-inline void check_crossings(const Curve_soup_2& soup) {
+template <class Kernel> void check_crossings(const Curve_soup_2& soup) {
   using Box = Box_intersection_d::Box_with_info_d<double, 2, std::size_t>;
   using Reason = Invalid_surface_error::Reason;
   std::vector<Box> boxes;
@@ -58,7 +59,7 @@ inline void check_crossings(const Curve_soup_2& soup) {
   std::vector<std::pair<std::size_t, std::size_t>> crossings;
   box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
     Progress_scope::check();
-    if (meet(soup, soup.walls[a.info()], soup.walls[b.info()]))
+    if (meet<Kernel>(soup, soup.walls[a.info()], soup.walls[b.info()]))
       crossings.push_back(std::minmax(a.info(), b.info()));
   });
   if (crossings.empty())

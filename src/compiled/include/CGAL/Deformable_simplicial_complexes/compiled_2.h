@@ -16,9 +16,12 @@
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/Planar_filling_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/images/Image_filling_2.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #ifndef CGAL_DSC_INSTANTIATION // defined where the component instantiates the templates
@@ -40,6 +43,12 @@ CGAL_DSC_INSTANTIATION template class Deformable_simplicial_complex_2<>;
 
 namespace Deformable_simplicial_complexes {
 namespace internal {
+CGAL_DSC_INSTANTIATION template Planar_filling_2 fill_planar_box<Planar_kernel>(const Curve_soup_2&,
+                                                                                const Bbox_2&);
+CGAL_DSC_INSTANTIATION template Planar_filling_2
+fill_box_between<Planar_kernel>(const Curve_soup_2&, const Bbox_2&);
+CGAL_DSC_INSTANTIATION template Image_filling_2
+fill_image<Planar_kernel>(const Labelled_image_2&, double, const std::optional<Bbox_2>&);
 CGAL_DSC_INSTANTIATION template void improve_new_mesh(Default_complex_2&, const New_mesh_options&);
 CGAL_DSC_INSTANTIATION template Improvement_report
 run_detail_control(Default_complex_2&, const Detail_thresholds&,

@@ -7,7 +7,8 @@
 
 /// \file
 /// Declares the contents of the component `Compiled` for space: the class
-/// `CGAL::Deformable_simplicial_complex_3<>` and the functions that change it. A source file that
+/// `CGAL::Deformable_simplicial_complex_3<>` and the functions that change it, intersections of
+/// triangle soups and triangulations of polygons. A source file that
 /// includes this header uses the compiled code and does not instantiate these templates again.
 /// \pre The program links with `Deformable_simplicial_complex::Compiled`.
 
@@ -16,9 +17,16 @@
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/IO/triangulated_polygon.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/soup_intersections_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/soup_rays_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/split_at_crossings_3.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 
+#include <cstddef>
 #include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #ifndef CGAL_DSC_INSTANTIATION // defined where the component instantiates the templates
@@ -40,6 +48,15 @@ CGAL_DSC_INSTANTIATION template class Deformable_simplicial_complex_3<>;
 
 namespace Deformable_simplicial_complexes {
 namespace internal {
+CGAL_DSC_INSTANTIATION template std::vector<std::pair<std::size_t, std::size_t>>
+crossing_triangles<Predicates_kernel>(const Triangle_soup_3&);
+CGAL_DSC_INSTANTIATION template std::vector<Soup_ray_3>
+shoot_rays<Exact_predicates_exact_constructions_kernel>(const Triangle_soup_3&,
+                                                        const std::vector<std::size_t>&);
+CGAL_DSC_INSTANTIATION template std::optional<Split_soup_3>
+split_at_crossings<Exact_predicates_exact_constructions_kernel>(const Triangle_soup_3&);
+CGAL_DSC_INSTANTIATION template Places_of_triangles
+triangulated_simple_polygon<Polygon_kernel>(const std::vector<Polygon_kernel::Point_2>&);
 CGAL_DSC_INSTANTIATION template void improve_new_mesh(Default_complex_3&, const New_mesh_options&);
 CGAL_DSC_INSTANTIATION template Improvement_report
 run_detail_control(Default_complex_3&, const Detail_thresholds&,
