@@ -35,8 +35,7 @@ public:
 
 private:
   using Traits =
-      CGAL::Deformable_simplicial_complexes::Tree_traits_3<Kernel,
-                                                                     Triangles::const_iterator>;
+      CGAL::Deformable_simplicial_complexes::Tree_traits_3<Kernel, Triangles::const_iterator>;
 
   Triangles m_triangles;
   CGAL::AABB_tree<Traits> m_tree;

@@ -48,8 +48,7 @@ public:
 private:
   using Triangles = std::vector<Kernel::Triangle_3>;
   using Tree_traits =
-      CGAL::Deformable_simplicial_complexes::Tree_traits_3<Kernel,
-                                                                     Triangles::const_iterator>;
+      CGAL::Deformable_simplicial_complexes::Tree_traits_3<Kernel, Triangles::const_iterator>;
 
   static Kernel::Point_3 kernel_point(const Point& p) { return {p.x(), p.y(), p.z()}; }
 

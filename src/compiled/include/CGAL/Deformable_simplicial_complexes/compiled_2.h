@@ -49,22 +49,9 @@ CGAL_DSC_INSTANTIATION template Planar_filling_2
 fill_box_between<Planar_kernel>(const Curve_soup_2&, const Bbox_2&);
 CGAL_DSC_INSTANTIATION template Image_filling_2
 fill_image<Planar_kernel>(const Labelled_image_2&, double, const std::optional<Bbox_2>&);
-CGAL_DSC_INSTANTIATION template void improve_new_mesh(Default_complex_2&, const New_mesh_options&);
-CGAL_DSC_INSTANTIATION template Improvement_report
-run_detail_control(Default_complex_2&, const Detail_thresholds&,
-                   const Edge_unit<Default_complex_2>&, const Edge_unit<Default_complex_2>&,
-                   unsigned, const std::function<bool(Default_complex_2::Cell_handle)>&,
-                   Any_visitor<Default_complex_2>&);
-CGAL_DSC_INSTANTIATION template Improvement_report
-remesh_interface(Default_complex_2&, const Interface_thresholds&,
-                 const Edge_unit<Default_complex_2>&, unsigned, Any_visitor<Default_complex_2>&);
-CGAL_DSC_INSTANTIATION template Improvement_report
-improve_whole_mesh(Default_complex_2&, const Mesh_improvement_options&,
-                   Any_visitor<Default_complex_2>&);
-CGAL_DSC_INSTANTIATION template Deformation_report<Default_complex_2>
-deform(Default_complex_2&, const std::vector<Default_complex_2::Vertex_handle>&,
-       const std::vector<Default_complex_2::Point>&, const Deformation_options<Default_complex_2>&,
-       unsigned, unsigned, Any_visitor<Default_complex_2>&, const std::function<bool(unsigned)>&);
+#define CGAL_DSC_COMPILED_COMPLEX Default_complex_2
+#include <CGAL/Deformable_simplicial_complexes/compiled_functions.h>
+#undef CGAL_DSC_COMPILED_COMPLEX
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL

@@ -57,22 +57,9 @@ CGAL_DSC_INSTANTIATION template std::optional<Split_soup_3>
 split_at_crossings<Exact_predicates_exact_constructions_kernel>(const Triangle_soup_3&);
 CGAL_DSC_INSTANTIATION template Places_of_triangles
 triangulated_simple_polygon<Polygon_kernel>(const std::vector<Polygon_kernel::Point_2>&);
-CGAL_DSC_INSTANTIATION template void improve_new_mesh(Default_complex_3&, const New_mesh_options&);
-CGAL_DSC_INSTANTIATION template Improvement_report
-run_detail_control(Default_complex_3&, const Detail_thresholds&,
-                   const Edge_unit<Default_complex_3>&, const Edge_unit<Default_complex_3>&,
-                   unsigned, const std::function<bool(Default_complex_3::Cell_handle)>&,
-                   Any_visitor<Default_complex_3>&);
-CGAL_DSC_INSTANTIATION template Improvement_report
-remesh_interface(Default_complex_3&, const Interface_thresholds&,
-                 const Edge_unit<Default_complex_3>&, unsigned, Any_visitor<Default_complex_3>&);
-CGAL_DSC_INSTANTIATION template Improvement_report
-improve_whole_mesh(Default_complex_3&, const Mesh_improvement_options&,
-                   Any_visitor<Default_complex_3>&);
-CGAL_DSC_INSTANTIATION template Deformation_report<Default_complex_3>
-deform(Default_complex_3&, const std::vector<Default_complex_3::Vertex_handle>&,
-       const std::vector<Default_complex_3::Point>&, const Deformation_options<Default_complex_3>&,
-       unsigned, unsigned, Any_visitor<Default_complex_3>&, const std::function<bool(unsigned)>&);
+#define CGAL_DSC_COMPILED_COMPLEX Default_complex_3
+#include <CGAL/Deformable_simplicial_complexes/compiled_functions.h>
+#undef CGAL_DSC_COMPILED_COMPLEX
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
